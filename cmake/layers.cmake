@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The allow-list: "folder: the folders it may include". It feeds the link lines below and tools/check_layers.
+# Data flows one way: deck -> model -> domain -> timeloop(elements, contact, constraints, loads) -> output.
+set(CRUMPLE_LAYERS
+  "base:"
+  "math: base"
+  "model: base"
+  "domain: model math base"
+  "materials: domain model math base"
+  "elements: materials domain model math base"
+  "contact: domain model math base cellsearch"
+  "constraints: domain model math base"
+  "loads: domain model math base"
+  "timeloop: elements materials contact constraints loads domain model math base"
+  "deck: model base"
+  "output: domain model math base")
+# app may include everything; it is built by crumple/app/CMakeLists.txt.
+
+set(CRUMPLE_NON_CORE deck output)
+set(CRUMPLE_LAYER_NAMES "")
+foreach(line IN LISTS CRUMPLE_LAYERS)
+  string(REGEX REPLACE ":.*" "" name "${line}")
+  string(REGEX REPLACE "^[^:]*:" "" allowed "${line}")
+  separate_arguments(allowed)
+  set(CRUMPLE_LAYER_${name} ${allowed})
+  if(NOT (CRUMPLE_CORE_ONLY AND name IN_LIST CRUMPLE_NON_CORE))
+    list(APPEND CRUMPLE_LAYER_NAMES ${name})
+  endif()
+endforeach()
+
+# The text of a kernel is compiled once per instruction set: crumple/<layer>/kernels/*.cpp, with
+# CRUMPLE_ISA naming the variant. "scalar" is the reference that every other one is tested against.
+set(CRUMPLE_ISAS scalar baseline)
+if(CRUMPLE_X86)
+  list(APPEND CRUMPLE_ISAS avx2 avx512)
+endif()
+set(CRUMPLE_ISA_FLAGS_avx2 -march=x86-64-v3)
+set(CRUMPLE_ISA_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+
+function(crumple_add_isa_variants layer)
+  file(GLOB kernels CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/crumple/${layer}/kernels/*.cpp)
+  if(NOT kernels)
+    return()
+  endif()
+  foreach(isa IN LISTS CRUMPLE_ISAS)
+    set(variant crumple_${layer}_${isa})
+    add_library(${variant} OBJECT ${kernels})
+    target_compile_options(${variant} PRIVATE ${CRUMPLE_WARNINGS} ${CRUMPLE_ISA_FLAGS_${isa}})
+    target_compile_definitions(${variant} PRIVATE CRUMPLE_ISA=${isa} CRUMPLE_ISA_IS_${isa}=1)
+    target_include_directories(${variant} PRIVATE ${PROJECT_SOURCE_DIR}/crumple)
+    target_sources(crumple_${layer} PRIVATE $<TARGET_OBJECTS:${variant}>)
+  endforeach()
+endfunction()
+
+# One static library per folder. A folder without sources yet is an interface target.
+function(crumple_add_layer layer)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/crumple/${layer}/*.cpp)
+  set(target crumple_${layer})
+  set(scope PUBLIC)
+  if(sources)
+    add_library(${target} STATIC ${sources})
+    target_compile_options(${target} PRIVATE ${CRUMPLE_WARNINGS})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR}/crumple)
+  foreach(allowed IN LISTS CRUMPLE_LAYER_${layer})
+    if(allowed STREQUAL "cellsearch")
+      target_link_libraries(${target} ${scope} cellsearch::cellsearch)
+    else()
+      target_link_libraries(${target} ${scope} crumple_${allowed})
+    endif()
+  endforeach()
+  if(layer STREQUAL "base")
+    target_link_libraries(${target} ${scope} OpenMP::OpenMP_CXX)
+  endif()
+  if(sources)
+    crumple_add_isa_variants(${layer})
+  endif()
+  if(layer IN_LIST CRUMPLE_NON_CORE)
+    find_package(fmt REQUIRED)
+    target_link_libraries(${target} ${scope} fmt::fmt)
+  endif()
+  if(layer STREQUAL "output")
+    find_package(ZLIB REQUIRED)
+    find_package(nlohmann_json REQUIRED)
+    target_link_libraries(${target} ${scope} ZLIB::ZLIB nlohmann_json::nlohmann_json)
+  endif()
+endfunction()

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/index.hpp"
+
+namespace crumple::model {
+
+/// Fixed degrees of freedom of a node, in global axes: true is held at zero (*BOUNDARY_SPC).
+struct FixedNode {
+  Index node = no_index;
+  std::array<bool, 3> translation{};
+  std::array<bool, 3> rotation{};
+};
+
+/// Velocity of a node at time zero. Later entries for the same node replace earlier ones.
+struct InitialVelocity {
+  Index node = no_index;
+  std::array<double, 3> velocity{};          ///< [length/time]
+  std::array<double, 3> angular_velocity{};  ///< [1/time]
+};
+
+/// A plane that nodes may not cross (*RIGIDWALL_PLANAR). Infinite, at rest.
+struct RigidWall {
+  UserId id = 0;
+  std::string title;
+  std::vector<Index> nodes;        ///< the nodes that the wall stops
+  std::array<double, 3> point{};   ///< a point of the plane [length]
+  std::array<double, 3> normal{};  ///< unit normal, towards the side where the nodes are
+  double friction = 0;             ///< Coulomb coefficient; a value of 1 or more sticks, as in LS-DYNA
+};
+
+/// Single-surface contact of shells with themselves and each other (*CONTACT_AUTOMATIC_SINGLE_SURFACE).
+struct SingleSurfaceContact {
+  UserId id = 0;
+  std::string title;
+  std::vector<Index> parts;      ///< the parts that take part, ascending; never empty
+  double static_friction = 0;    ///< FS
+  double dynamic_friction = 0;   ///< FD
+  double friction_decay = 0;     ///< DC: mu = FD + (FS - FD) exp(-DC |v|) [time/length]
+  double viscous_damping = 0;    ///< VDC, fraction of critical [-]; 0.2 is 20 %
+  double stiffness_scale = 1.0;  ///< SFS * SFM side factor on the penalty stiffness [-]
+  double thickness_scale = 1.0;  ///< SFST: factor on the true thickness [-]
+  double contact_thickness = 0;  ///< SST: thickness used instead of the true one [length]; 0 is none
+  double birth_time = 0;         ///< BT [time]
+  double death_time = 1e20;      ///< DT [time]
+};
+
+}  // namespace crumple::model

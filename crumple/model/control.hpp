@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/index.hpp"
+#include "model/section.hpp"
+
+namespace crumple::model {
+
+/// How the run is done: what *CONTROL cards say. Defaults are LS-DYNA's.
+struct Control {
+  double end_time = 0;  ///< ENDTIM [time]
+  long end_cycle = 0;   ///< ENDCYC; 0 is no limit
+  double minimum_step_factor =
+      0;                         ///< DTMIN: end when the step falls below DTMIN times the first one; 0 is off
+  double end_energy_ratio = 0;   ///< ENDENG: percent change of the energy ratio that ends the run; 0 is off
+  double end_mass_increase = 0;  ///< ENDMAS: percent change of the total mass that ends the run; 0 is off
+  double initial_step = 0;       ///< DTINIT [time]; 0 lets the program choose
+  double step_scale = 0.9;       ///< TSSFAC
+  double mass_scaling_step = 0;  ///< DT2MS [time]; negative adds mass only where needed; 0 is off
+  HourglassControl hourglass;    ///< for parts without their own
+  bool thickness_change = false;         ///< ISTUPD: shells become thinner as they stretch
+  double contact_stiffness_scale = 0.1;  ///< SLSFAC
+};
+
+/// What to write and how often. A zero interval means that the deck does not ask for it.
+struct OutputRequests {
+  double state_interval = 0;         ///< *DATABASE_BINARY_D3PLOT [time]
+  double glstat_interval = 0;        ///< [time]
+  double matsum_interval = 0;        ///< [time]
+  double rwforc_interval = 0;        ///< [time]
+  double rcforc_interval = 0;        ///< [time]
+  double nodout_interval = 0;        ///< [time]
+  std::vector<Index> history_nodes;  ///< *DATABASE_HISTORY_NODE
+};
+
+/// Global search settings: LS-DYNA has no card for them, `$crumple` comment lines and options set them.
+struct SearchSettings {
+  std::string method = "linked-cell";      ///< one of the names of cellsearch
+  double expansion = 0;                    ///< territory expansion c [length]; 0 lets the program choose
+  bool has_cells = false;                  ///< cells and domain below are given
+  std::array<Index, 3> cells{};            ///< Nx, Ny, Nz
+  std::array<double, 3> domain_minimum{};  ///< [length]
+  std::array<double, 3> domain_maximum{};  ///< [length]
+};
+
+}  // namespace crumple::model

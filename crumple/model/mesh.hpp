@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/index.hpp"
+
+namespace crumple::model {
+
+/// Nodes in the order of the deck. Both arrays have one entry per node.
+struct Nodes {
+  std::vector<UserId> id;
+  std::vector<std::array<double, 3>> position;  ///< x, y, z [length]
+
+  Index count() const { return static_cast<Index>(id.size()); }
+};
+
+struct ShellElement {
+  UserId id = 0;
+  Index part = no_index;
+  std::array<Index, 4> node{no_index, no_index, no_index, no_index};  ///< a triangle repeats its third node
+  std::array<double, 4> thickness{};  ///< at the nodes [length]; all zero takes the section's
+};
+
+struct Part {
+  UserId id = 0;
+  std::string title;
+  Index section = no_index;    ///< in Model::shell_sections
+  Index material = no_index;   ///< in Model::materials
+  Index hourglass = no_index;  ///< in Model::hourglass_controls; no_index takes Model::control.hourglass
+};
+
+/// A mass at a node, without extent (*ELEMENT_MASS).
+struct LumpedMass {
+  UserId id = 0;
+  Index node = no_index;
+  double mass = 0;  ///< [mass]
+};
+
+struct NodeSet {
+  UserId id = 0;
+  std::string title;
+  std::vector<Index> nodes;
+};
+
+struct PartSet {
+  UserId id = 0;
+  std::string title;
+  std::vector<Index> parts;
+};
+
+}  // namespace crumple::model

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/model.hpp"
+
+#include <cmath>
+
+namespace crumple::model {
+
+std::array<double, 4> shell_thickness(const Model& model, const ShellElement& shell) {
+  const bool own = shell.thickness[0] > 0;
+  return own ? shell.thickness : model.shell_sections[model.parts[shell.part].section].thickness;
+}
+
+const HourglassControl& hourglass_of(const Model& model, const Part& part) {
+  return part.hourglass == no_index ? model.control.hourglass : model.hourglass_controls[part.hourglass];
+}
+
+namespace {
+
+bool within(Index index, std::size_t size) {
+  return index >= 0 && static_cast<std::size_t>(index) < size;
+}
+
+bool finite(const std::array<double, 3>& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+void check_nodes(const Model& model, std::vector<std::string>& found) {
+  if (model.nodes.id.size() != model.nodes.position.size())
+    found.emplace_back("The node ids and node positions differ in number.");
+  for (std::size_t i = 0; i < model.nodes.position.size(); ++i)
+    if (!finite(model.nodes.position[i]))
+      found.push_back("Node " + std::to_string(model.nodes.id[i]) +
+                      " has a coordinate that is not a finite number.");
+}
+
+void check_parts(const Model& model, std::vector<std::string>& found) {
+  for (const Part& part : model.parts) {
+    const std::string name = "Part " + std::to_string(part.id);
+    if (!within(part.section, model.shell_sections.size())) found.push_back(name + " has no section.");
+    if (!within(part.material, model.materials.size())) found.push_back(name + " has no material.");
+  }
+  for (const Material& material : model.materials)
+    if (!(material.density > 0))
+      found.push_back("Material " + std::to_string(material.id) + " needs a density above zero.");
+}
+
+void check_shells(const Model& model, std::vector<std::string>& found) {
+  for (const ShellElement& shell : model.shells) {
+    const std::string name = "Shell " + std::to_string(shell.id);
+    if (!within(shell.part, model.parts.size())) {
+      found.push_back(name + " has no part.");
+      continue;
+    }
+    for (const Index node : shell.node)
+      if (!within(node, model.nodes.id.size()))
+        found.push_back(name + " refers to a node that does not exist.");
+    for (const double thickness : shell_thickness(model, shell))
+      if (!(thickness > 0)) {
+        found.push_back(name + " needs a thickness above zero.");
+        break;
+      }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> faults(const Model& model) {
+  std::vector<std::string> found;
+  check_nodes(model, found);
+  check_parts(model, found);
+  if (found.empty()) check_shells(model, found);
+  return found;
+}
+
+}  // namespace crumple::model

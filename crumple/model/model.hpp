@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/conditions.hpp"
+#include "model/control.hpp"
+#include "model/curve.hpp"
+#include "model/material.hpp"
+#include "model/mesh.hpp"
+#include "model/section.hpp"
+
+namespace crumple::model {
+
+/// The validated description of what is to be computed. Holds no state and never changes during a run. All
+/// references between items are indices into the arrays below; user ids serve input and output only.
+/// Units are the user's own, and consistent.
+struct Model {
+  std::string title;
+  Nodes nodes;
+  std::vector<ShellElement> shells;
+  std::vector<Part> parts;
+  std::vector<ShellSection> shell_sections;
+  std::vector<Material> materials;
+  std::vector<HourglassControl> hourglass_controls;
+  std::vector<LumpedMass> lumped_masses;
+  std::vector<Curve> curves;
+  std::vector<NodeSet> node_sets;
+  std::vector<PartSet> part_sets;
+  std::vector<FixedNode> fixed_nodes;
+  std::vector<InitialVelocity> initial_velocities;
+  std::vector<RigidWall> rigid_walls;
+  std::vector<SingleSurfaceContact> contacts;
+  Control control;
+  OutputRequests output;
+  SearchSettings search;
+};
+
+/// Thickness of a shell at its four nodes [length]: the element's own where given, else the section's.
+std::array<double, 4> shell_thickness(const Model& model, const ShellElement& shell);
+
+/// Hourglass control that holds for a part.
+const HourglassControl& hourglass_of(const Model& model, const Part& part);
+
+/// Checks every reference and every number of a model that was not read from a deck (the deck reader reports
+/// these with file and line itself). Returns one sentence per fault; empty if the model can be run.
+std::vector<std::string> faults(const Model& model);
+
+}  // namespace crumple::model

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "base/index.hpp"
+
+namespace crumple::model {
+
+enum class ShellFormulation {
+  BelytschkoTsay,  ///< one-point corotational shell, Belytschko, Lin & Tsay 1984
+  HughesLiu,       ///< four-node degenerated Mindlin-Reissner shell, Hughes & Liu 1981, one point in plane
+};
+
+enum class ThicknessRule {
+  Gauss,
+  Lobatto,
+};
+
+struct ShellSection {
+  UserId id = 0;
+  std::string title;
+  ShellFormulation formulation = ShellFormulation::BelytschkoTsay;
+  double shear_factor = 1.0;  ///< correction of the transverse shear stiffness [-]
+  int thickness_points = 2;   ///< integration points through the thickness
+  ThicknessRule thickness_rule = ThicknessRule::Gauss;
+  std::array<double, 4> thickness{};  ///< at the element's four nodes [length]
+};
+
+enum class HourglassForm {
+  Viscous,    ///< LS-DYNA's IHQ 1, 2, 3 for shells
+  Stiffness,  ///< LS-DYNA's IHQ 4, 5 for shells
+};
+
+struct HourglassControl {
+  HourglassForm form = HourglassForm::Viscous;
+  double coefficient = 0.1;  ///< QM: membrane [-]
+  double bending = 0.1;      ///< QB: bending [-]
+  double warping = 0.1;      ///< QW: warping (transverse shear) [-]
+};
+
+}  // namespace crumple::model
