@@ -47,4 +47,9 @@ struct SearchSettings {
   std::array<double, 3> domain_maximum{};  ///< [length]
 };
 
+/// What else `$crumple` comment lines say about the run. Options of the program come before them.
+struct RunSettings {
+  std::string precision;  ///< "mixed" or "double"; empty is the program's default
+};
+
 }  // namespace crumple::model

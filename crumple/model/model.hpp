@@ -35,6 +35,7 @@ struct Model {
   Control control;
   OutputRequests output;
   SearchSettings search;
+  RunSettings run;
 };
 
 /// Thickness of a shell at its four nodes [length]: the element's own where given, else the section's.

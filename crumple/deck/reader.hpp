@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deck/diagnostic.hpp"
+#include "model/model.hpp"
+
+namespace crumple::deck {
+
+struct ReadOptions {
+  /// Keywords and field values that are not supported become warnings (they are left out) instead of errors.
+  bool allow_unsupported = false;
+  /// Adds single-surface contact over all parts to a deck that has no *CONTACT.
+  bool automatic_contact = false;
+  /// Names that `$crumple method=` may have; empty accepts any.
+  std::vector<std::string> search_methods;
+};
+
+/// A keyword that the reader left out, with the first place where it occurs.
+struct IgnoredKeyword {
+  std::string keyword;  ///< with its asterisk, upper case
+  std::string file;
+  int line = 0;
+  int count = 0;  ///< how often it occurs
+  /// False: one of those that do not change what is computed. True: left out because of allow_unsupported.
+  bool changes_physics = false;
+};
+
+struct ReadResult {
+  std::optional<model::Model> model;             ///< absent if there is any error
+  std::vector<Diagnostic> diagnostics;           ///< sorted by file and line
+  std::vector<std::filesystem::path> files;      ///< all files read, the deck itself first
+  std::uint64_t text_hash = 0;                   ///< FNV-1a over all text, in the order it was read
+  std::vector<IgnoredKeyword> ignored_keywords;  ///< in order of first occurrence
+  std::string unit_system;                       ///< guess, such as "t, mm, s"; empty if there is none
+};
+
+/// Reads an LS-DYNA keyword deck with everything it includes. Reports all faults at once and never throws
+/// for the deck's content; a file that cannot be opened is a fault like any other.
+ReadResult read_deck(const std::filesystem::path& deck, const ReadOptions& options = {});
+
+/// The same for a deck held in memory. `included` maps the names that *INCLUDE may use to their text; the
+/// file system is not touched.
+ReadResult read_deck_text(std::string_view text, const ReadOptions& options = {},
+                          const std::map<std::string, std::string>& included = {},
+                          const std::string& name = "deck.k");
+
+/// How many errors there are among the diagnostics.
+int error_count(const std::vector<Diagnostic>& diagnostics);
+
+}  // namespace crumple::deck
