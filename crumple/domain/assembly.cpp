@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "domain/assembly.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+
+namespace crumple::domain {
+namespace {
+
+/// Chunks that touch a node: the first one, and how many.
+struct Touch {
+  Index last_chunk = no_index;
+  Index chunks = 0;
+};
+
+template <class Visit>
+void for_each_entry(const std::vector<ShellBlock>& blocks, const Chunk& chunk, const Visit& visit) {
+  const ShellBlock& block = blocks[chunk.block];
+  for (Index group = chunk.first_group; group < chunk.last_group; ++group)
+    for (Index k = 0; k < 4; ++k)
+      for (Index lane = 0; lane < lanes; ++lane) {
+        const std::size_t entry = (static_cast<std::size_t>(group) * 4 + k) * lanes + lane;
+        visit(entry, block.node[entry], group * lanes + lane < block.elements);
+      }
+}
+
+}  // namespace
+
+void Assembly::build(std::vector<ShellBlock>& blocks, Index nodes) {
+  nodes_ = nodes;
+  chunks_.clear();
+  for (Index b = 0; b < static_cast<Index>(blocks.size()); ++b)
+    for (Index g = 0; g < blocks[b].groups(); g += groups_per_chunk)
+      chunks_.push_back({b, g, std::min(g + groups_per_chunk, blocks[b].groups())});
+
+  std::vector<Touch> touch(nodes);
+  for (Index c = 0; c < static_cast<Index>(chunks_.size()); ++c)
+    for_each_entry(blocks, chunks_[c], [&](std::size_t, Index node, bool real) {
+      if (!real || touch[node].last_chunk == c) return;
+      touch[node].last_chunk = c;
+      ++touch[node].chunks;
+    });
+
+  interface_node_.clear();
+  first_slot_.assign(1, nodes);
+  std::vector<Index> next_slot(nodes, no_index);
+  for (Index node = 0; node < nodes; ++node) {
+    if (touch[node].chunks < 2) continue;
+    interface_node_.push_back(node);
+    next_slot[node] = first_slot_.back() - 1;
+    first_slot_.push_back(first_slot_.back() + touch[node].chunks);
+  }
+  const Index fill_slot = first_slot_.back();
+  slots_ = fill_slot + 1 - nodes;
+
+  std::vector<Index> seen_in(nodes, no_index);
+  for (ShellBlock& block : blocks) block.target.resize(block.node.size());
+  for (Index c = 0; c < static_cast<Index>(chunks_.size()); ++c)
+    for_each_entry(blocks, chunks_[c], [&](std::size_t entry, Index node, bool real) {
+      Index& target = blocks[chunks_[c].block].target[entry];
+      if (!real) {
+        target = fill_slot;
+      } else if (next_slot[node] == no_index) {
+        target = node;
+      } else {
+        if (seen_in[node] != c) ++next_slot[node];
+        seen_in[node] = c;
+        target = next_slot[node];
+      }
+    });
+}
+
+void Assembly::gather_interface(AlignedArray<NodeForce>& force, int threads) const {
+  constexpr Index piece = 1024;
+  const auto count = static_cast<Index>(interface_node_.size());
+  parallel_for(pieces(count, piece), threads, [&](Index p) {
+    for (Index i = p * piece; i < std::min((p + 1) * piece, count); ++i) {
+      NodeForce& node = force[interface_node_[i]];
+      for (Index s = first_slot_[i]; s < first_slot_[i + 1]; ++s) {
+        for (int axis = 0; axis < 3; ++axis) {
+          node.force[axis] += force[s].force[axis];
+          node.moment[axis] += force[s].moment[axis];
+        }
+        force[s] = NodeForce{};
+      }
+    }
+  });
+}
+
+}  // namespace crumple::domain

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "base/index.hpp"
+#include "domain/node_fields.hpp"
+#include "domain/shell_block.hpp"
+
+namespace crumple::domain {
+
+/// A run of groups of one block that one thread works off in order. Never depends on the thread count.
+struct Chunk {
+  Index block = 0;
+  Index first_group = 0;
+  Index last_group = 0;  ///< one past the last
+};
+
+/// Groups per chunk: 512 elements, enough to keep the share of interface nodes low, few enough to balance.
+inline constexpr Index groups_per_chunk = 32;
+
+/// How element forces reach the nodes with the same bits for any number of threads. A node that only one
+/// chunk touches is added to directly. A node between chunks has one slot per chunk behind the nodes in
+/// NodeFields::force; gather_interface sums the slots in the order of the chunks. One more slot at the very
+/// end takes the forces of the fill.
+class Assembly {
+ public:
+  /// Cuts the blocks into chunks and writes their `target` arrays. `nodes` is the number of nodes.
+  void build(std::vector<ShellBlock>& blocks, Index nodes);
+
+  const std::vector<Chunk>& chunks() const { return chunks_; }
+  /// Entries that NodeFields::force needs beyond the nodes.
+  Index slots() const { return slots_; }
+  /// Adds the slots of every interface node to the node and clears them.
+  void gather_interface(AlignedArray<NodeForce>& force, int threads) const;
+
+ private:
+  std::vector<Chunk> chunks_;
+  std::vector<Index> interface_node_;
+  std::vector<Index> first_slot_;  ///< per interface node, and one past the last; slots follow chunk order
+  Index nodes_ = 0;
+  Index slots_ = 0;
+};
+
+}  // namespace crumple::domain

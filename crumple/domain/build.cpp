@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "domain/build.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+#include "domain/numbering.hpp"
+
+namespace crumple::domain {
+namespace {
+
+void require_sound(const model::Model& model) {
+  const std::vector<std::string> found = model::faults(model);
+  if (found.empty()) return;
+  std::string text = "The model cannot be run:";
+  for (const std::string& fault : found) text += "\n  " + fault;
+  throw Error(text);
+}
+
+Vec3 to_vec3(const std::array<double, 3>& a) {
+  return {a[0], a[1], a[2]};
+}
+
+void place_nodes(const model::Model& model, Domain& domain) {
+  NodeFields& nodes = domain.nodes;
+  const std::size_t count = nodes.model_node.size();
+  nodes.position.resize(count);
+  nodes.velocity.resize(count);
+  nodes.angular_velocity.resize(count);
+  nodes.acceleration.resize(count);
+  nodes.mass.assign(count, 0.0);
+  nodes.inertia.assign(count, 0.0);
+  nodes.fixed.assign(count, 0);
+  domain.contact_force.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    nodes.position[i] = to_vec3(model.nodes.position[nodes.model_node[i]]);
+  nodes.reference = nodes.position;
+  if (domain.execution.precision == Precision::Mixed)
+    nodes.float_records.resize(count);
+  else
+    nodes.double_records.resize(count);
+}
+
+void set_conditions(const model::Model& model, NodeFields& nodes) {
+  for (const model::LumpedMass& lumped : model.lumped_masses)
+    nodes.mass[nodes.domain_node[lumped.node]] += lumped.mass;
+  for (const model::InitialVelocity& initial : model.initial_velocities) {
+    const Index node = nodes.domain_node[initial.node];
+    nodes.velocity[node] = to_vec3(initial.velocity);
+    nodes.angular_velocity[node] = to_vec3(initial.angular_velocity);
+  }
+  for (const model::FixedNode& fixed : model.fixed_nodes) {
+    const Index node = nodes.domain_node[fixed.node];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (fixed.translation[axis]) {
+        nodes.fixed[node] |= fixed_translation(axis);
+        nodes.velocity[node][axis] = 0;
+      }
+      if (fixed.rotation[axis]) {
+        nodes.fixed[node] |= fixed_rotation(axis);
+        nodes.angular_velocity[node][axis] = 0;
+      }
+    }
+  }
+}
+
+ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index part,
+                      const std::vector<Index>& shells) {
+  ShellBlock block;
+  const model::ShellSection& section = model.shell_sections[model.parts[part].section];
+  block.part = part;
+  block.formulation = section.formulation;
+  block.thickness_points = section.thickness_points;
+  block.elements = static_cast<Index>(shells.size());
+  block.element = shells;
+  block.node.resize(static_cast<std::size_t>(block.groups()) * 4 * lanes);
+  for (Index place = 0; place < block.groups() * lanes; ++place) {
+    const Index shell = shells[std::min(place, block.elements - 1)];
+    const std::size_t group = static_cast<std::size_t>(place / lanes) * 4 * lanes;
+    for (std::size_t k = 0; k < 4; ++k)
+      block.node[group + k * lanes + place % lanes] = nodes.domain_node[model.shells[shell].node[k]];
+  }
+  return block;
+}
+
+}  // namespace
+
+Domain build(const model::Model& model, const Execution& execution) {
+  require_sound(model);
+  Domain domain;
+  domain.execution = execution;
+  Numbering numbering = number_for_locality(model);
+  domain.nodes.model_node = std::move(numbering.model_node);
+  domain.nodes.domain_node = std::move(numbering.domain_node);
+  place_nodes(model, domain);
+  set_conditions(model, domain.nodes);
+  for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
+    if (!numbering.shells_by_part[part].empty())
+      domain.shells.push_back(make_block(model, domain.nodes, part, numbering.shells_by_part[part]));
+  domain.assembly.build(domain.shells, domain.nodes.count());
+  domain.nodes.force.resize(static_cast<std::size_t>(domain.nodes.count()) + domain.assembly.slots());
+  domain.nodes.publish_all();
+  return domain;
+}
+
+}  // namespace crumple::domain

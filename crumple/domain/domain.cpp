@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "domain/domain.hpp"
+
+#include "base/state_hash.hpp"
+
+namespace crumple::domain {
+
+std::uint64_t StateList::hash() const {
+  StateHash hash;
+  for (const StateArray& array : arrays_) hash.add(array.bytes);
+  return hash.value();
+}
+
+void Domain::declare(StateList& list) {
+  list.add("position", "length", Entity::Node, 3, std::span(nodes.position));
+  list.add("velocity", "length/time", Entity::Node, 3, std::span(nodes.velocity));
+  list.add("angular_velocity", "1/time", Entity::Node, 3, std::span(nodes.angular_velocity));
+  list.add("mass", "mass", Entity::Node, 1, std::span(nodes.mass));
+  list.add("inertia", "mass*length^2", Entity::Node, 1, std::span(nodes.inertia));
+  for (ShellBlock& block : shells) {
+    const std::string name = "shell_state_" + std::to_string(block.part);
+    list.add(name, "by item", Entity::Shell, block.components, std::span(block.float_state));
+    list.add(name, "by item", Entity::Shell, block.components, std::span(block.double_state));
+    list.add(name + "_internal_energy", "energy", Entity::Run, 1, std::span(&block.internal_energy, 1));
+    list.add(name + "_hourglass_energy", "energy", Entity::Run, 1, std::span(&block.hourglass_energy, 1));
+  }
+  for (WallReport& wall : walls) {
+    list.add("wall_impulse", "force*time", Entity::Wall, 3, std::span(&wall.impulse, 1));
+    list.add("wall_energy", "energy", Entity::Wall, 1, std::span(&wall.energy, 1));
+  }
+  for (ContactReport& contact : contacts) {
+    list.add("contact_energy", "energy", Entity::Contact, 1, std::span(&contact.energy, 1));
+    list.add("friction_energy", "energy", Entity::Contact, 1, std::span(&contact.friction_energy, 1));
+  }
+  list.add("time", "time", Entity::Run, 1, std::span(&clock.time, 1));
+  list.add("step", "time", Entity::Run, 1, std::span(&clock.step, 1));
+  list.add("cycle", "-", Entity::Run, 1, std::span(&clock.cycle, 1));
+}
+
+Index shell_count(const Domain& domain) {
+  Index count = 0;
+  for (const ShellBlock& block : domain.shells) count += block.elements;
+  return count;
+}
+
+}  // namespace crumple::domain

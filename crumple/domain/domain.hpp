@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "base/isa.hpp"
+#include "base/precision.hpp"
+#include "domain/assembly.hpp"
+#include "domain/energy_ledger.hpp"
+#include "domain/node_fields.hpp"
+#include "domain/reports.hpp"
+#include "domain/shell_block.hpp"
+#include "domain/state_list.hpp"
+#include "model/model.hpp"
+
+namespace crumple::domain {
+
+/// How the arithmetic is done. Never changes what the deck means.
+struct Execution {
+  Precision precision = Precision::Double;
+  Isa isa = Isa::Baseline;
+  int threads = 1;
+};
+
+/// Time and step. Positions are at `time`, velocities half a step earlier.
+struct Clock {
+  double time = 0;           ///< time n [time]
+  long cycle = 0;            ///< steps done
+  double step = 0;           ///< from n-1 to n; 0 before the first step [time]
+  double element_limit = 0;  ///< smallest stable element step at time n, without TSSFAC [time]
+  ControllingElement controlling;
+};
+
+/// All that changes during a run, apart from the history that a contact keeps for itself.
+struct Domain {
+  Execution execution;
+  NodeFields nodes;
+  std::vector<ShellBlock> shells;
+  Assembly assembly;
+  AlignedArray<Vec3> contact_force;  ///< on the nodes at time n, normal and friction [force]
+  Clock clock;
+  EnergyLedger energy;
+  double added_mass = 0;  ///< by mass scaling [mass]
+  std::vector<ContactReport> contacts;
+  std::vector<WallReport> walls;
+  StageTimes times;
+
+  /// Declares the nodal fields, the element state, the walls and the ledger.
+  void declare(StateList& list);
+};
+
+/// Number of shells over all blocks.
+Index shell_count(const Domain& domain);
+
+}  // namespace crumple::domain

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+namespace crumple::domain {
+
+/// Where the energy is at time n, all in double [energy]. Work is summed by the trapezoidal rule over steps,
+/// kinetic energy is 1/2 m v(n-1/2).v(n+1/2): with a constant step these two balance to round-off
+/// (docs/theory/energy.md), so that what is left is an error and no artefact of the bookkeeping.
+struct EnergyLedger {
+  double kinetic = 0;
+  double internal = 0;
+  double hourglass = 0;
+  double contact = 0;    ///< stored and dissipated in contact along the normal
+  double friction = 0;   ///< dissipated by contact friction
+  double rigidwall = 0;  ///< taken away by rigid walls
+  double damping = 0;
+  double external_work = 0;  ///< done on the model by loads and prescribed motion
+  double eroded = 0;
+  double initial_total = 0;  ///< total at time zero
+
+  double total() const {
+    return kinetic + internal + hourglass + contact + friction + rigidwall + damping + eroded;
+  }
+  /// Total over initial plus external work, as users of LS-DYNA know it. 1 if both are zero.
+  double ratio() const {
+    const double reference = initial_total + external_work;
+    return reference != 0 ? total() / reference : 1.0;
+  }
+  /// Unbalanced energy [energy].
+  double imbalance() const { return total() - initial_total - external_work; }
+  /// |unbalanced energy| over what was absorbed: internal, hourglass, contact and friction energy [-].
+  double error() const {
+    const double absorbed = internal + hourglass + contact + friction;
+    return absorbed > 0 ? std::fabs(imbalance()) / absorbed : 0.0;
+  }
+};
+
+}  // namespace crumple::domain

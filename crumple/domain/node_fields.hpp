@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/aligned_array.hpp"
+#include "base/index.hpp"
+#include "math/vec3.hpp"
+
+namespace crumple::domain {
+
+using math::Vec3;
+
+/// What an element gathers from a node, in one cache line for float kernels. The integrator writes it when
+/// the node has moved. The fourth places are padding, so that a vector loads whole.
+template <class Real>
+struct alignas(sizeof(Real) == sizeof(float) ? 64 : 32) NodeRecord {
+  double position[4];        ///< x at time n [length]
+  Real velocity[4];          ///< v at n - 1/2 [length/time]
+  Real angular_velocity[4];  ///< omega at n - 1/2 [1/time]
+};
+
+/// Sum of forces and moments at a node; always double.
+struct alignas(64) NodeForce {
+  double force[4];   ///< [force]; the fourth place is padding
+  double moment[4];  ///< [force * length]; the fourth place is padding
+};
+
+/// Bits of NodeFields::fixed, set where a degree of freedom is held at zero.
+inline constexpr std::uint8_t fixed_translation(int axis) {
+  return static_cast<std::uint8_t>(1U << axis);
+}
+inline constexpr std::uint8_t fixed_rotation(int axis) {
+  return static_cast<std::uint8_t>(8U << axis);
+}
+
+/// The fields of all nodes, in the domain's own numbering. Every array has one entry per node, but `force`,
+/// which has Assembly::slots() more at its end.
+struct NodeFields {
+  AlignedArray<Vec3> position;          ///< x at time n [length]
+  AlignedArray<Vec3> velocity;          ///< v at n - 1/2 [length/time]
+  AlignedArray<Vec3> angular_velocity;  ///< omega at n - 1/2, global axes [1/time]
+  AlignedArray<double> mass;            ///< [mass]
+  AlignedArray<double> inertia;         ///< rotary inertia, isotropic [mass * length^2]; 0 without shells
+  AlignedArray<std::uint8_t> fixed;     ///< see fixed_translation, fixed_rotation
+  AlignedArray<NodeForce> force;        ///< forces on the nodes at time n, cleared by the integrator
+  AlignedArray<Vec3> reference;         ///< position at time zero [length]; never changes
+  AlignedArray<Vec3> acceleration;      ///< at time n, for output [length/time^2]
+
+  AlignedArray<NodeRecord<float>> float_records;    ///< filled in mixed precision, else empty
+  AlignedArray<NodeRecord<double>> double_records;  ///< filled in double precision, else empty
+
+  std::vector<Index> model_node;   ///< model index of a domain node
+  std::vector<Index> domain_node;  ///< domain index of a model node
+
+  Index count() const { return static_cast<Index>(position.size()); }
+
+  /// Copies position and velocities of one node to its record.
+  void publish(Index node);
+  /// The same for all nodes.
+  void publish_all();
+};
+
+template <class Real>
+AlignedArray<NodeRecord<Real>>& records(NodeFields& nodes);
+template <>
+inline AlignedArray<NodeRecord<float>>& records<float>(NodeFields& nodes) {
+  return nodes.float_records;
+}
+template <>
+inline AlignedArray<NodeRecord<double>>& records<double>(NodeFields& nodes) {
+  return nodes.double_records;
+}
+
+}  // namespace crumple::domain

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "domain/numbering.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace crumple::domain {
+namespace {
+
+constexpr double cells_per_axis = 1 << 20;
+
+/// Spreads the lower 21 bits of a number so that two zero bits follow each.
+std::uint64_t spread(std::uint64_t bits) {
+  bits &= 0x1fffff;
+  bits = (bits | bits << 32) & 0x1f00000000ffff;
+  bits = (bits | bits << 16) & 0x1f0000ff0000ff;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+  return (bits | bits << 2) & 0x1249249249249249;
+}
+
+struct Bounds {
+  std::array<double, 3> minimum{};
+  double edge = 1;  ///< longest edge of the bounding box
+};
+
+Bounds bounds_of(const model::Nodes& nodes) {
+  Bounds bounds;
+  double edge = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = std::numeric_limits<double>::max();
+    double high = std::numeric_limits<double>::lowest();
+    for (const auto& x : nodes.position) {
+      low = std::min(low, x[axis]);
+      high = std::max(high, x[axis]);
+    }
+    bounds.minimum[axis] = low;
+    edge = std::max(edge, high - low);
+  }
+  bounds.edge = edge > 0 ? edge : 1.0;
+  return bounds;
+}
+
+std::uint64_t morton_code(const model::Model& model, const model::ShellElement& shell, const Bounds& bounds) {
+  std::uint64_t code = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double centre = 0;
+    for (const Index node : shell.node) centre += 0.25 * model.nodes.position[node][axis];
+    const double scaled = (centre - bounds.minimum[axis]) / bounds.edge * (cells_per_axis - 1);
+    code |= spread(static_cast<std::uint64_t>(scaled)) << axis;
+  }
+  return code;
+}
+
+}  // namespace
+
+Numbering number_for_locality(const model::Model& model) {
+  Numbering numbering;
+  numbering.shells_by_part.resize(model.parts.size());
+  const Bounds bounds = bounds_of(model.nodes);
+  std::vector<std::pair<std::uint64_t, Index>> order;
+  order.reserve(model.shells.size());
+  for (Index s = 0; s < static_cast<Index>(model.shells.size()); ++s)
+    order.emplace_back(morton_code(model, model.shells[s], bounds), s);
+  std::sort(order.begin(), order.end());
+  for (const auto& [code, shell] : order) numbering.shells_by_part[model.shells[shell].part].push_back(shell);
+
+  numbering.domain_node.assign(model.nodes.position.size(), no_index);
+  const auto number = [&](Index node) {
+    if (numbering.domain_node[node] != no_index) return;
+    numbering.domain_node[node] = static_cast<Index>(numbering.model_node.size());
+    numbering.model_node.push_back(node);
+  };
+  for (const auto& part : numbering.shells_by_part)
+    for (const Index shell : part)
+      for (const Index node : model.shells[shell].node) number(node);
+  for (Index node = 0; node < model.nodes.count(); ++node) number(node);
+  return numbering;
+}
+
+}  // namespace crumple::domain
