@@ -21,7 +21,7 @@ class StateHash {
     }
     std::uint64_t rest = 0;
     if (at < bytes.size()) std::memcpy(&rest, bytes.data() + at, bytes.size() - at);
-    mix(rest ^ (static_cast<std::uint64_t>(bytes.size()) << 8));
+    mix(rest ^ (bytes.size() << 8));
   }
 
   std::uint64_t value() const { return value_; }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::contact {
+
+/// Contact of shells with themselves and each other, with no surface definition by the user.
+class SingleSurface {
+ public:
+  /// Collects segments and nodes of the parts that take part. `report` is the place of this interface in
+  /// domain.contacts, whose entry it keeps up to date. Throws Error for settings that cannot be followed.
+  SingleSurface(const model::Model& model, const domain::Domain& domain,
+                const model::SingleSurfaceContact& contact, Index report);
+  ~SingleSurface();
+  SingleSurface(SingleSurface&&) noexcept;
+  SingleSurface& operator=(SingleSurface&&) noexcept;
+
+  /// Adds the contact forces at time n to nodes.force and domain.contact_force. On entry nodes.position is
+  /// x(n), nodes.velocity is v(n-1/2) and clock.step the step between them (zero before the first). Searches
+  /// again when a node may have moved further than the candidate list allows; works off pairs in the order
+  /// (node, segment), so that the sums are bitwise the same for any number of threads. Updates the report's
+  /// energies by the trapezoidal rule, and the stage times.
+  void add_forces(domain::Domain& domain);
+
+  /// Declares what the contact remembers from step to step.
+  void declare(domain::StateList& list);
+
+  /// Compares every `cycles` cycles the candidates in use with a brute-force search; throws Error naming the
+  /// first pair that was missed. 0 switches it off.
+  void verify_search_every(long cycles);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace crumple::contact

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "constraints/planar_wall.hpp"
+#include "contact/single_surface.hpp"
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::timeloop {
+
+/// A model in motion. The caller owns the loop: start once, then step until the end time.
+class Simulation {
+ public:
+  /// Builds the domain and everything that acts on it. The model must outlive the simulation. Throws Error if
+  /// the model cannot be run.
+  Simulation(const model::Model& model, const domain::Execution& execution);
+
+  /// Forces, energies and the first step size at time zero; velocities then are half a step ahead.
+  void start();
+
+  /// One step of central differences, from time n to n+1. On entry and on exit: positions, stresses, forces
+  /// and energies belong to the same time, velocities are half a step ahead. Throws NumericalError if a
+  /// velocity or energy stops being a finite number, naming where.
+  void step();
+
+  /// True when the end time or the last cycle is reached.
+  bool finished() const;
+
+  /// Fingerprint of every array that changes.
+  std::uint64_t state_hash();
+
+  /// Compares contact candidates with brute force every `cycles` cycles (a debugging aid); 0 is off.
+  void verify_search_every(long cycles);
+
+  const model::Model& model() const { return *model_; }
+  domain::Domain& domain() { return domain_; }
+  const domain::Domain& domain() const { return domain_; }
+  /// The step that the next call of step() will take [time].
+  double next_step() const { return next_step_; }
+
+ private:
+  void compute_forces();
+  void choose_step();
+  void kick();
+  void drift();
+  void balance();
+
+  const model::Model* model_;
+  domain::Domain domain_;
+  std::vector<contact::SingleSurface> contacts_;
+  std::vector<constraints::PlanarWall> walls_;
+  AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick for the energy balance
+  double next_step_ = 0;                        ///< from n to n+1 [time]
+};
+
+}  // namespace crumple::timeloop
