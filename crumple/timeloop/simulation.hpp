@@ -44,7 +44,7 @@ class Simulation {
  private:
   void compute_forces();
   void choose_step();
-  void kick();
+  void kick(double interval);
   void drift();
   void balance();
 
@@ -53,6 +53,7 @@ class Simulation {
   std::vector<contact::SingleSurface> contacts_;
   std::vector<constraints::PlanarWall> walls_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick for the energy balance
+  double rotational_energy_ = 0;                ///< 1/2 I omega(n-1/2).omega(n+1/2) [energy]
   double next_step_ = 0;                        ///< from n to n+1 [time]
 };
 

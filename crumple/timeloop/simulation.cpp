@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "timeloop/simulation.hpp"
+
+#include "domain/build.hpp"
+#include "elements/shells.hpp"
+
+namespace crumple::timeloop {
+Simulation::Simulation(const model::Model& model, const domain::Execution& execution)
+    : model_(&model), domain_(domain::build(model, execution)) {
+  elements::prepare_shells(model, domain_);
+  for (const model::RigidWall& wall : model.rigid_walls) {
+    domain_.walls.push_back({.id = wall.id, .force = {}, .impulse = {}});
+    walls_.emplace_back(wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
+  }
+  for (const model::SingleSurfaceContact& contact : model.contacts) {
+    domain_.contacts.push_back({.id = contact.id, .method = model.search.method});
+    contacts_.emplace_back(model, domain_, contact, static_cast<Index>(domain_.contacts.size()) - 1);
+  }
+}
+
+bool Simulation::finished() const {
+  const model::Control& control = model_->control;
+  const domain::Clock& clock = domain_.clock;
+  // A step that ends within a millionth of itself before the end time counts as arrived.
+  return clock.time >= control.end_time - 1e-6 * next_step_ ||
+         (control.end_cycle > 0 && clock.cycle >= control.end_cycle);
+}
+
+std::uint64_t Simulation::state_hash() {
+  domain::StateList list;
+  domain_.declare(list);
+  for (contact::SingleSurface& contact : contacts_) contact.declare(list);
+  list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
+  return list.hash();
+}
+
+void Simulation::verify_search_every(long cycles) {
+  for (contact::SingleSurface& contact : contacts_) contact.verify_search_every(cycles);
+}
+
+}  // namespace crumple::timeloop

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The time step. Central differences with a variable step (DESIGN 2.2): positions and forces live at times n,
+// velocities at n + 1/2. On entry to step() the velocities are already half a step ahead; on exit everything
+// that has a time belongs to n+1, and the velocities are half a step ahead of it again.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/stopwatch.hpp"
+#include "elements/shells.hpp"
+#include "timeloop/motion.hpp"
+#include "timeloop/simulation.hpp"
+#include "timeloop/trouble.hpp"
+
+namespace crumple::timeloop {
+
+void Simulation::start() {
+  compute_forces();
+  choose_step();
+  previous_velocity_ = domain_.nodes.velocity;
+  const double spin = rotational_energy(domain_);
+  kick(0.5 * next_step_);
+  domain_.energy.kinetic = kinetic_energy(domain_, previous_velocity_, previous_velocity_) + spin;
+  balance();
+  domain_.energy.initial_total = domain_.energy.total();
+}
+
+void Simulation::step() {
+  drift();
+  compute_forces();
+  choose_step();
+  kick(0.5 * (domain_.clock.step + next_step_));
+  domain_.energy.kinetic =
+      kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity) + rotational_energy_;
+  balance();
+}
+
+void Simulation::drift() {
+  const StageTimer timer(domain_.times.integrate);
+  domain::Clock& clock = domain_.clock;
+  move_nodes(domain_, next_step_);
+  clock.step = next_step_;
+  clock.time += next_step_;
+  ++clock.cycle;
+}
+
+void Simulation::compute_forces() {
+  {
+    const StageTimer timer(domain_.times.elements);
+    elements::add_shell_forces(domain_);
+  }
+  for (contact::SingleSurface& contact : contacts_) contact.add_forces(domain_);
+}
+
+void Simulation::choose_step() {
+  const model::Control& control = model_->control;
+  const bool first = domain_.clock.cycle == 0;
+  next_step_ = control.step_scale * domain_.clock.element_limit;
+  if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
+  if (!(next_step_ > 0) || !std::isfinite(next_step_))
+    throw_trouble(*model_, domain_, "The time step is no longer a positive number: an element has collapsed");
+}
+
+void Simulation::kick(double interval) {
+  {
+    const StageTimer timer(domain_.times.integrate);
+    rotational_energy_ = accelerate_nodes(domain_, previous_velocity_, interval);
+  }
+  const StageTimer timer(domain_.times.constraints);
+  for (constraints::PlanarWall& wall : walls_)
+    wall.stop_nodes(domain_, previous_velocity_, interval, next_step_);
+}
+
+void Simulation::balance() {
+  domain::EnergyLedger& energy = domain_.energy;
+  energy.internal = energy.hourglass = energy.contact = energy.friction = energy.rigidwall = 0;
+  for (const domain::ShellBlock& block : domain_.shells) {
+    energy.internal += block.internal_energy;
+    energy.hourglass += block.hourglass_energy;
+  }
+  for (const domain::ContactReport& contact : domain_.contacts) {
+    energy.contact += contact.energy;
+    energy.friction += contact.friction_energy;
+  }
+  for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;
+  if (!std::isfinite(energy.total()))
+    throw_trouble(*model_, domain_, "The energy is no longer a finite number");
+}
+
+}  // namespace crumple::timeloop

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "timeloop/trouble.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace crumple::timeloop {
+namespace {
+
+bool finite(const math::Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Index first_bad_node(const domain::NodeFields& nodes) {
+  for (Index i = 0; i < nodes.count(); ++i)
+    if (!finite(nodes.position[i]) || !finite(nodes.velocity[i]) || !finite(nodes.angular_velocity[i]))
+      return i;
+  return no_index;
+}
+
+/// " of shell 12, part 3" for the first shell that has the node; empty if there is none.
+std::string owner_of(const model::Model& model, const domain::Domain& domain, Index node) {
+  for (const domain::ShellBlock& block : domain.shells)
+    for (Index place = 0; place < block.elements; ++place) {
+      const auto nodes = block.nodes_of(place);
+      if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+        return " of shell " + std::to_string(model.shells[block.element[place]].id) + ", part " +
+               std::to_string(model.parts[block.part].id);
+    }
+  return "";
+}
+
+}  // namespace
+
+void throw_trouble(const model::Model& model, const domain::Domain& domain, const std::string& otherwise) {
+  const std::string where =
+      " at cycle " + std::to_string(domain.clock.cycle) + ", time " + std::to_string(domain.clock.time) + ".";
+  const Index node = first_bad_node(domain.nodes);
+  if (node == no_index) throw NumericalError(otherwise + where);
+  throw NumericalError("out-of-range velocities: the motion of node " +
+                       std::to_string(model.nodes.id[domain.nodes.model_node[node]]) +
+                       owner_of(model, domain, node) + " is no longer a finite number," + where);
+}
+
+}  // namespace crumple::timeloop
