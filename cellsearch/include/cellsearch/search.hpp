@@ -4,7 +4,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -124,7 +123,7 @@ class Search {
   Statistics statistics_;
   Candidates candidates_;
   std::unique_ptr<Finder> finder_;
-  std::vector<std::vector<Index>> thread_nodes_;  // pairs found by the threads after the first
+  std::vector<std::vector<Index>> block_nodes_;  // what each block of segments found, before it is joined
   std::array<Offset, batch_size> batch_ends_{};
   std::vector<Index> batch_nodes_;
 };

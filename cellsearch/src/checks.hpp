@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "cellsearch/box.hpp"
+#include "cellsearch/scene.hpp"
+#include "cellsearch/search.hpp"
+
+namespace cellsearch {
+
+/// Throws Error(BadSetting) if a setting is out of its range. The domain is checked by CellGrid.
+void check_settings(const Settings& settings);
+
+/// What the checks of a scene learn on their way.
+struct SceneSummary {
+  Box nodes;               ///< bounding box of the participants [length]; empty if there are none
+  double mean_edge = 0.0;  ///< mean edge of the segments [length]; 0 without segments
+};
+
+/// Checks everything that ErrorKind names about a scene and throws on the first error. O(N).
+SceneSummary check_scene(const Scene& scene, int threads);
+
+}  // namespace cellsearch

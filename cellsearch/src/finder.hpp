@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cellsearch/box.hpp"
+#include "cellsearch/cell_grid.hpp"
+#include "cellsearch/method.hpp"
+#include "cellsearch/scene.hpp"
+#include "cellsearch/types.hpp"
+
+namespace cellsearch {
+
+/// What a method builds from: a checked scene and the cells to use. Kept by value, so that a Search can move.
+struct FinderInput {
+  Scene scene;
+  CellGrid grid;
+  std::optional<Box> limit;  ///< the user's domain: only nodes inside count; not set: all of them
+  int threads = 1;
+};
+
+/// Rows found for a run of consecutive segments. Belongs to one thread while it is filled.
+struct FoundRows {
+  Offset* ends = nullptr;               ///< per segment of the run: nodes.size() after its row
+  std::vector<Index>* nodes = nullptr;  ///< the rows, one after another; empty at the start
+  Offset raw_visits = 0;                ///< nodes looked at, candidates or not
+};
+
+/// One method of finding candidates. The virtual calls happen once per build and per block of segments.
+class Finder {
+ public:
+  Finder() = default;
+  virtual ~Finder() = default;
+  Finder(const Finder&) = delete;
+  Finder& operator=(const Finder&) = delete;
+
+  /// Sorts the nodes; re-uses memory of earlier builds.
+  virtual void build(const FinderInput& input) = 0;
+
+  /// Finds the rows of segments begin..end-1, each ascending. May run in several threads at once.
+  virtual void query(Index begin, Index end, FoundRows& rows) const = 0;
+
+  /// Number of cells, 0 for a method without cells.
+  virtual Offset cells() const = 0;
+
+  /// Working memory after build, in integers of 4 bytes.
+  virtual Offset integers() const = 0;
+
+  /// Participating nodes inside the domain.
+  virtual Offset nodes_in_domain() const = 0;
+};
+
+/// A new finder for `method`.
+std::unique_ptr<Finder> make_finder(Method method);
+
+}  // namespace cellsearch

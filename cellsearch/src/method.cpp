@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cellsearch/method.hpp"
+
+#include <array>
+
+#include "finder.hpp"
+#include "reference/brute_force.hpp"
+#include "reference/linked_cell.hpp"
+
+namespace cellsearch {
+namespace {
+
+struct NamedMethod {
+  Method method;
+  std::string_view name;
+};
+
+// One row per method, in the order of the enumeration.
+constexpr std::array named_methods{
+    NamedMethod{Method::LinkedCell, "linked-cell"},
+    NamedMethod{Method::BruteForce, "brute-force"},
+};
+
+constexpr std::array method_list{Method::LinkedCell, Method::BruteForce};
+static_assert(method_list.size() == named_methods.size());
+
+}  // namespace
+
+std::span<const Method> methods() {
+  return method_list;
+}
+
+std::string_view name_of(Method method) {
+  return named_methods[static_cast<std::size_t>(method)].name;
+}
+
+std::optional<Method> method_named(std::string_view name) {
+  for (const NamedMethod& entry : named_methods) {
+    if (entry.name == name) return entry.method;
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<Finder> make_finder(Method method) {
+  switch (method) {
+    case Method::LinkedCell:
+      return std::make_unique<LinkedCell>();
+    case Method::BruteForce:
+      return std::make_unique<BruteForce>();
+  }
+  return nullptr;
+}
+
+}  // namespace cellsearch

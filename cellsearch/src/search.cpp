@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cellsearch/search.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "checks.hpp"
+#include "finder.hpp"
+#include "parallel.hpp"
+
+namespace cellsearch {
+
+Search::Search(const Settings& settings) : settings_(settings), finder_(make_finder(settings.method)) {
+  check_settings(settings);
+  if (finder_ == nullptr) throw Error(ErrorKind::BadSetting, -1, "There is no such search method.");
+  if (settings.domain) grid_ = CellGrid(*settings.domain);
+}
+
+Search::~Search() = default;
+Search::Search(Search&&) noexcept = default;
+Search& Search::operator=(Search&&) noexcept = default;
+
+void Search::build(const Scene& scene) {
+  // If a check throws there must be nothing to query.
+  scene_ = Scene{};
+  statistics_ = Statistics{};
+  const SceneSummary summary = check_scene(scene, settings_.threads);
+  const Offset participants = static_cast<Offset>(scene.participants());
+  if (!settings_.domain) {
+    const double limit = settings_.cells_per_node * static_cast<double>(participants);
+    const Offset max_cells = static_cast<Offset>(std::clamp(limit, 1.0, 2147483647.0));
+    grid_ = CellGrid(automatic_domain(summary.nodes, settings_.cell_factor * summary.mean_edge, max_cells));
+  }
+  scene_ = scene;
+  FinderInput input{scene_, grid_, std::nullopt, settings_.threads};
+  if (settings_.domain) input.limit = settings_.domain->box;
+  finder_->build(input);
+  statistics_.segments = segments();
+  statistics_.participants = participants;
+  statistics_.nodes_in_domain = finder_->nodes_in_domain();
+  statistics_.cells = finder_->cells();
+  statistics_.integers = finder_->integers();
+}
+
+const Candidates& Search::query() {
+  const Index count = segments();
+  candidates_.first.resize(static_cast<std::size_t>(count) + 1);
+  candidates_.first[0] = 0;
+  candidates_.node.clear();
+  // Several blocks per thread even out the load. The rows are joined in order, so the cut is never seen.
+  const int blocks = settings_.threads == 1 ? 1 : std::max(1, std::min(4 * settings_.threads, count / 64));
+  if (block_nodes_.size() < static_cast<std::size_t>(blocks - 1)) {
+    block_nodes_.resize(static_cast<std::size_t>(blocks - 1));
+  }
+  std::vector<Offset> raw_visits(static_cast<std::size_t>(blocks), 0);
+  const auto nodes_of = [&](int block) -> std::vector<Index>& {
+    return block == 0 ? candidates_.node : block_nodes_[static_cast<std::size_t>(block - 1)];
+  };
+  for_blocks(settings_.threads, blocks, [&](int block) {
+    const BlockRange range(count, block, blocks);
+    std::vector<Index>& nodes = nodes_of(block);
+    nodes.clear();
+    FoundRows rows{candidates_.first.data() + range.begin + 1, &nodes, 0};
+    finder_->query(range.begin, range.end, rows);
+    raw_visits[static_cast<std::size_t>(block)] = rows.raw_visits;
+  });
+  std::vector<Offset> starts(static_cast<std::size_t>(blocks) + 1, 0);
+  for (int block = 0; block < blocks; ++block) {
+    const std::size_t at = static_cast<std::size_t>(block);
+    starts[at + 1] = starts[at] + static_cast<Offset>(nodes_of(block).size());
+    statistics_.raw_visits += raw_visits[at];
+  }
+  candidates_.node.resize(static_cast<std::size_t>(starts.back()));
+  for_blocks(settings_.threads, blocks, [&](int block) {
+    if (block == 0) return;
+    const Offset start = starts[static_cast<std::size_t>(block)];
+    const std::vector<Index>& nodes = nodes_of(block);
+    std::copy(nodes.begin(), nodes.end(), candidates_.node.begin() + start);
+    const BlockRange range(count, block, blocks);
+    for (Index segment = range.begin; segment < range.end; ++segment) {
+      candidates_.first[static_cast<std::size_t>(segment) + 1] += start;
+    }
+  });
+  statistics_.candidates += candidates_.pairs();
+  return candidates_;
+}
+
+Index Search::query_batch(Index begin) {
+  const Index end = std::min(segments(), static_cast<Index>(begin + batch_size));
+  batch_nodes_.clear();
+  FoundRows rows{batch_ends_.data(), &batch_nodes_, 0};
+  finder_->query(begin, end, rows);
+  statistics_.raw_visits += rows.raw_visits;
+  statistics_.candidates += static_cast<Offset>(batch_nodes_.size());
+  return end;
+}
+
+}  // namespace cellsearch
