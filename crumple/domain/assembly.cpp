@@ -52,7 +52,7 @@ void Assembly::build(std::vector<ShellBlock>& blocks, Index nodes) {
     first_slot_.push_back(first_slot_.back() + touch[node].chunks);
   }
   const Index fill_slot = first_slot_.back();
-  slots_ = fill_slot + 1 - nodes;
+  slots_ = fill_slot + static_cast<Index>(blocks.size()) - nodes;
 
   std::vector<Index> seen_in(nodes, no_index);
   for (ShellBlock& block : blocks) block.target.resize(block.node.size());
@@ -60,7 +60,7 @@ void Assembly::build(std::vector<ShellBlock>& blocks, Index nodes) {
     for_each_entry(blocks, chunks_[c], [&](std::size_t entry, Index node, bool real) {
       Index& target = blocks[chunks_[c].block].target[entry];
       if (!real) {
-        target = fill_slot;
+        target = fill_slot + chunks_[c].block;
       } else if (next_slot[node] == no_index) {
         target = node;
       } else {

@@ -21,8 +21,8 @@ inline constexpr Index groups_per_chunk = 32;
 
 /// How element forces reach the nodes with the same bits for any number of threads. A node that only one
 /// chunk touches is added to directly. A node between chunks has one slot per chunk behind the nodes in
-/// NodeFields::force; gather_interface sums the slots in the order of the chunks. One more slot at the very
-/// end takes the forces of the fill.
+/// NodeFields::force; gather_interface sums the slots in the order of the chunks. One more slot per
+/// block at the very end takes the forces of its fill.
 class Assembly {
  public:
   /// Cuts the blocks into chunks and writes their `target` arrays. `nodes` is the number of nodes.

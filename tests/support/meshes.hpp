@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Small models made in code, shared by the tests of all folders.
+
+#include <array>
+#include <functional>
+
+#include "model/model.hpp"
+
+namespace crumple::test {
+
+using Point = std::array<double, 3>;
+
+/// Steel in kg, mm, ms (stress in GPa).
+inline model::Material elastic_steel() {
+  return {.id = 1, .title = "steel", .density = 7.85e-6, .law = model::Elastic{210.0, 0.3}};
+}
+
+/// A section of one thickness.
+inline model::ShellSection shell_section(
+    double thickness, int points,
+    model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay) {
+  model::ShellSection section;
+  section.id = 1;
+  section.formulation = formulation;
+  section.thickness_points = points;
+  section.thickness = {thickness, thickness, thickness, thickness};
+  return section;
+}
+
+/// A model with one part of `material` and `section` and no mesh yet.
+inline model::Model one_part(const model::Material& material, const model::ShellSection& section) {
+  model::Model model;
+  model.materials.push_back(material);
+  model.shell_sections.push_back(section);
+  model.parts.push_back({.id = 1, .title = "part", .section = 0, .material = 0});
+  model.control.end_time = 1.0;
+  return model;
+}
+
+/// Adds a mapped grid of columns x rows quadrilaterals to `part`: place(u, v) gives the position of the grid
+/// point with u, v in [0, 1]. Returns the index of the first node; node (i, j) is first + j * (columns + 1) +
+/// i.
+inline Index add_grid(model::Model& model, Index part, Index columns, Index rows,
+                      const std::function<Point(double, double)>& place) {
+  const Index first = model.nodes.count();
+  for (Index j = 0; j <= rows; ++j)
+    for (Index i = 0; i <= columns; ++i) {
+      model.nodes.id.push_back(model.nodes.count() + 1);
+      model.nodes.position.push_back(place(static_cast<double>(i) / columns, static_cast<double>(j) / rows));
+    }
+  for (Index j = 0; j < rows; ++j)
+    for (Index i = 0; i < columns; ++i) {
+      const Index corner = first + j * (columns + 1) + i;
+      model.shells.push_back({.id = static_cast<UserId>(model.shells.size()) + 1,
+                              .part = part,
+                              .node = {corner, corner + 1, corner + columns + 2, corner + columns + 1}});
+    }
+  return first;
+}
+
+}  // namespace crumple::test
