@@ -23,6 +23,14 @@ struct InitialVelocity {
   std::array<double, 3> angular_velocity{};  ///< [1/time]
 };
 
+/// A force on a node: force times the curve's ordinate at the present time. Without a curve it acts in full
+/// from time zero on.
+struct NodalLoad {
+  Index node = no_index;
+  std::array<double, 3> force{};  ///< [force]
+  Index curve = no_index;         ///< in Model::curves; abscissa [time], ordinate a factor
+};
+
 /// A plane that nodes may not cross (*RIGIDWALL_PLANAR). Infinite, at rest.
 struct RigidWall {
   UserId id = 0;

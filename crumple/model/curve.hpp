@@ -13,6 +13,9 @@ struct Curve {
   UserId id = 0;
   std::vector<double> abscissa;
   std::vector<double> ordinate;
+
+  /// Ordinate at `x`, interpolated; the nearest end's beyond the ends.
+  double at(double x) const;
 };
 
 }  // namespace crumple::model

@@ -30,6 +30,7 @@ struct Model {
   std::vector<PartSet> part_sets;
   std::vector<FixedNode> fixed_nodes;
   std::vector<InitialVelocity> initial_velocities;
+  std::vector<NodalLoad> nodal_loads;
   std::vector<RigidWall> rigid_walls;
   std::vector<SingleSurfaceContact> contacts;
   Control control;

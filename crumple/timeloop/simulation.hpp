@@ -7,6 +7,7 @@
 #include "constraints/planar_wall.hpp"
 #include "contact/single_surface.hpp"
 #include "domain/domain.hpp"
+#include "loads/nodal_loads.hpp"
 #include "model/model.hpp"
 
 namespace crumple::timeloop {
@@ -52,6 +53,7 @@ class Simulation {
   domain::Domain domain_;
   std::vector<contact::SingleSurface> contacts_;
   std::vector<constraints::PlanarWall> walls_;
+  loads::NodalLoads nodal_loads_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick for the energy balance
   double rotational_energy_ = 0;                ///< 1/2 I omega(n-1/2).omega(n+1/2) [energy]
   double next_step_ = 0;                        ///< from n to n+1 [time]

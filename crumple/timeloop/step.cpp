@@ -51,6 +51,7 @@ void Simulation::compute_forces() {
     elements::add_shell_forces(domain_);
   }
   for (contact::SingleSurface& contact : contacts_) contact.add_forces(domain_);
+  nodal_loads_.add_forces(domain_);
 }
 
 void Simulation::choose_step() {
