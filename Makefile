@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Every target installs the Debian packages that it needs first and says so (tools/setup).
+# The work is done by CMake (CMakePresets.json) and by the scripts in tools/.
+MAKEFLAGS += --no-print-directory
+.DEFAULT_GOAL := help
+.PHONY: help demo build test test-full nightly check format clean
+
+# CMake takes the launcher from the environment; ccache only where it is installed.
+use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
+
+help:
+	@echo "make demo       build, run the box beam of the paper, draw it, list the files to open"
+	@echo "make build      release programs only: build/release/crumple"
+	@echo "make test       release build and all quick tests"
+	@echo "make test-full  after make test: clang, sanitizers, every instruction set, all checks"
+	@echo "make nightly    long property runs and fuzzing"
+	@echo "make check      static checks only"
+	@echo "make format     write all C++ files as clang-format wants them"
+	@echo "make clean      remove build/ and out/"
+
+demo:
+	@tools/setup build picture
+	@$(MAKE) build
+	@tools/demo
+
+build:
+	@tools/setup build
+	@echo "Building the release programs in build/release ..."
+	@mkdir -p build; $(use_ccache) cmake --preset release -DCRUMPLE_TESTS=OFF >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+	@cmake --build --preset release
+	@echo "Built: build/release/crumple"
+
+test:
+	@tools/setup build test
+	@$(use_ccache) tools/test
+
+test-full:
+	@tools/setup build test check
+	@$(use_ccache) tools/test_full
+
+nightly:
+	@tools/setup build test check
+	@$(use_ccache) tools/nightly
+
+check:
+	@tools/setup build test check
+	@$(use_ccache) tools/check
+
+format:
+	@tools/setup check
+	@tools/check_format --fix
+
+clean:
+	@echo "Removing build/ and out/"
+	@rm -rf build out

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Sourced by the scripts that do many things in a row: each step writes to build/logs, a failing one does not
+# stop the others, and a table of seconds ends the run.
+
+step_names=()
+step_results=()
+step_seconds=()
+step_failures=0
+mkdir -p build/logs
+
+# step NAME COMMAND...: runs the command; shows ctest's closing lines, or the end of the log if it failed.
+step() {
+  local name=$1 log status start=$SECONDS
+  shift
+  log="build/logs/${name//[^A-Za-z0-9]/_}.log"
+  printf '=== %s\n' "$name"
+  "$@" >"$log" 2>&1 </dev/null
+  status=$?
+  if [ "$status" -eq 0 ]; then
+    grep -E 'tests passed|Total Test time|^check_[a-z_]+:|^No tests were found' "$log" || true
+    step_results+=("passed")
+  else
+    tail -n "${STEP_LOG_LINES:-80}" "$log"
+    printf '=== %s FAILED (exit status %s); the whole log: %s\n' "$name" "$status" "$log"
+    step_results+=("FAILED")
+    step_failures=$((step_failures + 1))
+  fi
+  step_names+=("$name")
+  step_seconds+=($((SECONDS - start)))
+}
+
+# Prints the table; its exit status is the one of the whole run.
+finish_steps() {
+  local i
+  printf '\n%-34s %8s  %s\n' "step" "seconds" "result"
+  for i in "${!step_names[@]}"; do
+    printf '%-34s %8d  %s\n' "${step_names[$i]}" "${step_seconds[$i]}" "${step_results[$i]}"
+  done
+  printf '%-34s %8d  %s\n' "all" "$SECONDS" "$step_failures of ${#step_names[@]} failed"
+  [ "$step_failures" -eq 0 ]
+}
+
+# build PRESET [cmake options]: configures and compiles build/PRESET.
+build() {
+  local preset=$1
+  shift
+  cmake --preset "$preset" "$@" && cmake --build --preset "$preset"
+}
+
+# run_tests PRESET [ctest options]: what `make test` runs, in build/PRESET.
+run_tests() {
+  local preset=$1
+  shift
+  ctest --test-dir "build/$preset" --output-on-failure --no-tests=ignore -j "$(nproc)" "$@"
+}
+
+# check NAME...: the static checks of tools/ by their short names.
+static_checks() {
+  step "layers" tools/check_layers
+  step "tools' own tests" python3 -m unittest discover -s tests/tools -p '*_test.py'
+  step "style" tools/check_style
+  step "format" tools/check_format
+  step "headers" tools/check_headers
+  step "tidy" tools/check_tidy
+}
