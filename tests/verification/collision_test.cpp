@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Plates that meet through single-surface contact. Exact are the conservation laws: momentum to round-off,
+// energy (nothing here dissipates), and the thickness that keeps mid-surfaces apart.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/meshes.hpp"
+#include "support/run.hpp"
+
+namespace crumple {
+namespace {
+
+using math::Vec3;
+
+constexpr double thickness = 1.0;
+constexpr double speed = 5.0;
+
+/// A plate of `cells` x `cells` shells of 5 mm at height z, centred, turned by `angle` about z.
+Index add_plate(model::Model& model, Index part, Index cells, double z, double angle) {
+  const double side = 5.0 * cells;
+  return test::add_grid(model, part, cells, cells, [&](double u, double v) {
+    const double x = side * (u - 0.5);
+    const double y = side * (v - 0.5);
+    return test::Point{x * std::cos(angle) - y * std::sin(angle), x * std::sin(angle) + y * std::cos(angle),
+                       z};
+  });
+}
+
+model::Model two_parts() {
+  model::Model model = test::one_part(test::elastic_steel(), test::shell_section(thickness, 3));
+  model.parts.push_back({.id = 2, .title = "second", .section = 0, .material = 0});
+  model.contacts.push_back({.id = 1, .title = "all", .parts = {0, 1}});
+  return model;
+}
+
+Vec3 momentum_of(const domain::Domain& domain, Index first, Index last) {
+  Vec3 sum;
+  for (Index i = first; i < last; ++i) {
+    const Index node = domain.nodes.domain_node[i];
+    sum += domain.nodes.mass[node] * domain.nodes.velocity[node];
+  }
+  return sum;
+}
+
+TEST(Collision, TwoPlatesExchangeMomentumAndKeepTheEnergy) {
+  model::Model model = two_parts();
+  add_plate(model, 0, 6, 0, 0);
+  const Index upper = add_plate(model, 1, 6, 1.3, 0.3);
+  for (Index i = upper; i < model.nodes.count(); ++i)
+    model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -speed}, .angular_velocity = {}});
+  model.control.end_time = 0.3;
+  timeloop::Simulation simulation(model, {});
+  Vec3 before;
+  double drift = 0;
+  double imbalance = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    const Vec3 now = test::momentum(domain);
+    if (domain.clock.cycle == 0) before = now;
+    drift = std::max(drift, norm(now - before) / norm(before));
+    imbalance = std::max(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+  });
+  const domain::Domain& domain = simulation.domain();
+  EXPECT_LT(drift, 1e-12);
+  EXPECT_LT(imbalance, 1e-3);
+  EXPECT_GT(domain.contacts[0].worst_penetration, 0.0) << "the plates must have touched";
+  EXPECT_LT(domain.contacts[0].worst_penetration, 0.9 * thickness) << "no mid-surface is reached";
+  EXPECT_EQ(domain.contacts[0].active_pairs, 0) << "the plates have parted";
+  // Equal bodies: the momentum goes over, apart from what stays as vibration.
+  EXPECT_LT(std::fabs(momentum_of(domain, upper, model.nodes.count()).z), 0.35 * std::fabs(before.z));
+}
+
+TEST(Collision, AngularMomentumIsKeptInAnOffCentreImpact) {
+  model::Model model = two_parts();
+  add_plate(model, 0, 6, 0, 0);
+  const Index upper = add_plate(model, 1, 3, 1.3, 0.5);
+  for (Index i = upper; i < model.nodes.count(); ++i) {
+    model.nodes.position[i][0] += 7.0;
+    model.initial_velocities.push_back({.node = i, .velocity = {1.0, 0, -speed}, .angular_velocity = {}});
+  }
+  model.control.end_time = 0.3;
+  timeloop::Simulation simulation(model, {});
+  const auto angular = [](const domain::Domain& domain) {
+    Vec3 sum;
+    for (Index i = 0; i < domain.nodes.count(); ++i)
+      sum += cross(domain.nodes.position[i], domain.nodes.mass[i] * domain.nodes.velocity[i]) +
+             domain.nodes.inertia[i] * domain.nodes.angular_velocity[i];
+    return sum;
+  };
+  simulation.start();
+  const Vec3 before = angular(simulation.domain());
+  while (!simulation.finished()) simulation.step();
+  EXPECT_GT(simulation.domain().contacts[0].worst_penetration, 0.0);
+  EXPECT_LT(norm(angular(simulation.domain()) - before), 1e-3 * norm(before));
+}
+
+TEST(Sliding, APressedPlateGlidesAtTheContactThickness) {
+  model::Model model = two_parts();
+  const Index lower_nodes = 13 * 13;
+  add_plate(model, 0, 12, 0, 0);
+  const Index upper = add_plate(model, 1, 4, thickness, 0.2);
+  for (Index i = 0; i < lower_nodes; ++i)
+    model.fixed_nodes.push_back(
+        {.node = i, .translation = {true, true, true}, .rotation = {true, true, true}});
+  for (Index i = upper; i < model.nodes.count(); ++i) {
+    model.nodes.position[i][0] -= 12.0;
+    model.initial_velocities.push_back({.node = i, .velocity = {20.0, 0, 0}, .angular_velocity = {}});
+    model.nodal_loads.push_back({.node = i, .force = {0, 0, -2e-3}});
+  }
+  model.control.end_time = 1.0;
+  timeloop::Simulation simulation(model, {});
+  double lowest = 2 * thickness;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    for (Index i = upper; i < model.nodes.count(); ++i)
+      lowest = std::min(lowest, domain.nodes.position[domain.nodes.domain_node[i]].z);
+  });
+  const domain::Domain& domain = simulation.domain();
+  const double mass = 400.0 * thickness * 7.85e-6;
+  EXPECT_GT(lowest, 0.95 * thickness);
+  EXPECT_NEAR(test::displacement(domain, upper).x, 20.0, 0.02 * 20.0) << "no friction: nothing slows it down";
+  EXPECT_NEAR(momentum_of(domain, upper, model.nodes.count()).x, 20.0 * mass, 0.01 * 20.0 * mass);
+  EXPECT_LT(std::fabs(domain.energy.imbalance()), 0.01 * domain.energy.initial_total);
+}
+
+}  // namespace
+}  // namespace crumple
