@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/build.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <variant>
+
+namespace crumple::deck {
+
+namespace {
+
+struct ItemWords {
+  std::string_view name;
+  std::string_view keyword;        ///< what defines it
+  std::string_view family;         ///< beginning of the keywords, supported or not, that define it
+  std::string_view second_family;  ///< another such beginning; may be empty
+};
+
+const ItemWords& words(Item item) {
+  static constexpr ItemWords table[] = {
+      {"node", "*NODE", "*NODE_", ""},
+      {"shell", "*ELEMENT_SHELL", "*ELEMENT_SHELL_", ""},
+      {"mass element", "*ELEMENT_MASS", "*ELEMENT_MASS_", ""},
+      {"part", "*PART", "*PART_", ""},
+      {"section", "*SECTION_SHELL", "*SECTION_", ""},
+      {"material", "*MAT_ELASTIC or another *MAT", "*MAT_", "*EOS_"},
+      {"hourglass control", "*HOURGLASS", "*HOURGLASS_", ""},
+      {"curve", "*DEFINE_CURVE", "*DEFINE_CURVE_", "*DEFINE_TABLE"},
+      {"node set", "*SET_NODE_LIST", "*SET_NODE_", ""},
+      {"part set", "*SET_PART_LIST", "*SET_PART_", ""},
+      {"rigid wall", "*RIGIDWALL_PLANAR_ID", "*RIGIDWALL_", ""},
+      {"contact", "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", "*CONTACT_", ""},
+  };
+  return table[static_cast<std::size_t>(item)];
+}
+
+}  // namespace
+
+void Build::enter(Item item, const Reference& reference, std::size_t index) {
+  Entries& entries = entries_[static_cast<std::size_t>(item)];
+  const Index here = static_cast<Index>(index);
+  const Index before = entries.table.insert(reference.id, here);
+  if (static_cast<std::size_t>(here) >= entries.first.size())
+    entries.first.resize(static_cast<std::size_t>(here) + 1);
+  entries.first[static_cast<std::size_t>(here)] = reference.where;
+  if (before == no_index) return;
+  const Where& first = entries.first[static_cast<std::size_t>(before)];
+  report.field_error(reference.where,
+                     {reference.field, std::to_string(reference.id), "an id that is not used yet",
+                      fmt::format("{} {} is already defined at {}; remove one or give it another id",
+                                  words(item).name, reference.id, report.place(first)),
+                      "duplicate"});
+}
+
+Index Build::find_quietly(Item item, UserId id) const {
+  return entries_[static_cast<std::size_t>(item)].table.find(id);
+}
+
+const UnsupportedDefinition* Build::unsupported_definition(Item item, UserId id) const {
+  const ItemWords& word = words(item);
+  for (const UnsupportedDefinition& definition : deck.unsupported) {
+    const std::string_view keyword = definition.where.keyword;
+    const bool fits = keyword.starts_with(word.family) ||
+                      (!word.second_family.empty() && keyword.starts_with(word.second_family));
+    if (fits && definition.id == id) return &definition;
+  }
+  return nullptr;
+}
+
+Index Build::find(Item item, const Reference& reference) {
+  const Index index = find_quietly(item, reference.id);
+  if (index != no_index) return index;
+  const ItemWords& word = words(item);
+  FieldFault fault{reference.field,
+                   std::to_string(reference.id),
+                   fmt::format("the id of a {}", word.name),
+                   {},
+                   "reference"};
+  if (item == Item::Part && is_dropped(reference.id)) {
+    // As an error it would only repeat the one at the part.
+    fault.hint = fmt::format("part {} is left out, see the message there", reference.id);
+    if (report.allow_unsupported()) report.field_warning(reference.where, fault);
+  } else if (const UnsupportedDefinition* definition = unsupported_definition(item, reference.id)) {
+    fault.hint = fmt::format("{} {} is defined by {} at {}, which is not supported", word.name, reference.id,
+                             definition->where.keyword, report.place(definition->where));
+    report.field_unsupported(reference.where, fault);
+  } else {
+    fault.hint = fmt::format("the deck has no {} {}; add it with {}", word.name, reference.id, word.keyword);
+    report.field_error(reference.where, fault);
+  }
+  return no_index;
+}
+
+model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& report) {
+  Build build(deck, report);
+  build.model.title = deck.title;
+  build.model.control = deck.control;
+  build.model.output = deck.output;
+  build.model.search = deck.search;
+  build.model.run = deck.run;
+  build_properties(build);
+  build_nodes(build);
+  build_parts(build);
+  build_shells(build);
+  build_sets(build);
+  build_masses(build);
+  build_fixed_nodes(build);
+  build_velocities(build);
+  build_walls(build);
+  build_contacts(build, automatic_contact);
+  build_output(build);
+  return std::move(build.model);
+}
+
+std::string guess_units(const model::Model& model) {
+  struct System {
+    double density;
+    double modulus;
+    std::string_view name;
+  };
+  // Steel in the systems that are in use.
+  static constexpr System systems[] = {
+      {7830, 2.07e11, "kg, m, s"},    {7.83e-6, 207, "kg, mm, ms"}, {7.83e-9, 2.07e5, "t, mm, s"},
+      {7.83e-3, 2.07e5, "g, mm, ms"}, {7.83, 2.07, "g, cm, us"},    {7.33e-4, 3e7, "lbf s^2/in, in, s"},
+  };
+  std::string_view found;
+  for (const model::Material& material : model.materials) {
+    const double modulus = std::visit([](const auto& law) { return law.youngs_modulus; }, material.law);
+    std::string_view fits;
+    for (const System& system : systems) {
+      const double lightness = material.density / system.density;
+      const double stiffness = modulus / system.modulus;
+      // From magnesium to steel, whose ratios of modulus to density are nearly the same.
+      if (lightness > 0.2 && lightness < 1.5 && stiffness > 0.15 && stiffness < 1.5) fits = system.name;
+    }
+    if (fits.empty() || (!found.empty() && fits != found)) return {};
+    found = fits;
+  }
+  return std::string(found);
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deck/id_table.hpp"
+#include "deck/raw_deck.hpp"
+#include "deck/report.hpp"
+#include "model/model.hpp"
+
+namespace crumple::deck {
+
+/// What a user id can be the id of.
+enum class Item {
+  Node,
+  Shell,
+  Mass,
+  Part,
+  Section,
+  Material,
+  Hourglass,
+  Curve,
+  NodeSet,
+  PartSet,
+  Wall,
+  Contact,
+};
+
+/// A user id with the field in which it stands.
+struct Reference {
+  UserId id = 0;
+  std::string_view field;
+  Where where;
+};
+
+/// The model under construction, with the ids of what it already has. The deck and the report outlive it.
+class Build {
+ public:
+  Build(const RawDeck& raw, Report& to) : deck(raw), report(to) {}
+
+  const RawDeck& deck;
+  Report& report;
+  model::Model model;
+  std::vector<std::int32_t> shells_of_part;  ///< number of shells, by index of the part
+
+  /// Enters the id of an item that gets this index. An id that is there already is reported.
+  void enter(Item item, const Reference& reference, std::size_t index);
+
+  /// Index of the item that a field refers to. Where there is none, says so and returns no_index: an error,
+  /// or what --allow-unsupported makes of it if an unsupported keyword would define the item.
+  Index find(Item item, const Reference& reference);
+
+  /// The same without a message.
+  Index find_quietly(Item item, UserId id) const;
+
+  /// Parts that are left out because something they need is not supported.
+  void drop_part(UserId id) { dropped_parts_.insert(id, 0); }
+  bool is_dropped(UserId part) const { return dropped_parts_.find(part) != no_index; }
+
+  /// The unsupported keyword that would define an item; null if there is none.
+  const UnsupportedDefinition* unsupported_definition(Item item, UserId id) const;
+
+ private:
+  struct Entries {
+    IdTable table;
+    std::vector<Where> first;  ///< where each id was entered, in the order of entering
+  };
+  static constexpr std::size_t item_count = 12;
+
+  Entries entries_[item_count];
+  IdTable dropped_parts_;
+};
+
+// build_properties.cpp
+void build_properties(Build& build);
+// build_mesh.cpp
+void build_nodes(Build& build);
+void build_parts(Build& build);
+void build_shells(Build& build);
+// build_sets.cpp
+void build_sets(Build& build);
+// build_conditions.cpp
+void build_masses(Build& build);
+void build_fixed_nodes(Build& build);
+void build_velocities(Build& build);
+void build_walls(Build& build);
+// build_contact_output.cpp
+void build_contacts(Build& build, bool automatic_contact);
+void build_output(Build& build);
+
+/// Follows all references, checks that the items fit together and makes the model. Faults go to the report.
+model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& report);
+
+/// Guess of the unit system from densities and moduli (metals), such as "t, mm, s"; empty if there is none.
+std::string guess_units(const model::Model& model);
+
+}  // namespace crumple::deck

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Masses, fixed nodes, initial velocities and rigid walls.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "deck/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+const std::vector<Index>* set_nodes(Build& build, const Reference& set) {
+  const Index index = build.find(Item::NodeSet, set);
+  return index == no_index ? nullptr : &build.model.node_sets[static_cast<std::size_t>(index)].nodes;
+}
+
+/// TC and RC of *NODE: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 all.
+std::array<bool, 3> fixed_directions(int code) {
+  return {code == 1 || code == 4 || code == 6 || code == 7, code == 2 || code == 4 || code == 5 || code == 7,
+          code == 3 || code == 5 || code == 6 || code == 7};
+}
+
+/// Nodes of the shells of some parts, ascending.
+std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& parts) {
+  std::vector<char> wanted(build.model.parts.size(), 0);
+  for (const Index part : parts) wanted[static_cast<std::size_t>(part)] = 1;
+  std::vector<char> taken(build.model.nodes.id.size(), 0);
+  for (const model::ShellElement& shell : build.model.shells) {
+    if (shell.part == no_index || !wanted[static_cast<std::size_t>(shell.part)]) continue;
+    for (const Index node : shell.node)
+      if (node != no_index) taken[static_cast<std::size_t>(node)] = 1;
+  }
+  std::vector<Index> nodes;
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (taken[i]) nodes.push_back(static_cast<Index>(i));
+  return nodes;
+}
+
+std::vector<Index> all_nodes(const Build& build) {
+  std::vector<Index> nodes(build.model.nodes.id.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = static_cast<Index>(i);
+  return nodes;
+}
+
+std::vector<Index> velocity_nodes(Build& build, const RawVelocity& raw) {
+  const Reference reference{raw.id, raw.is_generation ? "ID" : "NSID", raw.where};
+  switch (raw.target) {
+    case RawVelocity::Target::All:
+      return all_nodes(build);
+    case RawVelocity::Target::NodeSet: {
+      const std::vector<Index>* nodes = set_nodes(build, reference);
+      return nodes ? *nodes : std::vector<Index>();
+    }
+    case RawVelocity::Target::Node: {
+      const Index node = build.find(Item::Node, {raw.id, "NID", raw.where});
+      return node == no_index ? std::vector<Index>() : std::vector<Index>{node};
+    }
+    case RawVelocity::Target::Part: {
+      const Index part = build.find(Item::Part, reference);
+      return part == no_index ? std::vector<Index>() : nodes_of_parts(build, {part});
+    }
+    case RawVelocity::Target::PartSet: {
+      const Index set = build.find(Item::PartSet, reference);
+      if (set == no_index) return {};
+      return nodes_of_parts(build, build.model.part_sets[static_cast<std::size_t>(set)].parts);
+    }
+  }
+  return {};
+}
+
+/// Translation plus rotation about the axis, v = v0 + spin x (r - point).
+model::InitialVelocity velocity_at(const RawVelocity& raw, Index node, const Vector& position) {
+  model::InitialVelocity result{node, raw.velocity, raw.angular_velocity};
+  if (!raw.rotates) return result;
+  const Vector& w = raw.spin;
+  const Vector r = {position[0] - raw.axis_point[0], position[1] - raw.axis_point[1],
+                    position[2] - raw.axis_point[2]};
+  result.velocity[0] += w[1] * r[2] - w[2] * r[1];
+  result.velocity[1] += w[2] * r[0] - w[0] * r[2];
+  result.velocity[2] += w[0] * r[1] - w[1] * r[0];
+  for (std::size_t i = 0; i < 3; ++i) result.angular_velocity[i] += w[i];
+  return result;
+}
+
+void warn_of_mixed_velocities(Build& build) {
+  const auto& raws = build.deck.velocities;
+  const auto generation =
+      std::find_if(raws.begin(), raws.end(), [](const RawVelocity& v) { return v.is_generation; });
+  const auto other =
+      std::find_if(raws.begin(), raws.end(), [](const RawVelocity& v) { return !v.is_generation; });
+  if (generation != raws.end() && other != raws.end())
+    build.report.warning(
+        generation->where, "mixed",
+        fmt::format("{} at {} gives velocities too, which LS-DYNA does not allow together; here "
+                    "the later keyword counts, *INITIAL_VELOCITY_NODE last",
+                    other->where.keyword, build.report.place(other->where)));
+}
+
+void warn_of_nodes_behind(const model::RigidWall& wall, const Where& where, Build& build) {
+  const auto& positions = build.model.nodes.position;
+  std::size_t behind = 0;
+  double size = 0;
+  for (const Index node : wall.nodes) {
+    const Vector& x = positions[static_cast<std::size_t>(node)];
+    double distance = 0;
+    for (std::size_t i = 0; i < 3; ++i) distance += (x[i] - wall.point[i]) * wall.normal[i];
+    size = std::max(size, std::fabs(distance));
+    constexpr double on_the_wall = 1e-6;
+    if (distance < -on_the_wall * size) ++behind;
+  }
+  if (behind > 0)
+    build.report.warning(
+        where, "behind",
+        fmt::format("{} of the wall's {} nodes are behind it at the start; is its normal (from "
+                    "tail to head, towards the body) right?",
+                    behind, wall.nodes.size()));
+}
+
+}  // namespace
+
+void build_masses(Build& build) {
+  for (const RawMass& raw : build.deck.masses) {
+    build.enter(Item::Mass, {raw.id, "EID", raw.where},
+                static_cast<std::size_t>(&raw - build.deck.masses.data()));
+    if (!raw.is_set) {
+      const Index node = build.find(Item::Node, {raw.target, "NID", raw.where});
+      if (node != no_index) build.model.lumped_masses.push_back({raw.id, node, raw.mass});
+    } else if (const std::vector<Index>* nodes = set_nodes(build, {raw.target, "NSID", raw.where})) {
+      // Every node of the set gets the whole mass, as in LS-DYNA.
+      for (const Index node : *nodes) build.model.lumped_masses.push_back({raw.id, node, raw.mass});
+    }
+  }
+}
+
+void build_fixed_nodes(Build& build) {
+  std::map<Index, model::FixedNode> fixed;
+  const auto fix = [&](Index node, const std::array<bool, 3>& translation,
+                       const std::array<bool, 3>& rotation) {
+    model::FixedNode& entry = fixed[node];
+    entry.node = node;
+    for (std::size_t i = 0; i < 3; ++i) {
+      entry.translation[i] = entry.translation[i] || translation[i];
+      entry.rotation[i] = entry.rotation[i] || rotation[i];
+    }
+  };
+  for (std::size_t i = 0; i < build.deck.nodes.size(); ++i) {
+    const RawNode& raw = build.deck.nodes[i];
+    if (raw.translation_code != 0 || raw.rotation_code != 0)
+      fix(static_cast<Index>(i), fixed_directions(raw.translation_code), fixed_directions(raw.rotation_code));
+  }
+  for (const RawFixed& raw : build.deck.fixed) {
+    if (!raw.is_set) {
+      const Index node = build.find(Item::Node, {raw.target, "NID", raw.where});
+      if (node != no_index) fix(node, raw.translation, raw.rotation);
+    } else if (const std::vector<Index>* nodes = set_nodes(build, {raw.target, "NSID", raw.where})) {
+      for (const Index node : *nodes) fix(node, raw.translation, raw.rotation);
+    }
+  }
+  for (const auto& [node, entry] : fixed) build.model.fixed_nodes.push_back(entry);
+}
+
+void build_velocities(Build& build) {
+  std::vector<model::InitialVelocity> at_node(build.model.nodes.id.size());
+  const auto set = [&](const model::InitialVelocity& velocity) {
+    at_node[static_cast<std::size_t>(velocity.node)] = velocity;
+  };
+  const auto apply = [&](const RawVelocity& raw) {
+    for (const Index node : velocity_nodes(build, raw))
+      set(velocity_at(raw, node, build.model.nodes.position[static_cast<std::size_t>(node)]));
+    if (raw.exempt_set == 0) return;
+    if (const std::vector<Index>* exempt = set_nodes(build, {raw.exempt_set, "NSIDEX", raw.where}))
+      for (const Index node : *exempt) set({node, raw.exempt_velocity, raw.exempt_angular_velocity});
+  };
+  warn_of_mixed_velocities(build);
+  for (const RawVelocity& raw : build.deck.velocities)
+    if (raw.target != RawVelocity::Target::Node) apply(raw);
+  for (const RawVelocity& raw : build.deck.velocities)
+    if (raw.target == RawVelocity::Target::Node) apply(raw);
+  for (const model::InitialVelocity& velocity : at_node)
+    if (velocity.node != no_index) build.model.initial_velocities.push_back(velocity);
+}
+
+void build_walls(Build& build) {
+  for (std::size_t i = 0; i < build.deck.walls.size(); ++i) {
+    const RawWall& raw = build.deck.walls[i];
+    model::RigidWall wall = raw.wall;
+    if (wall.id == 0) wall.id = static_cast<UserId>(i) + 1;
+    build.enter(Item::Wall, {wall.id, "ID", raw.where}, build.model.rigid_walls.size());
+    if (raw.node_set == 0) {
+      wall.nodes = all_nodes(build);
+    } else {
+      const std::vector<Index>* nodes = set_nodes(build, {raw.node_set, "NSID", raw.where});
+      if (!nodes) continue;
+      wall.nodes = *nodes;
+      std::sort(wall.nodes.begin(), wall.nodes.end());
+      wall.nodes.erase(std::unique(wall.nodes.begin(), wall.nodes.end()), wall.nodes.end());
+    }
+    if (raw.exempt_set != 0) {
+      if (const std::vector<Index>* exempt = set_nodes(build, {raw.exempt_set, "NSIDEX", raw.where}))
+        for (const Index node : *exempt) std::erase(wall.nodes, node);
+    }
+    warn_of_nodes_behind(wall, raw.where, build);
+    build.model.rigid_walls.push_back(std::move(wall));
+  }
+}
+
+}  // namespace crumple::deck

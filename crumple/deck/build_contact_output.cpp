@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contacts and output requests.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+std::vector<Index> parts_with_shells(const Build& build) {
+  std::vector<Index> parts;
+  for (std::size_t i = 0; i < build.shells_of_part.size(); ++i)
+    if (build.shells_of_part[i] > 0) parts.push_back(static_cast<Index>(i));
+  return parts;
+}
+
+/// The parts that a contact names, before those without elements are taken out. Nothing after an error.
+std::vector<Index> named_parts(Build& build, const RawContact& raw) {
+  const Reference reference{raw.id, "SSID", raw.where};
+  if (raw.target == RawContact::Target::All) return parts_with_shells(build);
+  if (raw.target == RawContact::Target::Part) {
+    const Index part = build.find(Item::Part, reference);
+    return part == no_index ? std::vector<Index>() : std::vector<Index>{part};
+  }
+  const Index set = build.find(Item::PartSet, reference);
+  if (set == no_index) return {};
+  const std::vector<Index>& members = build.model.part_sets[static_cast<std::size_t>(set)].parts;
+  if (raw.target == RawContact::Target::PartSet) return members;
+  std::vector<Index> others = parts_with_shells(build);
+  for (const Index part : members) std::erase(others, part);
+  return others;
+}
+
+}  // namespace
+
+void build_contacts(Build& build, bool automatic_contact) {
+  const std::vector<Index> with_shells = parts_with_shells(build);
+  for (std::size_t i = 0; i < build.deck.contacts.size(); ++i) {
+    const RawContact& raw = build.deck.contacts[i];
+    model::SingleSurfaceContact contact = raw.contact;
+    if (contact.id == 0) contact.id = static_cast<UserId>(i) + 1;
+    build.enter(Item::Contact, {contact.id, "ID", raw.where}, i);
+    for (const Index part : named_parts(build, raw))
+      if (std::binary_search(with_shells.begin(), with_shells.end(), part)) contact.parts.push_back(part);
+    std::sort(contact.parts.begin(), contact.parts.end());
+    contact.parts.erase(std::unique(contact.parts.begin(), contact.parts.end()), contact.parts.end());
+    if (contact.parts.empty())
+      build.report.warning(raw.where, "empty", "the contact has no shells and is left out");
+    else
+      build.model.contacts.push_back(std::move(contact));
+  }
+  if (automatic_contact && build.deck.contacts.empty() && !with_shells.empty()) {
+    model::SingleSurfaceContact contact;
+    contact.id = 1;
+    contact.title = "automatic, all parts";
+    contact.parts = with_shells;
+    build.model.contacts.push_back(std::move(contact));
+  }
+}
+
+void build_output(Build& build) {
+  model::OutputRequests& output = build.model.output;
+  if (build.deck.state_count > 0)
+    output.state_interval = build.model.control.end_time / static_cast<double>(build.deck.state_count);
+  const auto add = [&](Index node) {
+    if (std::find(output.history_nodes.begin(), output.history_nodes.end(), node) ==
+        output.history_nodes.end())
+      output.history_nodes.push_back(node);
+  };
+  for (const RawHistory& raw : build.deck.histories) {
+    const Index index = build.find(raw.is_set ? Item::NodeSet : Item::Node, {raw.id, "ID", raw.where});
+    if (index == no_index) continue;
+    if (!raw.is_set)
+      add(index);
+    else
+      for (const Index node : build.model.node_sets[static_cast<std::size_t>(index)].nodes) add(node);
+  }
+}
+
+}  // namespace crumple::deck

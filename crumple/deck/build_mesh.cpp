@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Nodes, parts and shells.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "deck/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector difference(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+bool repeats_node(const std::array<Index, 4>& node) {
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (node[i] == node[j] && !(i == 2 && j == 3)) return true;
+  return false;
+}
+
+/// Area that is not above zero, or sides that cross each other.
+void check_shape(const model::ShellElement& shell, const Where& where, Build& build) {
+  const auto& positions = build.model.nodes.position;
+  std::array<Vector, 4> x;
+  for (std::size_t i = 0; i < 4; ++i) x[i] = positions[static_cast<std::size_t>(shell.node[i])];
+  // Half the cross product of the diagonals is the area, for a triangle too.
+  const Vector area = cross(difference(x[2], x[0]), difference(x[3], x[1]));
+  double longest = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const Vector side = difference(x[i], x[j]);
+      longest = std::max(longest, dot(side, side));
+    }
+  constexpr double flat = 1e-9;
+  if (!(std::sqrt(dot(area, area)) > flat * longest)) {
+    build.report.error(where, "area",
+                       fmt::format("shell {} has no area; check its nodes and their coordinates", shell.id));
+    return;
+  }
+  if (shell.node[2] == shell.node[3]) return;
+  int turned = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vector corner = cross(difference(x[(i + 1) % 4], x[i]), difference(x[(i + 3) % 4], x[i]));
+    if (dot(corner, area) < 0) ++turned;
+  }
+  if (turned >= 2)
+    build.report.error(
+        where, "crossed",
+        fmt::format("the sides of shell {} cross each other; give its nodes in order around it", shell.id));
+  else if (turned == 1)
+    build.report.warning(
+        where, "concave",
+        fmt::format("shell {} has a corner that points inwards; its results will be poor", shell.id));
+}
+
+/// A node's thickness of zero takes the section's. False if neither has one.
+bool complete_thickness(model::ShellElement& shell, const Build& build) {
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(shell.part)];
+  const auto& section = build.model.shell_sections[static_cast<std::size_t>(part.section)];
+  const bool own =
+      std::any_of(shell.thickness.begin(), shell.thickness.end(), [](double t) { return t > 0; });
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (own && !(shell.thickness[i] > 0)) shell.thickness[i] = section.thickness[i];
+    if (!(shell.thickness[i] > 0 || section.thickness[i] > 0)) return false;
+  }
+  return true;
+}
+
+/// Says once per section that a shell of it has no thickness.
+void report_thickness(const model::ShellElement& shell, Build& build, std::vector<char>& reported) {
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(shell.part)];
+  const RawSection& section = build.deck.sections[static_cast<std::size_t>(part.section)];
+  char& done = reported[static_cast<std::size_t>(part.section)];
+  if (done || !section.thickness_good) return;
+  done = 1;
+  build.report.field_error(
+      section.where,
+      {"T1", "0", "a thickness above zero",
+       fmt::format("shell {} (part {}) has none of its own from *ELEMENT_SHELL_THICKNESS", shell.id, part.id),
+       "thickness"});
+}
+
+}  // namespace
+
+void build_nodes(Build& build) {
+  model::Nodes& nodes = build.model.nodes;
+  nodes.id.reserve(build.deck.nodes.size());
+  nodes.position.reserve(build.deck.nodes.size());
+  for (const RawNode& raw : build.deck.nodes) {
+    build.enter(Item::Node, {raw.id, "NID", raw.where}, nodes.id.size());
+    nodes.id.push_back(raw.id);
+    nodes.position.push_back(raw.position);
+  }
+}
+
+void build_parts(Build& build) {
+  for (const RawPart& raw : build.deck.parts) {
+    model::Part part;
+    part.id = raw.id;
+    part.title = raw.title;
+    part.section = raw.section == 0 ? no_index : build.find(Item::Section, {raw.section, "SECID", raw.where});
+    part.material =
+        raw.material == 0 ? no_index : build.find(Item::Material, {raw.material, "MID", raw.where});
+    if (raw.hourglass != 0) part.hourglass = build.find(Item::Hourglass, {raw.hourglass, "HGID", raw.where});
+    if (part.section == no_index || part.material == no_index) {
+      build.drop_part(raw.id);
+      if (build.report.allow_unsupported())
+        build.report.warning(raw.where, "dropped",
+                             fmt::format("part {} is left out with its elements", raw.id));
+      continue;
+    }
+    build.enter(Item::Part, {raw.id, "PID", raw.where}, build.model.parts.size());
+    build.model.parts.push_back(std::move(part));
+  }
+}
+
+void build_shells(Build& build) {
+  static constexpr std::array<std::string_view, 4> fields = {"N1", "N2", "N3", "N4"};
+  std::vector<model::ShellElement>& shells = build.model.shells;
+  shells.reserve(build.deck.shells.size());
+  build.shells_of_part.assign(build.model.parts.size(), 0);
+  std::vector<char> without_thickness(build.model.shell_sections.size(), 0);
+  for (const RawShell& raw : build.deck.shells) {
+    if (build.is_dropped(raw.part)) continue;
+    model::ShellElement shell;
+    shell.id = raw.id;
+    shell.thickness = raw.thickness;
+    shell.part = build.find(Item::Part, {raw.part, "PID", raw.where});
+    bool complete = shell.part != no_index;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const bool triangle = i == 3 && raw.node[3] == raw.node[2];
+      shell.node[i] = triangle ? shell.node[2] : build.find(Item::Node, {raw.node[i], fields[i], raw.where});
+      complete = complete && shell.node[i] != no_index;
+    }
+    build.enter(Item::Shell, {raw.id, "EID", raw.where}, shells.size());
+    if (complete && repeats_node(shell.node)) {
+      build.report.error(
+          raw.where, "repeated",
+          fmt::format("shell {} has a node twice; a triangle has its third node as fourth", raw.id));
+      complete = false;
+    }
+    if (complete) {
+      if (!complete_thickness(shell, build)) report_thickness(shell, build, without_thickness);
+      check_shape(shell, raw.where, build);
+      ++build.shells_of_part[static_cast<std::size_t>(shell.part)];
+    }
+    shells.push_back(shell);
+  }
+  for (const RawPart& raw : build.deck.parts) {
+    const Index part = build.find_quietly(Item::Part, raw.id);
+    if (part != no_index && build.shells_of_part[static_cast<std::size_t>(part)] == 0)
+      build.report.warning(raw.where, "empty", fmt::format("part {} has no elements", raw.id));
+  }
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/cards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "deck/numbers.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+/// A last field of text takes the rest of the line, commas included.
+bool ends_in_text(Layout layout) {
+  return !layout.empty() && layout.back().type == FieldType::Text && layout.back().width >= 60;
+}
+
+std::string list_of_names(Layout layout) {
+  std::string names;
+  for (const Field& field : layout) names += fmt::format("{}{}", names.empty() ? "" : ", ", field.name);
+  return names;
+}
+
+std::string list_of_values(const Check& check) {
+  std::string values;
+  for (std::size_t i = 0; i < check.count; ++i)
+    values += fmt::format("{}{}", i == 0 ? "" : (i + 1 == check.count ? " or " : ", "), check.values[i]);
+  return values;
+}
+
+std::size_t advance_tab(std::size_t column) {
+  constexpr std::size_t tab_stop = 8;
+  return (column / tab_stop + 1) * tab_stop;
+}
+
+}  // namespace
+
+const Card::Value& Card::value(std::string_view name) const {
+  for (std::size_t i = 0; i < layout_.size(); ++i)
+    if (layout_[i].name == name) return values_[i];
+  assert(false && "the layout has no field of this name");
+  return values_[0];
+}
+
+Cards::Cards(const Block& block, HeadingKind heading, const Parameters& parameters, Report& report)
+    : block_(&block), heading_(heading), parameters_(&parameters), report_(&report) {}
+
+bool Cards::more() const {
+  return std::any_of(block_->lines.begin() + static_cast<std::ptrdiff_t>(next_), block_->lines.end(),
+                     [](const Line& line) { return !trimmed(line.text).empty(); });
+}
+
+Card Cards::next_filled(Layout layout) {
+  while (has_line() && trimmed(block_->lines[next_].text).empty()) ++next_;
+  return next(layout);
+}
+
+Card Cards::next(Layout layout) {
+  assert(layout.size() <= max_fields);
+  Card card;
+  card.layout_ = layout;
+  card.where_ = block_->where;
+  card.where_.card = ++card_;
+  std::string_view text;
+  if (has_line()) {
+    const Line& line = block_->lines[next_++];
+    card.where_.line = line.number;
+    text = line.text;
+  } else {
+    if (!block_->lines.empty()) card.where_.line = block_->lines.back().number;
+    report_->error(card.where_, "missing card",
+                   fmt::format("the card is missing, expected one with {}; add it, a blank line takes all "
+                               "defaults",
+                               list_of_names(layout)));
+  }
+  slots_.fill({});
+  rest_ = {};
+  free_ = is_free(text, layout);
+  if (free_)
+    split_free(text, layout);
+  else
+    split_fixed(without_tabs(text, layout, card.where_), layout);
+  const bool absent = text.data() == nullptr;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    if (absent) card.values_[i].good = false;
+    card.values_[i].real = layout[i].fallback;
+    card.values_[i].integer = static_cast<std::int64_t>(layout[i].fallback);
+    if (!absent) parse(i, card);
+  }
+  if (!rest_.empty()) report_rest(card);
+  return card;
+}
+
+bool Cards::is_free(std::string_view line, Layout layout) const {
+  if (!ends_in_text(layout)) return line.find(',') != std::string_view::npos;
+  int columns = 0;
+  for (const Field& field : layout.first(layout.size() - 1)) columns += width_of(field);
+  return line.substr(0, static_cast<std::size_t>(columns)).find(',') != std::string_view::npos;
+}
+
+int Cards::width_of(const Field& field) const {
+  switch (block_->format) {
+    case ColumnFormat::Standard:
+      return field.width;
+    case ColumnFormat::TenDigit:
+      return std::max(field.width, 10);
+    case ColumnFormat::Long:
+      return std::max(field.width, 20);
+  }
+  return field.width;
+}
+
+void Cards::split_fixed(std::string_view line, Layout layout) {
+  std::size_t column = 0;
+  for (std::size_t i = 0; i < layout.size() && column < line.size(); ++i) {
+    const std::size_t width = i + 1 == layout.size() && ends_in_text(layout)
+                                  ? line.size()
+                                  : static_cast<std::size_t>(width_of(layout[i]));
+    slots_[i] = trimmed(line.substr(column, width));
+    column += width;
+  }
+  // Cards of eight fields end at column 80 (or its like); remarks may follow there.
+  const std::size_t end_of_card = block_->format == ColumnFormat::Long ? 160 : 80;
+  if (column < std::min(line.size(), end_of_card)) rest_ = trimmed(line.substr(column, end_of_card - column));
+}
+
+void Cards::split_free(std::string_view line, Layout layout) {
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < layout.size() && start <= line.size(); ++i) {
+    const bool takes_rest = i + 1 == layout.size() && ends_in_text(layout);
+    const std::size_t comma = takes_rest ? std::string_view::npos : line.find(',', start);
+    const std::size_t end = comma == std::string_view::npos ? line.size() : comma;
+    slots_[i] = trimmed(line.substr(start, end - start));
+    start = end + 1;
+  }
+  if (start <= line.size()) rest_ = trimmed(line.substr(start));
+}
+
+std::string_view Cards::without_tabs(std::string_view line, Layout layout, const Where& where) {
+  if (line.find('\t') == std::string_view::npos) return line;
+  expanded_.clear();
+  for (const char c : line) {
+    if (c == '\t')
+      expanded_.append(advance_tab(expanded_.size()) - expanded_.size(), ' ');
+    else
+      expanded_.push_back(c);
+  }
+  // A tab shows differently in every editor, so a value cut by the edge of a field is never taken.
+  std::size_t edge = 0;
+  for (const Field& field : layout) {
+    edge += static_cast<std::size_t>(width_of(field));
+    if (ends_in_text(layout) && &field == &layout.back()) break;
+    if (edge < expanded_.size() && expanded_[edge] != ' ' && expanded_[edge - 1] != ' ') {
+      report_->error(
+          where, "tab",
+          fmt::format("the line has tabs, and with tab stops of 8 columns the field {} cuts a value "
+                      "in two; use blanks or commas",
+                      field.name));
+      break;
+    }
+  }
+  return expanded_;
+}
+
+std::string Cards::place_of(std::size_t field, Layout layout) const {
+  if (free_) return fmt::format("value {} of the line", field + 1);
+  int first = 1;
+  for (std::size_t i = 0; i < field; ++i) first += width_of(layout[i]);
+  return fmt::format("columns {}-{} of the line", first, first + width_of(layout[field]) - 1);
+}
+
+void Cards::parse(std::size_t index, Card& card) {
+  const Field& field = card.layout_[index];
+  Card::Value& value = card.values_[index];
+  value.text = slots_[index];
+  if (field.type == FieldType::Text) return;
+  if (!value.text.empty()) {
+    std::string substituted;
+    std::string_view text = value.text;
+    std::string hint = place_of(index, card.layout_);
+    if (Parameters::is_reference(text)) {
+      std::optional<std::string> found = parameters_->substitute(text);
+      if (!found) {
+        value.good = false;
+        report_->field_error(card.where_, {field.name, std::string(text), "a parameter that is defined",
+                                           "define it with *PARAMETER before this line", "parameter"});
+        return;
+      }
+      substituted = std::move(*found);
+      hint += fmt::format(", where {} is \"{}\"", text, substituted);
+      text = substituted;
+    }
+    const bool whole = field.type == FieldType::Integer;
+    const std::optional<std::int64_t> integer = whole ? parse_integer(text) : std::nullopt;
+    const std::optional<double> real = integer ? static_cast<double>(*integer) : parse_real(text);
+    if (!real || (whole && !integer)) {
+      value.good = false;
+      report_->field_error(card.where_, {field.name, std::string(value.text),
+                                         whole ? "a whole number" : "a number", hint, "number"});
+      return;
+    }
+    const bool takes_default = field.zero_is_default && *real == 0;
+    if (!takes_default) {
+      value.real = *real;
+      value.integer = whole ? *integer : 0;
+    }
+  }
+  value.good = check(field, value, card);
+}
+
+bool Cards::check(const Field& field, const Card::Value& value, const Card& card) {
+  const Check& check = field.check;
+  const auto among = [&] {
+    const auto end = check.values.begin() + static_cast<std::ptrdiff_t>(check.count);
+    return std::find(check.values.begin(), end, value.real) != end;
+  };
+  FieldFault fault{field.name, std::string(value.text), {}, {}, "value"};
+  switch (check.kind) {
+    case Check::Kind::None:
+      return true;
+    case Check::Kind::AboveZero:
+      if (value.real > 0) return true;
+      fault.expected = field.type == FieldType::Integer ? "a whole number above zero" : "a number above zero";
+      break;
+    case Check::Kind::NotNegative:
+      if (value.real >= 0) return true;
+      fault.expected = "a number that is not negative";
+      break;
+    case Check::Kind::Between:
+      if (value.real > check.values[0] && value.real < check.values[1]) return true;
+      fault.expected = fmt::format("a number above {} and below {}", check.values[0], check.values[1]);
+      fault.hint = check.text;
+      break;
+    case Check::Kind::Within:
+      if (value.real >= check.values[0] && value.real <= check.values[1]) return true;
+      fault.expected = fmt::format("a number from {} to {}", check.values[0], check.values[1]);
+      fault.hint = check.text;
+      break;
+    case Check::Kind::Only:
+      if (among()) return true;
+      fault.expected =
+          fmt::format("{}, the only value{} supported", list_of_values(check), check.count > 1 ? "s" : "");
+      fault.hint = check.text;
+      report_->field_unsupported(card.where_, fault);
+      return false;
+    case Check::Kind::Harmless:
+      if (among()) return true;
+      fault.expected = list_of_values(check);
+      fault.hint = check.text;
+      report_->field_warning(card.where_, fault);
+      return true;
+  }
+  report_->field_error(card.where_, fault);
+  return false;
+}
+
+void Cards::report_rest(const Card& card) {
+  // Zeros behind the last field are fields of other versions of the format, switched off.
+  const std::optional<double> number = parse_real(rest_.substr(0, rest_.find(',')));
+  if (number && *number == 0 && rest_.find_first_of("123456789") == std::string_view::npos) return;
+  if (rest_.find_first_not_of(", ") == std::string_view::npos) return;
+  const std::string message =
+      fmt::format("\"{}\" stands behind the last field known ({}) and is not read; remove it", rest_,
+                  card.layout_.back().name);
+  if (number)
+    report_->unsupported(card.where_, "rest", message);
+  else
+    report_->warning(card.where_, "rest", message);
+}
+
+Heading Cards::heading() {
+  Heading result;
+  if (heading_ == HeadingKind::None) return result;
+  if (heading_ == HeadingKind::Title) {
+    result.title = text_line("a title");
+    return result;
+  }
+  static constexpr Field identity[] = {row::reference("ID"), row::text("HEADING", 70)};
+  const std::int32_t count = card_;
+  const Card card = next(identity);
+  card_ = count;
+  result.id = card.integer("ID");
+  result.title = card.text("HEADING");
+  return result;
+}
+
+std::string Cards::text_line(std::string_view what) {
+  if (!has_line()) {
+    report_->error(block_->where, "missing line", fmt::format("a line is missing, expected {}", what));
+    return {};
+  }
+  return std::string(trimmed(block_->lines[next_++].text));
+}
+
+}  // namespace crumple::deck

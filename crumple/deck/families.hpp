@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "deck/cards.hpp"
+#include "deck/raw_deck.hpp"
+
+namespace crumple::deck {
+
+/// The readers of the keywords, one file per family (read_*.cpp). Each takes the cards of one keyword and
+/// adds what they say to the raw deck.
+using KeywordReader = void (*)(Cards& cards, RawDeck& deck);
+
+// read_mesh.cpp
+void read_node(Cards& cards, RawDeck& deck);
+void read_element_shell(Cards& cards, RawDeck& deck);
+void read_element_shell_thickness(Cards& cards, RawDeck& deck);
+void read_element_mass(Cards& cards, RawDeck& deck);
+void read_element_mass_node_set(Cards& cards, RawDeck& deck);
+
+// read_parts.cpp
+void read_part(Cards& cards, RawDeck& deck);
+void read_section_shell(Cards& cards, RawDeck& deck);
+void read_hourglass(Cards& cards, RawDeck& deck);
+
+// read_materials.cpp
+void read_mat_elastic(Cards& cards, RawDeck& deck);
+void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck);
+void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
+
+// read_curves_sets.cpp
+void read_define_curve(Cards& cards, RawDeck& deck);
+void read_set_node_list(Cards& cards, RawDeck& deck);
+void read_set_node_list_generate(Cards& cards, RawDeck& deck);
+void read_set_part_list(Cards& cards, RawDeck& deck);
+void read_set_part_list_generate(Cards& cards, RawDeck& deck);
+
+// read_control.cpp
+void read_title(Cards& cards, RawDeck& deck);
+void read_control_termination(Cards& cards, RawDeck& deck);
+void read_control_timestep(Cards& cards, RawDeck& deck);
+void read_control_energy(Cards& cards, RawDeck& deck);
+void read_control_hourglass(Cards& cards, RawDeck& deck);
+void read_control_bulk_viscosity(Cards& cards, RawDeck& deck);
+void read_control_accuracy(Cards& cards, RawDeck& deck);
+
+// read_control_shell.cpp
+void read_control_shell(Cards& cards, RawDeck& deck);
+
+// read_control_contact.cpp
+void read_control_contact(Cards& cards, RawDeck& deck);
+
+// read_database.cpp
+void read_database_glstat(Cards& cards, RawDeck& deck);
+void read_database_matsum(Cards& cards, RawDeck& deck);
+void read_database_rwforc(Cards& cards, RawDeck& deck);
+void read_database_rcforc(Cards& cards, RawDeck& deck);
+void read_database_nodout(Cards& cards, RawDeck& deck);
+void read_database_history_node(Cards& cards, RawDeck& deck);
+void read_database_history_node_id(Cards& cards, RawDeck& deck);
+void read_database_history_node_set(Cards& cards, RawDeck& deck);
+void read_database_binary_d3plot(Cards& cards, RawDeck& deck);
+
+// read_conditions.cpp
+void read_boundary_spc_node(Cards& cards, RawDeck& deck);
+void read_boundary_spc_set(Cards& cards, RawDeck& deck);
+void read_initial_velocity(Cards& cards, RawDeck& deck);
+void read_initial_velocity_node(Cards& cards, RawDeck& deck);
+void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
+
+// read_contact.cpp
+void read_rigidwall_planar(Cards& cards, RawDeck& deck);
+void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);
+
+/// What HGID's and CONTROL_HOURGLASS' form number means for shells.
+model::HourglassForm hourglass_form(std::int64_t number);
+
+}  // namespace crumple::deck

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/keywords.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace crumple::deck {
+
+namespace {
+
+constexpr HeadingKind none = HeadingKind::None;
+constexpr HeadingKind title = HeadingKind::Title;
+constexpr HeadingKind identity = HeadingKind::Identity;
+
+// KEYWORD, INCLUDE and END are the scanner's, PARAMETER is the reader's.
+constexpr Keyword table[] = {
+    {"TITLE", read_title},
+
+    {"NODE", read_node},
+    {"ELEMENT_SHELL", read_element_shell},
+    {"ELEMENT_SHELL_THICKNESS", read_element_shell_thickness},
+    {"ELEMENT_MASS", read_element_mass},
+    {"ELEMENT_MASS_NODE_SET", read_element_mass_node_set},
+
+    {"PART", read_part},
+    {"SECTION_SHELL", read_section_shell, title},
+    {"HOURGLASS", read_hourglass, title},
+
+    {"MAT_ELASTIC", read_mat_elastic, title},
+    {"MAT_001", read_mat_elastic, title},
+    {"MAT_PLASTIC_KINEMATIC", read_mat_plastic_kinematic, title},
+    {"MAT_003", read_mat_plastic_kinematic, title},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", read_mat_piecewise_linear_plasticity, title},
+    {"MAT_024", read_mat_piecewise_linear_plasticity, title},
+
+    {"DEFINE_CURVE", read_define_curve, title},
+    {"SET_NODE", read_set_node_list, title},
+    {"SET_NODE_LIST", read_set_node_list, title},
+    {"SET_NODE_LIST_GENERATE", read_set_node_list_generate, title},
+    {"SET_PART", read_set_part_list, title},
+    {"SET_PART_LIST", read_set_part_list, title},
+    {"SET_PART_LIST_GENERATE", read_set_part_list_generate, title},
+
+    {"BOUNDARY_SPC_NODE", read_boundary_spc_node, identity},
+    {"BOUNDARY_SPC_SET", read_boundary_spc_set, identity},
+    {"INITIAL_VELOCITY", read_initial_velocity},
+    {"INITIAL_VELOCITY_NODE", read_initial_velocity_node},
+    {"INITIAL_VELOCITY_GENERATION", read_initial_velocity_generation},
+    {"RIGIDWALL_PLANAR", read_rigidwall_planar, identity},
+    {"CONTACT_AUTOMATIC_SINGLE_SURFACE", read_contact_automatic_single_surface, identity},
+
+    {"CONTROL_TERMINATION", read_control_termination, none, false},
+    {"CONTROL_TIMESTEP", read_control_timestep, none, false},
+    {"CONTROL_ENERGY", read_control_energy, none, false},
+    {"CONTROL_HOURGLASS", read_control_hourglass, none, false},
+    {"CONTROL_BULK_VISCOSITY", read_control_bulk_viscosity, none, false},
+    {"CONTROL_ACCURACY", read_control_accuracy, none, false},
+    {"CONTROL_SHELL", read_control_shell, none, false},
+    {"CONTROL_CONTACT", read_control_contact, none, false},
+
+    {"DATABASE_GLSTAT", read_database_glstat, none, false},
+    {"DATABASE_MATSUM", read_database_matsum, none, false},
+    {"DATABASE_RWFORC", read_database_rwforc, none, false},
+    {"DATABASE_RCFORC", read_database_rcforc, none, false},
+    {"DATABASE_NODOUT", read_database_nodout, none, false},
+    {"DATABASE_HISTORY_NODE", read_database_history_node},
+    {"DATABASE_HISTORY_NODE_ID", read_database_history_node_id},
+    {"DATABASE_HISTORY_NODE_SET", read_database_history_node_set},
+    {"DATABASE_BINARY_D3PLOT", read_database_binary_d3plot, none, false},
+};
+
+constexpr std::string_view is_output = "an output that is not written";
+constexpr std::string_view is_definition = "a definition that no supported keyword refers to";
+
+constexpr IgnoredRow ignored[] = {
+    {"COMMENT", false, "a remark"},
+    {"DATABASE_", true, is_output},
+    {"CONTROL_OUTPUT", false, "it is about LS-DYNA's listings"},
+    {"CONTROL_PARALLEL", false, "threads are chosen on the command line"},
+    {"CONTROL_MPP_", true, "threads are chosen on the command line"},
+    {"CONTROL_CPU", false, "the run has no limit of computing time"},
+    {"CONTROL_SOLID", false, "it acts on solid elements only"},
+    {"CONTROL_REQUIRE_REVISION", false, "it is about LS-DYNA's versions"},
+    {"DEFINE_BOX", false, is_definition},
+    {"DEFINE_COORDINATE_", true, is_definition},
+    {"DEFINE_SD_ORIENTATION", false, is_definition},
+    {"DEFINE_TABLE", true, is_definition},
+    {"DEFINE_VECTOR", true, is_definition},
+    {"SET_BEAM", true, is_definition},
+    {"SET_DISCRETE", true, is_definition},
+    {"SET_SEGMENT", true, is_definition},
+    {"SET_SHELL", true, is_definition},
+    {"SET_SOLID", true, is_definition},
+};
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// `MAT_3` and `MAT_03` are MAT_003.
+std::string with_three_digits(std::string_view name) {
+  constexpr std::string_view prefix = "MAT_";
+  if (!name.starts_with(prefix)) return std::string(name);
+  std::string_view rest = name.substr(prefix.size());
+  std::size_t digits = 0;
+  while (digits < rest.size() && is_digit(rest[digits])) ++digits;
+  if (digits == 0 || digits >= 3 || (digits < rest.size() && rest[digits] != '_')) return std::string(name);
+  return fmt::format("{}{:0>3}{}", prefix, rest.substr(0, digits), rest.substr(digits));
+}
+
+const Keyword* find_exact(std::string_view name) {
+  const auto found =
+      std::find_if(std::begin(table), std::end(table), [&](const Keyword& k) { return k.name == name; });
+  return found == std::end(table) ? nullptr : found;
+}
+
+}  // namespace
+
+std::span<const Keyword> keyword_table() {
+  return table;
+}
+
+std::optional<FoundKeyword> find_keyword(std::string_view name) {
+  const std::string number_form = with_three_digits(name);
+  const std::string_view full = number_form;
+  if (const Keyword* keyword = find_exact(full)) return FoundKeyword{keyword, none};
+  for (const std::string_view suffix : {"_TITLE", "_ID"}) {
+    if (!full.ends_with(suffix)) continue;
+    const Keyword* keyword = find_exact(full.substr(0, full.size() - suffix.size()));
+    const bool has_form =
+        keyword && (keyword->heading == identity || (keyword->heading == title && suffix == "_TITLE"));
+    if (has_form) return FoundKeyword{keyword, keyword->heading};
+  }
+  return std::nullopt;
+}
+
+const IgnoredRow* find_ignored(std::string_view name) {
+  const auto found = std::find_if(std::begin(ignored), std::end(ignored), [&](const IgnoredRow& row) {
+    return row.is_prefix ? name.starts_with(row.name)
+                         : name == row.name || name == fmt::format("{}_TITLE", row.name);
+  });
+  return found == std::end(ignored) ? nullptr : found;
+}
+
+std::string related_keywords(std::string_view name) {
+  // The longest common beginning that ends at an underscore, but not less than the first word.
+  std::string_view stem = name;
+  while (!stem.empty()) {
+    const std::size_t cut = stem.rfind('_');
+    stem = cut == std::string_view::npos ? std::string_view() : stem.substr(0, cut);
+    if (stem.empty()) break;
+    std::string names;
+    for (const Keyword& keyword : table) {
+      const bool related =
+          keyword.name == stem || (keyword.name.starts_with(stem) && keyword.name[stem.size()] == '_');
+      const bool has_number = keyword.name.starts_with("MAT_0");
+      if (related && !has_number) names += fmt::format("{}*{}", names.empty() ? "" : ", ", keyword.name);
+    }
+    if (!names.empty()) return names;
+  }
+  return {};
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/index.hpp"
+#include "deck/report.hpp"
+#include "model/model.hpp"
+
+namespace crumple::deck {
+
+/// What the cards say, item by item, before references are followed: user ids instead of indices, and the
+/// place of everything. Numbers have been checked one by one; whether items fit together has not.
+
+struct RawNode {
+  UserId id = 0;
+  std::array<double, 3> position{};
+  int translation_code = 0;  ///< TC
+  int rotation_code = 0;     ///< RC
+  Where where;
+};
+
+struct RawShell {
+  UserId id = 0;
+  UserId part = 0;
+  std::array<UserId, 4> node{};
+  std::array<double, 4> thickness{};
+  Where where;
+};
+
+struct RawMass {
+  UserId id = 0;
+  UserId target = 0;  ///< a node, or a node set
+  bool is_set = false;
+  double mass = 0;
+  Where where;
+};
+
+struct RawPart {
+  UserId id = 0;
+  std::string title;
+  UserId section = 0;
+  UserId material = 0;
+  UserId hourglass = 0;
+  Where where;
+};
+
+struct RawSection {
+  model::ShellSection section;
+  bool formulation_given = true;  ///< false: takes CONTROL_SHELL's THEORY
+  bool thickness_good = true;     ///< false: could not be read, which has been reported
+  Where where;
+};
+
+struct RawMaterial {
+  model::Material material;
+  UserId hardening_curve = 0;
+  Where where;
+};
+
+struct RawHourglass {
+  UserId id = 0;
+  model::HourglassControl control;
+  Where where;
+};
+
+struct RawCurve {
+  model::Curve curve;
+  Where where;
+};
+
+/// A member of a set, or a range of members.
+struct RawMember {
+  UserId first = 0;
+  UserId last = 0;
+  std::int32_t line = 0;
+  std::int32_t card = 0;
+};
+
+struct RawSet {
+  UserId id = 0;
+  std::string title;
+  std::vector<RawMember> members;
+  Where where;
+};
+
+struct RawFixed {
+  UserId target = 0;
+  bool is_set = false;
+  std::array<bool, 3> translation{};
+  std::array<bool, 3> rotation{};
+  Where where;
+};
+
+struct RawVelocity {
+  enum class Target { All, NodeSet, Node, Part, PartSet };
+  Target target = Target::All;
+  UserId id = 0;
+  std::array<double, 3> velocity{};
+  std::array<double, 3> angular_velocity{};
+  /// Rotation about an axis through a point (GENERATION), added to `velocity`.
+  bool rotates = false;
+  std::array<double, 3> spin{};  ///< vector of the angular velocity
+  std::array<double, 3> axis_point{};
+  UserId exempt_set = 0;  ///< nodes of this set get the two below
+  std::array<double, 3> exempt_velocity{};
+  std::array<double, 3> exempt_angular_velocity{};
+  bool is_generation = false;
+  Where where;
+};
+
+struct RawWall {
+  model::RigidWall wall;
+  UserId node_set = 0;
+  UserId exempt_set = 0;
+  Where where;
+};
+
+struct RawContact {
+  enum class Target { All, Part, PartSet, AllButPartSet };
+  model::SingleSurfaceContact contact;
+  Target target = Target::All;
+  UserId id = 0;
+  Where where;
+};
+
+struct RawHistory {
+  UserId id = 0;
+  bool is_set = false;
+  Where where;
+};
+
+/// The id that a keyword would define if it were supported: a missing reference then names the true cause.
+struct UnsupportedDefinition {
+  UserId id = 0;
+  Where where;
+};
+
+struct RawDeck {
+  std::string title;
+  std::vector<RawNode> nodes;
+  std::vector<RawShell> shells;
+  std::vector<RawMass> masses;
+  std::vector<RawPart> parts;
+  std::vector<RawSection> sections;
+  std::vector<RawMaterial> materials;
+  std::vector<RawHourglass> hourglasses;
+  std::vector<RawCurve> curves;
+  std::vector<RawSet> node_sets;
+  std::vector<RawSet> part_sets;
+  std::vector<RawFixed> fixed;
+  std::vector<RawVelocity> velocities;
+  std::vector<RawWall> walls;
+  std::vector<RawContact> contacts;
+  std::vector<RawHistory> histories;
+  std::vector<UnsupportedDefinition> unsupported;
+  model::Control control;
+  model::OutputRequests output;
+  model::SearchSettings search;
+  model::RunSettings run;
+  long state_count = 0;  ///< NPLTC: states over the whole run; 0 is not given
+  model::ShellFormulation default_formulation = model::ShellFormulation::BelytschkoTsay;
+  bool lobatto_points = false;  ///< CONTROL_SHELL's INTGRD
+  std::optional<Where> termination;
+  std::optional<Where> search_cells;
+  std::optional<Where> search_domain;
+};
+
+}  // namespace crumple::deck

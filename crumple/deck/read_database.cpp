@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *DATABASE: what to write, and how often.
+#include "deck/families.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr std::string_view constant_interval = "the interval is constant";
+
+constexpr Field interval_card[] = {
+    real("DT", 0, not_negative),
+    unused("BINARY"),  // the form of LS-DYNA's files
+    harmless("LCUR", {0}, constant_interval),
+    unused("IOOPT"),
+    unused("OPTION1"),
+    unused("OPTION2"),
+    unused("OPTION3"),
+    unused("OPTION4"),
+};
+
+constexpr Field state_card[] = {
+    real("DT", 0, not_negative),       harmless("LCDT", {0}, constant_interval),         unused("BEAM"),
+    integer("NPLTC", 0, not_negative), harmless("PSETID", {0}, "all parts are written"), unused("CID"),
+};
+
+constexpr Field history_card[] = {reference("ID1"), reference("ID2"), reference("ID3"), reference("ID4"),
+                                  reference("ID5"), reference("ID6"), reference("ID7"), reference("ID8")};
+
+constexpr Field named_history_card[] = {id("ID"), text("HEADING", 70)};
+
+double interval(Cards& cards) {
+  return cards.next(interval_card).real("DT");
+}
+
+void read_histories(Cards& cards, RawDeck& deck, bool is_set) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(history_card);
+    for (std::size_t i = 0; i < std::size(history_card); ++i)
+      if (card.good(i) && card.integer(i) > 0)
+        deck.histories.push_back({card.integer(i), is_set, card.where()});
+  }
+}
+
+}  // namespace
+
+void read_database_glstat(Cards& cards, RawDeck& deck) {
+  deck.output.glstat_interval = interval(cards);
+}
+
+void read_database_matsum(Cards& cards, RawDeck& deck) {
+  deck.output.matsum_interval = interval(cards);
+}
+
+void read_database_rwforc(Cards& cards, RawDeck& deck) {
+  deck.output.rwforc_interval = interval(cards);
+}
+
+void read_database_rcforc(Cards& cards, RawDeck& deck) {
+  deck.output.rcforc_interval = interval(cards);
+}
+
+void read_database_nodout(Cards& cards, RawDeck& deck) {
+  deck.output.nodout_interval = interval(cards);
+}
+
+void read_database_history_node(Cards& cards, RawDeck& deck) {
+  read_histories(cards, deck, false);
+}
+
+void read_database_history_node_set(Cards& cards, RawDeck& deck) {
+  read_histories(cards, deck, true);
+}
+
+void read_database_history_node_id(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(named_history_card);
+    if (card.good("ID")) deck.histories.push_back({card.integer("ID"), false, card.where()});
+  }
+}
+
+void read_database_binary_d3plot(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(state_card);
+  deck.output.state_interval = card.real("DT");
+  deck.state_count = card.good("NPLTC") ? card.integer("NPLTC") : 0;
+  // Further cards choose what LS-DYNA's own file holds.
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *PART, *SECTION_SHELL, *HOURGLASS.
+#include <cmath>
+
+#include "deck/families.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Field part_card[] = {
+    id("PID"),
+    id("SECID"),
+    id("MID"),
+    only("EOSID", {0}, "shells have no equation of state"),
+    reference("HGID"),
+    only("GRAV", {0}, "initialisation by gravity is not supported"),
+    only("ADPOPT", {0}, "adaptive meshes are not supported"),
+    harmless("TMID", {0}, "there is no thermal solution"),
+};
+
+constexpr Field section_card[] = {
+    id("SECID"),
+    only("ELFORM", {0, 1, 2}, "1 is Hughes-Liu, 2 Belytschko-Tsay, 0 what *CONTROL_SHELL says"),
+    real_or_default("SHRF", 1.0, above_zero),
+    integer_or_default("NIP", 2, within(1, 10, "points through the thickness")),
+    unused("PROPT"),  // what LS-DYNA prints
+    only("QR", {0}, "0 is Gauss; trapezoidal (1) and user rules (negative) are not supported"),
+    only("ICOMP", {0}, "layers with angles of their own are not supported"),
+    unused("SETYP"),  // for two-dimensional elements
+};
+
+constexpr Field section_thickness_card[] = {
+    real("T1", 0, not_negative),
+    real("T2", 0, not_negative),
+    real("T3", 0, not_negative),
+    real("T4", 0, not_negative),
+    only("NLOC", {0}, "nodes lie in the mid-surface"),
+    only("MAREA", {0}, "use *ELEMENT_MASS for mass that is not structural"),
+    unused("IDOF"),    // for other formulations
+    unused("EDGSET"),  // for two-dimensional seatbelts
+};
+
+constexpr std::string_view solids_only = "it acts on solid elements only";
+
+constexpr Field hourglass_card[] = {
+    id("HGID"),
+    only("IHQ", {0, 1, 2, 3, 4, 5}, "1-3 are viscous, 4-5 stiffness, 0 is 1"),
+    real_or_default("QM", 0.1, not_negative),
+    unused("IBQ"),  // LS-DYNA does not use it either
+    harmless("Q1", {0, 1.5}, solids_only),
+    harmless("Q2", {0, 0.06}, solids_only),
+    real("QB", 0, not_negative),  // default QM
+    real("QW", 0, not_negative),  // default QB
+};
+
+}  // namespace
+
+model::HourglassForm hourglass_form(std::int64_t number) {
+  return number >= 4 ? model::HourglassForm::Stiffness : model::HourglassForm::Viscous;
+}
+
+void read_part(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    RawPart part;
+    part.title = cards.text_line("the title of a part");
+    const Card card = cards.next(part_card);
+    part.id = card.integer("PID");
+    part.section = card.good("SECID") ? card.integer("SECID") : 0;
+    part.material = card.good("MID") ? card.integer("MID") : 0;
+    part.hourglass = card.good("HGID") ? card.integer("HGID") : 0;
+    part.where = card.where();
+    if (card.good("PID")) deck.parts.push_back(std::move(part));
+  }
+}
+
+void read_section_shell(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    RawSection raw;
+    raw.section.title = cards.heading().title;
+    const Card card = cards.next(section_card);
+    const Card second = cards.next(section_thickness_card);
+    raw.section.id = card.integer("SECID");
+    raw.formulation_given = card.real("ELFORM") != 0;
+    raw.section.formulation = card.real("ELFORM") == 1 ? model::ShellFormulation::HughesLiu
+                                                       : model::ShellFormulation::BelytschkoTsay;
+    raw.section.shear_factor = card.real("SHRF");
+    raw.section.thickness_points = card.good("NIP") ? static_cast<int>(card.integer("NIP")) : 2;
+    raw.section.thickness = {second.real("T1"), second.real("T2"), second.real("T3"), second.real("T4")};
+    for (std::size_t i = 1; i < 4; ++i)
+      if (raw.section.thickness[i] == 0) raw.section.thickness[i] = raw.section.thickness[0];
+    raw.thickness_good = second.good("T1") && second.good("T2") && second.good("T3") && second.good("T4");
+    raw.where = second.where();
+    if (card.good("SECID")) deck.sections.push_back(std::move(raw));
+  }
+}
+
+void read_hourglass(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    cards.heading();
+    const Card card = cards.next(hourglass_card);
+    RawHourglass raw;
+    raw.id = card.integer("HGID");
+    raw.control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+    raw.control.coefficient = card.real("QM");
+    raw.control.bending = card.real("QB") != 0 ? card.real("QB") : raw.control.coefficient;
+    raw.control.warping = card.real("QW") != 0 ? card.real("QW") : raw.control.bending;
+    raw.where = card.where();
+    if (card.good("HGID")) deck.hourglasses.push_back(raw);
+  }
+}
+
+}  // namespace crumple::deck

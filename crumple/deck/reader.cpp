@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/build.hpp"
+#include "deck/cards.hpp"
+#include "deck/keywords.hpp"
+#include "deck/numbers.hpp"
+#include "deck/scanner.hpp"
+#include "deck/settings.hpp"
+#include "deck/text_source.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+/// One reading: hands blocks to their readers and keeps account of what was left out.
+class Reading {
+ public:
+  Reading(TextSource& source, const ReadOptions& options)
+      : options_(options),
+        report_(options.allow_unsupported),
+        scanner_(
+            source, report_, [this](const Block& block) { take(block); },
+            [this](std::string_view text, const Where& where) {
+              read_settings(text, where, options_.search_methods, deck_, report_);
+            }) {}
+
+  ReadResult run();
+
+ private:
+  void take(const Block& block);
+  void leave_out(const Block& block);
+  void note_definition(const Block& block);
+  void check_whole(const model::Model& model);
+
+  const ReadOptions& options_;
+  Report report_;
+  Scanner scanner_;
+  Parameters parameters_;
+  RawDeck deck_;
+  std::vector<std::pair<const Keyword*, Where>> single_;  ///< keywords that count once, with their place
+  std::vector<IgnoredKeyword> ignored_;
+  bool has_keywords_ = false;
+};
+
+void Reading::take(const Block& block) {
+  has_keywords_ = true;
+  if (block.name == "PARAMETER") {
+    Cards cards(block, HeadingKind::None, parameters_, report_);
+    parameters_.read(cards);
+    return;
+  }
+  const std::optional<FoundKeyword> found = find_keyword(block.name);
+  if (!found) {
+    leave_out(block);
+    return;
+  }
+  if (!found->keyword->repeats) {
+    for (auto& [keyword, where] : single_)
+      if (keyword == found->keyword)
+        report_.warning(block.where, "again",
+                        fmt::format("replaces what the same keyword says at {}", report_.place(where)));
+    single_.emplace_back(found->keyword, block.where);
+  }
+  Cards cards(block, found->heading, parameters_, report_);
+  found->keyword->read(cards, deck_);
+}
+
+void Reading::leave_out(const Block& block) {
+  note_definition(block);
+  const IgnoredRow* row = find_ignored(block.name);
+  if (row) {
+    report_.warning(block.where, "ignored", fmt::format("is left out: {}", row->reason));
+  } else if (block.name.empty()) {
+    report_.error(block.where, "empty", "a keyword is missing behind the asterisk");
+    return;
+  } else {
+    const std::string related = related_keywords(block.name);
+    const std::string supported = related.empty() ? "" : fmt::format("; supported are {}", related);
+    report_.unsupported(block.where, "keyword",
+                        report_.allow_unsupported()
+                            ? fmt::format("this keyword is not supported and is left out{}", supported)
+                            : fmt::format("this keyword is not supported{}; remove it, or run with "
+                                          "--allow-unsupported to leave it out",
+                                          supported));
+  }
+  const std::string name(block.where.keyword);
+  const auto known = std::find_if(ignored_.begin(), ignored_.end(),
+                                  [&](const IgnoredKeyword& ignored) { return ignored.keyword == name; });
+  if (known == ignored_.end())
+    ignored_.push_back({name, report_.file_name(block.where.file), block.where.line, 1, row == nullptr});
+  else
+    ++known->count;
+}
+
+void Reading::note_definition(const Block& block) {
+  constexpr std::string_view defining[] = {"MAT_", "SECTION_", "SET_", "DEFINE_", "PART_", "HOURGLASS_"};
+  const bool defines = std::any_of(std::begin(defining), std::end(defining),
+                                   [&](std::string_view prefix) { return block.name.starts_with(prefix); });
+  if (!defines) return;
+  // The id is the first value of the first card, behind the title where there is one.
+  const bool has_title = block.name.ends_with("_TITLE") || block.name.starts_with("PART_");
+  const std::size_t line = has_title ? 1 : 0;
+  if (line >= block.lines.size()) return;
+  const std::string_view text = block.lines[line].text;
+  const std::size_t comma = text.find(',');
+  const std::size_t columns = block.format == ColumnFormat::Long ? 20 : 10;
+  const auto id = parse_integer(trimmed(text.substr(0, std::min(comma, columns))));
+  if (id) deck_.unsupported.push_back({*id, block.where});
+}
+
+void Reading::check_whole(const model::Model& model) {
+  const Where whole{{}, 0, 0, 0};
+  if (!deck_.termination)
+    report_.error(whole, "termination", "*CONTROL_TERMINATION is missing; add it with the end time ENDTIM");
+  if (deck_.nodes.empty()) report_.error(whole, "nodes", "the deck has no nodes; add *NODE");
+  if (deck_.shells.empty() && deck_.nodes.size() > 0)
+    report_.error(whole, "elements", "the deck has no elements that are supported; add *ELEMENT_SHELL");
+  else if (model.shells.empty() && !report_.has_errors())
+    report_.error(whole, "elements", "no element is left of the deck; see the messages about parts");
+}
+
+ReadResult Reading::run() {
+  scanner_.read_deck();
+  ReadResult result;
+  result.files = scanner_.files();
+  result.text_hash = scanner_.text_hash();
+  result.ignored_keywords = ignored_;
+  if (has_keywords_) {
+    check_settings(deck_, report_);
+    model::Model model = build_model(deck_, options_.automatic_contact, report_);
+    check_whole(model);
+    result.unit_system = guess_units(model);
+    if (!result.unit_system.empty() && !report_.has_errors())
+      report_.add(Severity::Note, {{}, 0, 0, 0}, "units",
+                  fmt::format("densities and moduli look like the units {}", result.unit_system));
+    if (!report_.has_errors()) result.model = std::move(model);
+  } else if (!report_.has_errors()) {
+    report_.error({{}, 0, 0, 0}, "empty", "the file has no keywords, expected lines such as *NODE");
+  }
+  result.diagnostics = report_.sorted();
+  return result;
+}
+
+}  // namespace
+
+ReadResult read_deck(const std::filesystem::path& deck, const ReadOptions& options) {
+  DiskSource source(deck);
+  return Reading(source, options).run();
+}
+
+ReadResult read_deck_text(std::string_view text, const ReadOptions& options,
+                          const std::map<std::string, std::string>& included, const std::string& name) {
+  MemorySource source(name, text, included);
+  return Reading(source, options).run();
+}
+
+int error_count(const std::vector<Diagnostic>& diagnostics) {
+  return static_cast<int>(std::count_if(diagnostics.begin(), diagnostics.end(),
+                                        [](const Diagnostic& d) { return d.severity == Severity::Error; }));
+}
+
+}  // namespace crumple::deck
