@@ -123,13 +123,13 @@ Mesh crushed_tube(int nodes, std::uint64_t seed) {
   const int side = std::max(2, static_cast<int>(std::sqrt(nodes / 3.0) / 4.0));
   const int around = 4 * side;
   const int rows = std::max(2, nodes / around);
-  const double fold = std::max(4.0, side / 1.5);  // rows per half fold
+  const double fold = std::max(2.0, side / 6.0);  // rows from crest to trough
   add_patch(mesh, rows, around, true, [&](int row, int column) {
     const double phase = row / fold;
     const int half = static_cast<int>(phase);
     const double rise = phase - half;
     const double depth = ((half % 2 != 0) ? 1.0 - rise : rise) - 0.5;
-    const double reach = 0.5 * side + 0.5 * fold * depth;
+    const double reach = 0.5 * side + fold * depth;
     const double place = 2.0 * (column % side) / side - 1.0;
     const double bulge = std::sin(0.5 * std::numbers::pi * (place + 1.0));
     Point p{};
@@ -147,8 +147,7 @@ Mesh crushed_tube(int nodes, std::uint64_t seed) {
         p = {-reach, -reach * place, 0.0};
         break;
     }
-    // A fold of height `fold` is squeezed to about half an edge per row.
-    p[2] = 0.45 * row + bulge * std::sin(0.37 * half);
+    p[2] = 0.5 * phase + bulge * std::sin(0.37 * half);
     for (double& coordinate : p) coordinate += random.uniform(-0.12, 0.12);
     return p;
   });

@@ -177,6 +177,20 @@ TEST(Search, HasNothingToSayBeforeTheFirstBuild) {
   }
 }
 
+// Cells are as large as the mean edge, and a triangle has three edges: with sides of 3, 4 and 5 the mean is
+// 4, and 8 x 4 x 1 cells of 4 cover the 32 x 16 x 4 of the nodes.
+TEST(Search, MakesCellsOfTheMeanEdge) {
+  const std::vector<double> positions{0, 0, 0, 3, 0, 0, 0, 4, 0, 32, 16, 4};
+  const std::vector<Index> connectivity{0, 1, 2, 2};
+  Scene scene;
+  scene.positions = Positions(positions);
+  scene.segments = Segments(connectivity);
+  Search search({.cells_per_node = 100.0});
+  search.build(scene);
+  EXPECT_EQ(search.grid().domain().cells, (std::array<Index, 3>{8, 4, 1}));
+  EXPECT_EQ(search.statistics().cells, 32);
+}
+
 // O(N), eq. (11), counted and not timed: raw visits per segment do not grow with the mesh.
 TEST(Search, VisitsAsManyNodesPerSegmentInALargeMeshAsInASmallOne) {
   std::vector<double> visits;
