@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/check_command.hpp"
+
+#include <fmt/ostream.h>
+
+#include <cmath>
+#include <ostream>
+
+#include "app/model_summary.hpp"
+#include "app/preparation.hpp"
+#include "base/error.hpp"
+#include "elements/shells.hpp"
+#include "timeloop/simulation.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+void print_steps(std::ostream& out, const timeloop::Simulation& simulation) {
+  const model::Model& model = simulation.model();
+  fmt::print(out, "\nTime steps (factor {:g} included)\n", model.control.step_scale);
+  for (const domain::ShellBlock& block : simulation.domain().shells)
+    fmt::print(out, "  part {:<8} {:.4e}\n", model.parts[block.part].id,
+               model.control.step_scale * elements::stable_step(simulation.domain(), block));
+  const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
+  fmt::print(out,
+             "  first step {:.4e}, controlled by shell {} of part {}; about {:.0f} cycles to the end time\n",
+             simulation.next_step(), controlling.element, controlling.part,
+             std::ceil(model.control.end_time / simulation.next_step()));
+}
+
+}  // namespace
+
+ExitCode check_deck(const Options& options, const Console& console) {
+  const deck::ReadResult deck = read_with_options(options, console);
+  fmt::print(console.out, "{}\n", program_version());
+  print_reading(console.out, deck);
+  if (deck.model) {
+    try {
+      timeloop::Simulation simulation(*deck.model, choose_execution(options, *deck.model));
+      simulation.start();
+      print_model(console.out, *deck.model, simulation.domain());
+      print_steps(console.out, simulation);
+      const auto warnings = deck.diagnostics.size();
+      fmt::print(console.out, "\nThe deck can be run{}.\n",
+                 warnings > 0 ? fmt::format(", with {} warnings or notes", warnings) : "");
+      return ExitCode::Normal;
+    } catch (const Error& fault) {
+      fmt::print(console.err, "{}: error: {}\n", options.deck.string(), fault.what());
+    }
+  }
+  fmt::print(console.out, "\nThe deck cannot be run: {} errors.\n",
+             std::max(1, deck::error_count(deck.diagnostics)));
+  return ExitCode::Input;
+}
+
+}  // namespace crumple::app

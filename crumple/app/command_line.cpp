@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cellsearch/method.hpp>
+#include <sstream>
+
+#include "app/foreign_arguments.hpp"
+#include "base/error.hpp"
+#include "base/isa.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  crumple run deck.k                        results in ./deck.out
+  crumple run deck.k -o results -t 4        results in ./results, on 4 threads
+  crumple run deck.k --contact auto         contact of everything with everything
+  crumple run deck.k --search brute-force   another method of the contact search
+  crumple check deck.k                      what is read, ignored, wrong; masses and time steps
+  crumple i=deck.k ncpu=4 memory=200m       as LS-DYNA is called
+
+Exit codes:
+  0 normal termination    1 faulty deck, nothing written    2 wrong command line
+  3 the run went wrong or reached a limit set in the deck   4 results could not be written
+  5 stopped by sw1 in d3kil    130 stopped by Ctrl-C        143 stopped by SIGTERM
+
+While it runs: Ctrl-C ends with the last state written; a file named d3kil, in the working folder or in that of
+the results, holding sw1 (stop), sw2 (status line) or sw4 (write a frame) does as in LS-DYNA.)";
+
+std::vector<std::string> search_names() {
+  std::vector<std::string> names;
+  for (const cellsearch::Method method : cellsearch::methods()) names.emplace_back(name_of(method));
+  return names;
+}
+
+std::vector<std::string> isa_names() {
+  std::vector<std::string> names;
+  for (const Isa isa : available_isas()) names.emplace_back(isa_name(isa));
+  return names;
+}
+
+/// Options of both commands.
+void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
+  command.add_option("deck", options.deck, "LS-DYNA keyword deck")->required();
+  command.add_flag("--allow-unsupported", options.allow_unsupported,
+                   "Leave out, with a warning, what is not supported instead of refusing the deck");
+  command
+      .add_option_function<std::string>(
+          "--contact", [&automatic](const std::string&) { automatic = true; },
+          "auto: contact over all parts, for a deck without *CONTACT")
+      ->check(CLI::IsMember({"auto"}));
+}
+
+void add_run_options(CLI::App& run, Options& options) {
+  run.add_option("-o,--output", options.folder, "Folder of the results [the deck's name with .out, here]");
+  run.add_option(
+         "-t,--threads", options.threads,
+         "Threads; results are bitwise the same for any number [one per 2048 shells, at most the cores]")
+      ->check(CLI::Range(1, 1024));
+  run.add_option("--precision", options.precision, "Arithmetic of elements and contact [double]")
+      ->check(CLI::IsMember({"mixed", "double"}));
+  run.add_option("--isa", options.isa, "Instruction set of the kernels [the fastest of this processor]")
+      ->check(CLI::IsMember(isa_names()));
+  run.add_option("--search", options.search, "Method of the contact search [linked-cell]")
+      ->check(CLI::IsMember(search_names()));
+  run.add_option("--verify-search", options.verify_search,
+                 "Compare the contact search with brute force every so many cycles; stop on a difference")
+      ->check(CLI::NonNegativeNumber);
+  run.add_option("--end", options.end_time, "End time, instead of the deck's")->check(CLI::PositiveNumber);
+  run.add_option("--perturb", options.perturbation,
+                 "Move all nodes at random by up to this fraction of the model's size, to see the scatter")
+      ->check(CLI::Range(0.0, 1.0));
+  run.add_option("--seed", options.seed, "Which of the random perturbations [1]");
+  run.add_flag("-q,--quiet", options.quiet, "Print warnings, errors and the kind of termination only");
+}
+
+}  // namespace
+
+std::string program_version() {
+  return "crumple " CRUMPLE_VERSION;
+}
+
+CommandLine parse_command_line(const std::vector<std::string>& arguments) {
+  CommandLine line;
+  CLI::App program("crumple: explicit finite element solver for crash and contact-impact", "crumple");
+  program.set_version_flag("-V,--version", program_version());
+  program.footer(examples);
+  program.require_subcommand(1);
+  program.get_formatter()->column_width(34);
+  CLI::App* run = program.add_subcommand("run", "Run an LS-DYNA keyword deck");
+  CLI::App* check =
+      program.add_subcommand("check", "Read a deck, say what it holds and what is wrong with it");
+  bool automatic_contact = false;
+  add_reading_options(*run, line.options, automatic_contact);
+  add_run_options(*run, line.options);
+  add_reading_options(*check, line.options, automatic_contact);
+  try {
+    std::vector<std::string> own = translate_foreign_arguments(arguments, line.options.notes);
+    // CLI11 takes its arguments from the back of the list.
+    std::reverse(own.begin(), own.end());
+    program.parse(own);
+  } catch (const CLI::ParseError& stop) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const int code = program.exit(stop, out, err);
+    line.command = code == 0 ? Command::Help : Command::Mistake;
+    line.text = out.str() + err.str();
+    return line;
+  } catch (const Error& mistake) {
+    line.text = fmt::format("{}\nRun with --help for more information.\n", mistake.what());
+    return line;
+  }
+  line.options.automatic_contact = automatic_contact;
+  line.command = run->parsed() ? Command::Run : Command::Check;
+  return line;
+}
+
+}  // namespace crumple::app

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace crumple::app {
+
+/// What the user asks for on the command line. What is absent is left to the deck, then to the program.
+struct Options {
+  std::filesystem::path deck;
+  std::filesystem::path folder;          ///< of the results; empty is the deck's name with ".out", here
+  std::optional<int> threads;            ///< at least 1
+  std::optional<std::string> precision;  ///< "mixed" or "double"
+  std::optional<std::string> isa;        ///< one of base's available_isas
+  std::optional<std::string> search;     ///< one of cellsearch's methods
+  std::optional<double> end_time;        ///< [time]
+  bool automatic_contact = false;
+  bool allow_unsupported = false;
+  bool quiet = false;
+  long verify_search = 0;          ///< cycles between comparisons with brute force; 0 is never
+  double perturbation = 0;         ///< of the coordinates, relative to the model's size [-]
+  std::uint64_t seed = 1;          ///< of the perturbation
+  std::vector<std::string> notes;  ///< on arguments that were accepted without effect
+};
+
+enum class Command { Run, Check, Help, Mistake };
+
+struct CommandLine {
+  Command command = Command::Mistake;
+  Options options;   ///< for Run and Check
+  std::string text;  ///< for Help and Mistake: what to tell the user
+};
+
+/// Understands crumple's own form (`run deck.k -t 4`), LS-DYNA's (`i=deck.k ncpu=4 memory=200m`) and
+/// OpenRadioss's (`-i deck.k -nt 4`). Throws nothing but lack of memory.
+CommandLine parse_command_line(const std::vector<std::string>& arguments);
+
+/// "crumple 0.1.0".
+std::string program_version();
+
+}  // namespace crumple::app

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/monitor.hpp"
+
+#include <fmt/ostream.h>
+
+#include <ostream>
+
+#include "elements/shells.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+constexpr int lines_per_run = 20;
+constexpr double seconds_between_lines = 10;
+constexpr double seconds_between_bars = 0.2;
+/// The speed is averaged over this long: shorter would flicker, longer would lag.
+constexpr double speed_window = 2;
+
+}  // namespace
+
+Monitor::Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet)
+    : simulation_(simulation), console_(console), quiet_(quiet) {
+  if (!quiet_) fmt::print(console_.out, "\n{}\n", status_header());
+}
+
+void Monitor::update_speed() {
+  const long cycles = simulation_.domain().clock.cycle - speed_cycle_;
+  const double elapsed = since_start_.seconds() - speed_seconds_;
+  if (cycles > 0 && (elapsed > speed_window || cycle_seconds_ == 0)) {
+    cycle_seconds_ = elapsed / static_cast<double>(cycles);
+    speed_cycle_ += cycles;
+    speed_seconds_ += elapsed;
+  }
+}
+
+Progress Monitor::progress() const {
+  Progress progress;
+  progress.end_time = simulation_.model().control.end_time;
+  progress.next_step = simulation_.next_step();
+  progress.cycle_seconds = cycle_seconds_;
+  progress.seconds = since_start_.seconds();
+  progress.controlling = elements::controlling_element(simulation_.model(), simulation_.domain());
+  return progress;
+}
+
+void Monitor::clear_bar() {
+  if (bar_shown_) fmt::print(console_.out, "\r\x1b[K");
+  bar_shown_ = false;
+}
+
+void Monitor::print_line() {
+  clear_bar();
+  fmt::print(console_.out, "{}\n", status_line(simulation_.domain(), progress()));
+  console_.out.flush();
+}
+
+void Monitor::observe() {
+  if (quiet_) return;
+  update_speed();
+  const double now = since_start_.seconds();
+  const double time = simulation_.domain().clock.time;
+  if (time >= next_line_time_ || now >= next_line_seconds_) {
+    print_line();
+    const double interval = simulation_.model().control.end_time / lines_per_run;
+    while (next_line_time_ <= time && interval > 0) next_line_time_ += interval;
+    next_line_seconds_ = now + seconds_between_lines;
+  }
+  if (console_.terminal && now >= next_bar_seconds_) {
+    fmt::print(console_.out, "\r{}\x1b[K", progress_bar(simulation_.domain(), progress()));
+    console_.out.flush();
+    bar_shown_ = true;
+    next_bar_seconds_ = now + seconds_between_bars;
+  }
+}
+
+}  // namespace crumple::app

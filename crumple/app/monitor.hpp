@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "app/console.hpp"
+#include "app/status_line.hpp"
+#include "base/stopwatch.hpp"
+#include "timeloop/simulation.hpp"
+
+namespace crumple::app {
+
+/// Tells how far a run is: a line every twentieth of the run and every ten seconds; on a terminal also a bar,
+/// written over five times a second. Quiet, it says nothing.
+class Monitor {
+ public:
+  Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet);
+
+  /// To be called once at time zero and after every step.
+  void observe();
+  /// Prints a line at once.
+  void print_line();
+  /// Removes the bar, so that other text can be printed. The next observe brings it back.
+  void clear_bar();
+
+  /// Wall time since construction [s].
+  double seconds() const { return since_start_.seconds(); }
+
+ private:
+  Progress progress() const;
+  void update_speed();
+
+  const timeloop::Simulation& simulation_;
+  const Console& console_;
+  bool quiet_;
+  bool bar_shown_ = false;
+  Stopwatch since_start_;
+  double next_line_time_ = 0;     ///< [time]
+  double next_line_seconds_ = 0;  ///< wall time [s]
+  double next_bar_seconds_ = 0;   ///< wall time [s]
+  long speed_cycle_ = 0;          ///< since when the speed is taken
+  double speed_seconds_ = 0;
+  double cycle_seconds_ = 0;  ///< wall time per cycle, of late [s]
+};
+
+}  // namespace crumple::app

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/preparation.hpp"
+
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <cellsearch/method.hpp>
+#include <ostream>
+#include <thread>
+
+#include "app/perturbation.hpp"
+#include "base/error.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+/// Shells that make a thread worth its start and its share of the joins of every cycle.
+constexpr Index shells_per_thread = 2048;
+
+void apply_options(const Options& options, model::Model& model) {
+  if (options.end_time) model.control.end_time = *options.end_time;
+  if (options.search) model.search.method = *options.search;
+  if (options.perturbation > 0) perturb_coordinates(model, options.perturbation, options.seed);
+}
+
+}  // namespace
+
+deck::ReadResult read_with_options(const Options& options, const Console& console) {
+  deck::ReadOptions reading;
+  reading.allow_unsupported = options.allow_unsupported;
+  reading.automatic_contact = options.automatic_contact;
+  for (const cellsearch::Method method : cellsearch::methods())
+    reading.search_methods.emplace_back(name_of(method));
+  deck::ReadResult deck = deck::read_deck(options.deck, reading);
+  for (const deck::Diagnostic& diagnostic : deck.diagnostics)
+    fmt::print(console.err, "{}\n", deck::to_string(diagnostic));
+  if (deck.model) {
+    apply_options(options, *deck.model);
+    const std::vector<std::string> faults = model::faults(*deck.model);
+    for (const std::string& fault : faults)
+      fmt::print(console.err, "{}: error: {}\n", options.deck.string(), fault);
+    if (!faults.empty()) deck.model.reset();
+  }
+  return deck;
+}
+
+int sensible_threads(Index shells, int cores) {
+  return std::clamp(shells / shells_per_thread, 1, std::max(cores, 1));
+}
+
+domain::Execution choose_execution(const Options& options, const model::Model& model) {
+  domain::Execution execution;
+  const std::string precision =
+      options.precision.value_or(model.run.precision.empty() ? "double" : model.run.precision);
+  if (precision != "mixed" && precision != "double")
+    throw Error(fmt::format("Precision \"{}\" does not exist: mixed and double do.", precision));
+  execution.precision = precision == "mixed" ? Precision::Mixed : Precision::Double;
+  execution.isa = options.isa ? parse_isa(*options.isa) : default_isa();
+  execution.threads = options.threads.value_or(sensible_threads(
+      static_cast<Index>(model.shells.size()), static_cast<int>(std::thread::hardware_concurrency())));
+  return execution;
+}
+
+}  // namespace crumple::app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/program.hpp"
+
+#include <fmt/ostream.h>
+
+#include <exception>
+#include <ostream>
+
+#include "app/check_command.hpp"
+#include "app/command_line.hpp"
+#include "app/run_command.hpp"
+
+namespace crumple::app {
+
+ExitCode run_program(const std::vector<std::string>& arguments, const Console& console) {
+  try {
+    const CommandLine line = parse_command_line(arguments);
+    switch (line.command) {
+      case Command::Help:
+        console.out << line.text << std::flush;
+        return ExitCode::Normal;
+      case Command::Mistake:
+        console.err << line.text << std::flush;
+        return ExitCode::Usage;
+      case Command::Check:
+        return check_deck(line.options, console);
+      case Command::Run:
+        return run_deck(line.options, console);
+    }
+  } catch (const std::exception& fault) {
+    // What comes this far is no input error, which the commands report themselves, but a bug or lack of
+    // memory.
+    fmt::print(console.err, "crumple: internal error: {}\n", fault.what());
+  }
+  return ExitCode::Numerical;
+}
+
+}  // namespace crumple::app

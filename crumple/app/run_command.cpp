@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run_command.hpp"
+
+#include <fmt/ostream.h>
+
+#include <ostream>
+
+#include "app/model_summary.hpp"
+#include "app/preparation.hpp"
+#include "app/run_session.hpp"
+#include "base/error.hpp"
+#include "output/write_error.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+constexpr const char* normal_termination = " N o r m a l    t e r m i n a t i o n";
+constexpr const char* error_termination = " E r r o r    t e r m i n a t i o n";
+
+ExitCode end_with(ExitCode code, const Console& console) {
+  const bool good = code == ExitCode::Normal || code == ExitCode::Stopped || code == ExitCode::Interrupt ||
+                    code == ExitCode::Terminate;
+  fmt::print(console.out, "\n{}\n", good ? normal_termination : error_termination);
+  console.out.flush();
+  return code;
+}
+
+ExitCode run_model(const Options& options, const deck::ReadResult& deck, const Console& console,
+                   const Stopwatch& wall) {
+  try {
+    RunSession session(options, deck, console, wall);
+    return session.run();
+  } catch (const output::WriteError& fault) {
+    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    return ExitCode::Output;
+  } catch (const NumericalError& fault) {
+    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    return ExitCode::Numerical;
+  } catch (const Error& fault) {
+    fmt::print(console.err, "{}: error: {}\n", options.deck.string(), fault.what());
+    return ExitCode::Input;
+  }
+}
+
+}  // namespace
+
+std::filesystem::path result_folder(const Options& options) {
+  if (!options.folder.empty()) return options.folder;
+  std::filesystem::path folder = options.deck.stem();
+  return folder += ".out";
+}
+
+ExitCode run_deck(const Options& options, const Console& console) {
+  const Stopwatch wall;
+  if (!options.quiet)
+    fmt::print(console.out, "{}: explicit finite element solver for crash and contact-impact\n\n",
+               program_version());
+  for (const std::string& note : options.notes) fmt::print(console.err, "note: {}\n", note);
+  const deck::ReadResult deck = read_with_options(options, console);
+  if (!deck.model) {
+    fmt::print(console.err, "{} errors in the deck: nothing was run, nothing was written.\n",
+               std::max(1, deck::error_count(deck.diagnostics)));
+    return end_with(ExitCode::Input, console);
+  }
+  if (!options.quiet) print_reading(console.out, deck);
+  return end_with(run_model(options, deck, console, wall), console);
+}
+
+}  // namespace crumple::app

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "app/command_line.hpp"
+#include "app/console.hpp"
+#include "app/exit_code.hpp"
+
+namespace crumple::app {
+
+/// `crumple run`: reads a deck, runs it and writes the results. The folder of the results is not made before
+/// the deck is known to be good.
+ExitCode run_deck(const Options& options, const Console& console);
+
+/// Folder of the results: as asked for, else the deck's name with ".out", in the working folder.
+std::filesystem::path result_folder(const Options& options);
+
+}  // namespace crumple::app

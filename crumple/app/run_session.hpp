@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "app/console.hpp"
+#include "app/exit_code.hpp"
+#include "app/monitor.hpp"
+#include "app/stop_signals.hpp"
+#include "app/switch_file.hpp"
+#include "base/stopwatch.hpp"
+#include "deck/reader.hpp"
+#include "output/checks.hpp"
+#include "output/recorder.hpp"
+#include "timeloop/simulation.hpp"
+
+namespace crumple::app {
+
+/// How a run ended.
+struct Ending {
+  std::string termination;  ///< "normal", "error" or "interrupted", as run.json says it
+  std::string reason;       ///< a sentence
+  ExitCode code = ExitCode::Normal;
+};
+
+/// One run of a model, from time zero to its end, with all that is printed and written on the way. It owns
+/// the loop.
+class RunSession {
+ public:
+  /// Builds the simulation, prints what it holds and makes the folder of the results. The deck, whose model
+  /// must be there, the console and the watch must outlive the session. Throws Error, WriteError.
+  RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
+             const Stopwatch& wall);
+
+  /// Runs to the end, writes the last state and run.json, and prints the summary. Throws nothing of its own:
+  /// what goes wrong is told on the console and by the exit code.
+  ExitCode run();
+
+ private:
+  output::View view() const;
+  Ending follow();
+  Ending follow_guarded();
+  void observe();
+  std::optional<Ending> asked_to_stop();
+  std::optional<Ending> limit_passed() const;
+  void finish(Ending& ending);
+  void write_record(const Ending& ending);
+
+  const Options& options_;
+  const deck::ReadResult& deck_;
+  const Console& console_;
+  const Stopwatch& wall_;
+  std::filesystem::path folder_;
+  timeloop::Simulation simulation_;
+  std::unique_ptr<output::Recorder> recorder_;
+  std::unique_ptr<Monitor> monitor_;
+  StopSignals signals_;
+  SwitchFile switches_;
+  output::PeakValues peaks_;
+  std::vector<std::string> warnings_;
+  double first_step_ = 0;    ///< [time]
+  double total_mass_ = 0;    ///< at time zero [mass]
+  double loop_seconds_ = 0;  ///< wall time of the cycles [s]
+};
+
+}  // namespace crumple::app

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run_summary.hpp"
+
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <string_view>
+
+#include "app/status_line.hpp"
+#include "base/isa.hpp"
+#include "elements/shells.hpp"
+#include "output/run_record.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+struct Stage {
+  std::string_view name;
+  double seconds;
+};
+
+void print_timings(std::ostream& out, const domain::Domain& domain, double loop_seconds) {
+  const domain::StageTimes& times = domain.times;
+  std::array<Stage, 8> stages{{{"elements", times.elements},
+                               {"contact search (global)", times.contact_search},
+                               {"contact search (local)", times.contact_local},
+                               {"contact forces", times.contact_forces},
+                               {"constraints", times.constraints},
+                               {"integration", times.integrate},
+                               {"output", times.output},
+                               {"other", loop_seconds}}};
+  for (std::size_t i = 0; i + 1 < stages.size(); ++i) stages.back().seconds -= stages[i].seconds;
+  fmt::print(out, "\n{:<28} {:>10} {:>8} {:>22}\n", "Timings", "seconds", "share", "ns per element-cycle");
+  const auto print = [&](std::string_view name, double seconds) {
+    fmt::print(out, "  {:<26} {:>10.3f} {:>6.1f} % {:>22.2f}\n", name, seconds,
+               loop_seconds > 0 ? 100 * seconds / loop_seconds : 0.0,
+               output::nanoseconds_per_element_cycle(domain, seconds));
+  };
+  for (const Stage& stage : stages) print(stage.name, stage.seconds);
+  print("total", loop_seconds);
+}
+
+/// Segments of an interface: the shells of its parts.
+Index segments_of(const model::Model& model, const model::SingleSurfaceContact& contact) {
+  Index segments = 0;
+  for (const model::ShellElement& shell : model.shells)
+    if (std::find(contact.parts.begin(), contact.parts.end(), shell.part) != contact.parts.end()) ++segments;
+  return segments;
+}
+
+void print_contacts(std::ostream& out, const output::View& view) {
+  const domain::Domain& domain = view.domain;
+  double work = 0;
+  for (std::size_t i = 0; i < domain.contacts.size(); ++i) {
+    const domain::ContactReport& contact = domain.contacts[i];
+    const auto searches = static_cast<double>(std::max(contact.searches, 1L));
+    const Index segments = segments_of(view.model, view.model.contacts[i]);
+    work += searches * segments;
+    fmt::print(
+        out,
+        "\nContact {} ({}): {} searches, one in {:.1f} cycles; {} segments, {:.0f} candidates a search\n"
+        "  pairs in contact now {}, worst penetration {:.4g} now, {:.4g} ever (node {})\n",
+        contact.id, contact.method, contact.searches, static_cast<double>(domain.clock.cycle) / searches,
+        segments, static_cast<double>(contact.candidates) / searches, contact.active_pairs,
+        contact.penetration, contact.worst_penetration, contact.worst_node);
+  }
+  if (work > 0)
+    fmt::print(out, "  global search: {:.1f} ns per segment and search\n",
+               1e9 * domain.times.contact_search * domain.execution.threads / work);
+}
+
+void print_energies(std::ostream& out, const domain::EnergyLedger& energy) {
+  fmt::print(out, "\nEnergies\n");
+  const auto print = [&](std::string_view name, double value) {
+    fmt::print(out, "  {:<26} {:>13.6e}\n", name, value);
+  };
+  print("kinetic", energy.kinetic);
+  print("internal", energy.internal);
+  print("hourglass", energy.hourglass);
+  print("contact", energy.contact);
+  print("contact friction", energy.friction);
+  print("rigid walls", energy.rigidwall);
+  print("damping", energy.damping);
+  print("eroded", energy.eroded);
+  print("total", energy.total());
+  print("initial total", energy.initial_total);
+  print("external work", energy.external_work);
+  fmt::print(out, "  {:<26} {:>13.8f}\n", "energy ratio", energy.ratio());
+  fmt::print(out, "  {:<26} {:>13.4f} %  of what was absorbed\n", "energy error", 100 * energy.error());
+  if (energy.internal > 0)
+    fmt::print(out, "  {:<26} {:>13.4f} %  of internal\n", "hourglass",
+               100 * energy.hourglass / energy.internal);
+}
+
+}  // namespace
+
+void print_run_settings(std::ostream& out, const timeloop::Simulation& simulation,
+                        const std::filesystem::path& folder) {
+  const model::Model& model = simulation.model();
+  const domain::Execution& execution = simulation.domain().execution;
+  const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
+  fmt::print(out, "\nRun\n");
+  fmt::print(out, "  end time              {:.6g}\n", model.control.end_time);
+  fmt::print(out, "  first step            {:.4e}, controlled by shell {} of part {}\n",
+             simulation.next_step(), controlling.element, controlling.part);
+  fmt::print(out, "  arithmetic            {}, {}, {} {}\n",
+             execution.precision == Precision::Mixed ? "mixed precision" : "double precision",
+             isa_name(execution.isa), execution.threads, execution.threads == 1 ? "thread" : "threads");
+  if (!model.contacts.empty()) fmt::print(out, "  contact search        {}\n", model.search.method);
+  fmt::print(out, "  results in            {}\n", folder.string());
+  out.flush();
+}
+
+void print_summary(std::ostream& out, const output::View& view, double loop_seconds) {
+  const domain::Domain& domain = view.domain;
+  fmt::print(out, "\n{} cycles to time {:.6g} in {}, {:.1f} ns per element-cycle\n", domain.clock.cycle,
+             domain.clock.time, format_duration(loop_seconds),
+             output::nanoseconds_per_element_cycle(domain, loop_seconds));
+  print_timings(out, domain, loop_seconds);
+  print_contacts(out, view);
+  print_energies(out, domain.energy);
+}
+
+void print_checks(std::ostream& out, const std::vector<output::Check>& checks) {
+  fmt::print(out, "\n{:<52} {:>11} {:>9} {:>9}         source\n", "Checks", "value", "limit", "source's");
+  for (const output::Check& check : checks)
+    fmt::print(out, "  {:<50} {:>11.4g} {:>9.4g} {:>9}  {}   {}\n", check.name, check.value, check.limit,
+               check.source_limit ? fmt::format("{:.4g}", *check.source_limit) : "-",
+               check.pass ? "PASS" : "FAIL", check.source);
+}
+
+void print_files(std::ostream& out, const std::filesystem::path& folder,
+                 const std::vector<std::filesystem::path>& files) {
+  fmt::print(out, "\nFiles\n");
+  if (!files.empty()) fmt::print(out, "  {}   open in ParaView\n", files.front().string());
+  for (std::size_t i = 1; i < files.size(); ++i) fmt::print(out, "  {}\n", files[i].string());
+  fmt::print(out, "  {}\n", (folder / "run.json").string());
+}
+
+}  // namespace crumple::app

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <csignal>
+
+namespace crumple::app {
+
+/// While it lives, SIGINT and SIGTERM do not kill the program but are remembered, so that the run can end
+/// between two steps. The second of the same kind kills, for whoever cannot wait. At most one at a time.
+class StopSignals {
+ public:
+  StopSignals();
+  ~StopSignals();
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+
+  /// The number of the signal that came, or 0.
+  int received() const;
+
+ private:
+  struct sigaction earlier_interrupt_ {};
+  struct sigaction earlier_terminate_ {};
+};
+
+}  // namespace crumple::app

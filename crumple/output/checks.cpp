@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/part_masses.hpp"
+
+namespace crumple::output {
+
+namespace {
+
+constexpr const char* w179 = "NCHRP W179";
+constexpr const char* euro_ncap = "NCHRP W179, Euro NCAP 1.0.2";
+
+/// Energies below this share of the largest one around are round-off, and their ratios mean nothing.
+constexpr double negligible = 1e-9;
+
+double ratio_of(double part, double whole, double scale) {
+  if (std::fabs(part) <= negligible * scale) return 0;
+  return whole != 0 ? part / whole : HUGE_VAL;
+}
+
+/// Largest energy of the ledger [energy].
+double energy_scale(const domain::EnergyLedger& energy) {
+  return std::max({std::fabs(energy.kinetic), std::fabs(energy.internal), std::fabs(energy.initial_total),
+                   std::fabs(energy.external_work)});
+}
+
+struct PartEnergy {
+  double internal = 0;
+  double hourglass = 0;
+};
+
+std::vector<PartEnergy> energy_by_part(const View& view) {
+  std::vector<PartEnergy> parts(view.model.parts.size());
+  for (const domain::ShellBlock& block : view.domain.shells) {
+    parts[block.part].internal += block.internal_energy;
+    parts[block.part].hourglass += block.hourglass_energy;
+  }
+  return parts;
+}
+
+/// The part with the most hourglass energy, as W179 looks at it.
+Index worst_part(const std::vector<PartEnergy>& parts) {
+  return static_cast<Index>(
+      std::max_element(parts.begin(), parts.end(),
+                       [](const PartEnergy& a, const PartEnergy& b) { return a.hourglass < b.hourglass; }) -
+      parts.begin());
+}
+
+double total_mass(const domain::Domain& domain) {
+  double sum = 0;
+  for (const double mass : domain.nodes.mass) sum += mass;
+  return sum;
+}
+
+Check make_check(std::string name, double value, double limit, std::string source,
+                 std::optional<double> source_limit = {}) {
+  return {std::move(name), value, limit, value <= limit, std::move(source), source_limit};
+}
+
+}  // namespace
+
+void PeakValues::observe(const View& view) {
+  const domain::NodeFields& nodes = view.domain.nodes;
+  double fastest = 0;
+  Index fastest_node = no_index;
+  for (Index node = 0; node < nodes.count(); ++node) {
+    const double speed = math::norm(nodes.velocity[node]);
+    if (speed > fastest) {
+      fastest = speed;
+      fastest_node = node;
+    }
+  }
+  if (!has_reference_) reference_speed_ = fastest;
+  has_reference_ = true;
+  if (fastest > fastest_) {
+    fastest_ = fastest;
+    fastest_node_ = view.model.nodes.id[nodes.model_node[fastest_node]];
+  }
+}
+
+std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) {
+  const domain::EnergyLedger& energy = view.domain.energy;
+  const double scale = energy_scale(energy);
+  const double before = energy.initial_total + energy.external_work;
+  std::vector<Check> checks;
+  checks.push_back(make_check("total energy change / initial energy",
+                              std::fabs(ratio_of(energy.imbalance(), before, scale)), 0.01, w179, 0.10));
+  checks.push_back(make_check("energy error / absorbed energy", energy.error(), 0.01, "crumple"));
+  checks.push_back(make_check("hourglass / initial total energy",
+                              ratio_of(energy.hourglass, energy.initial_total, scale), 0.05, euro_ncap,
+                              0.05));
+  checks.push_back(make_check("hourglass / internal energy",
+                              ratio_of(energy.hourglass, energy.internal, scale), 0.10, euro_ncap, 0.10));
+  const std::vector<PartEnergy> parts = energy_by_part(view);
+  if (!parts.empty()) {
+    const PartEnergy& worst = parts[worst_part(parts)];
+    checks.push_back(make_check(
+        fmt::format("hourglass / internal energy, part {}", view.model.parts[worst_part(parts)].id),
+        ratio_of(worst.hourglass, worst.internal, scale), 0.10, w179, 0.10));
+  }
+  checks.push_back(
+      make_check("added mass / mass",
+                 view.domain.added_mass / std::max(total_mass(view.domain) - view.domain.added_mass, 1e-300),
+                 0.05, w179, 0.05));
+  if (!view.domain.contacts.empty()) {
+    checks.push_back(make_check("negative contact energy / internal energy",
+                                -std::min(0.0, ratio_of(energy.contact, energy.internal, scale)), 0.01,
+                                "practice: not negative", 0.0));
+    checks.push_back(make_check("contact energy without friction / internal energy",
+                                ratio_of(energy.contact, energy.internal, scale), 0.10, "practice", 0.10));
+  }
+  // Where nothing moved at first there is no speed to compare with.
+  if (peaks.reference_speed() > 0)
+    checks.push_back(
+        make_check(fmt::format("fastest node (node {}) / fastest at start", peaks.fastest_node()),
+                   peaks.fastest() / peaks.reference_speed(), 10, "crumple: no shooting nodes"));
+  return checks;
+}
+
+std::vector<std::string> energy_warnings(const View& view) {
+  const domain::EnergyLedger& energy = view.domain.energy;
+  const double scale = energy_scale(energy);
+  std::vector<std::string> warnings;
+  if (ratio_of(energy.hourglass, energy.internal, scale) > 0.1)
+    warnings.push_back(fmt::format("Hourglass energy is {:.1f} % of the internal energy (limit 10 %).",
+                                   100 * energy.hourglass / energy.internal));
+  const std::vector<PartEnergy> parts = energy_by_part(view);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    // Parts that absorb next to nothing are left out: their ratio says nothing about the result.
+    if (parts[i].internal > 0.01 * energy.internal && parts[i].hourglass > 0.1 * parts[i].internal)
+      warnings.push_back(
+          fmt::format("Hourglass energy of part {} is {:.1f} % of its internal energy (limit 10 %).",
+                      view.model.parts[i].id, 100 * parts[i].hourglass / parts[i].internal));
+  for (const domain::ContactReport& contact : view.domain.contacts)
+    if (ratio_of(contact.energy, energy.internal, scale) < -0.01)
+      warnings.push_back(
+          fmt::format("Energy of contact {} is negative: {:.2f} % of the internal energy (limit 1 %).",
+                      contact.id, 100 * contact.energy / energy.internal));
+  return warnings;
+}
+
+}  // namespace crumple::output

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/view.hpp"
+
+namespace crumple::output {
+
+/// One line of the table by which users of crash codes accept or refuse a run.
+struct Check {
+  std::string name;
+  double value = 0;                    ///< [-]
+  double limit = 0;                    ///< ours: the value passes if it is not above
+  bool pass = true;                    ///< never for a value that is not a number
+  std::string source;                  ///< where the check and the source's limit are from
+  std::optional<double> source_limit;  ///< none if the check is our own
+};
+
+/// What the checks need from the course of a run, beside the state at its end.
+class PeakValues {
+ public:
+  /// Takes in the present state. Costs a pass over the nodes: for now and then, not for every step.
+  void observe(const View& view);
+
+  double fastest() const { return fastest_; }
+  double reference_speed() const { return reference_speed_; }
+  UserId fastest_node() const { return fastest_node_; }
+
+ private:
+  double fastest_ = 0;          ///< largest speed of a node [length/time]
+  double reference_speed_ = 0;  ///< the same, in the first state observed [length/time]
+  UserId fastest_node_ = 0;
+  bool has_reference_ = false;
+};
+
+/// The table for the present state, the end of a run.
+std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks);
+
+/// What the user should know about the energies: one sentence per excess, naming the part or interface.
+std::vector<std::string> energy_warnings(const View& view);
+
+}  // namespace crumple::output

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/history.hpp"
+
+namespace crumple::output {
+
+std::vector<HistoryEntry> histories_of(const View& view) {
+  const model::OutputRequests& asked = view.model.output;
+  std::vector<HistoryEntry> entries;
+  entries.push_back({"glstat.csv",
+                     "time,dt,kinetic,internal,hourglass,contact,friction,rigidwall,damping,external_work,"
+                     "eroded,total,ratio,added_mass",
+                     asked.glstat_interval, make_energy_history()});
+  entries.push_back({"matsum.csv", "time,part,internal,kinetic,hourglass,vx,vy,vz,mass",
+                     asked.matsum_interval, make_part_history(view)});
+  if (!view.domain.walls.empty())
+    entries.push_back(
+        {"rwforc.csv", "time,wall,normal,fx,fy,fz", asked.rwforc_interval, make_wall_history(view)});
+  if (!view.domain.contacts.empty())
+    entries.push_back({"rcforc.csv", "time,interface,side,fx,fy,fz,mass", asked.rcforc_interval,
+                       make_contact_history(view)});
+  if (!asked.history_nodes.empty())
+    entries.push_back({"nodout.csv", "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z", asked.nodout_interval,
+                       make_node_history()});
+  return entries;
+}
+
+}  // namespace crumple::output

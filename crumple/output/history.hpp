@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "output/csv_file.hpp"
+#include "output/view.hpp"
+
+namespace crumple::output {
+
+/// One table over time.
+class History {
+ public:
+  virtual ~History() = default;
+  virtual void add_rows(const View& view, CsvFile& table) = 0;
+};
+
+/// A history of a run: its file, its columns, and the interval that the deck asks for.
+struct HistoryEntry {
+  std::string_view file;
+  std::string_view header;
+  double interval = 0;  ///< [time]; 0 if the deck does not ask
+  std::unique_ptr<History> history;
+};
+
+/// Energies of the whole model, as crumple's energy ledger has them.
+std::unique_ptr<History> make_energy_history();
+/// Energies, velocity of the centre of mass, and mass by part. Masses are those of the elements: lumped
+/// masses belong to no part.
+std::unique_ptr<History> make_part_history(const View& view);
+/// Forces on rigid walls, the normal one positive where nodes press: the mean since the row before, so that
+/// the sum of force times time is the impulse.
+std::unique_ptr<History> make_wall_history(const View& view);
+/// Resultant force of contact interfaces.
+std::unique_ptr<History> make_contact_history(const View& view);
+/// Motion of the nodes of *DATABASE_HISTORY_NODE.
+std::unique_ptr<History> make_node_history();
+
+/// Every history that has something to show in this model.
+std::vector<HistoryEntry> histories_of(const View& view);
+
+}  // namespace crumple::output

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "output/view.hpp"
+#include "output/vtu_file.hpp"
+
+namespace crumple::output {
+
+/// The frames of a run for ParaView: `<name>.pvd` and `vtu/<name>_000000.vtu`, `..._000001.vtu`, ... Points
+/// and cells are in the order of the deck. Every file is replaced as a whole, so that what lies in the folder
+/// loads at any moment.
+class ParaviewSeries {
+ public:
+  /// Makes the folders and removes frames that an earlier run of that name left. Throws WriteError.
+  ParaviewSeries(std::filesystem::path folder, std::string name, const View& view);
+
+  /// Adds the present state as the next frame. Throws WriteError.
+  void write_frame(const View& view);
+
+  int frames() const { return static_cast<int>(times_.size()); }
+  std::filesystem::path collection() const { return folder_ / (name_ + ".pvd"); }
+
+ private:
+  void remove_earlier_frames() const;
+  void pack_constant_arrays(const View& view);
+  std::vector<VtuArray> point_fields(const View& view) const;
+  std::vector<VtuArray> cell_fields(const View& view) const;
+  std::string frame_name(int frame) const;
+  std::string collection_text() const;
+
+  std::filesystem::path folder_;
+  std::string name_;
+  std::vector<double> times_;
+  /// Block and place in it of every shell, in the order of the model.
+  std::vector<std::pair<Index, Index>> place_;
+  std::vector<VtuArray> topology_;  ///< connectivity, offsets, types
+  VtuArray node_id_;
+  VtuArray part_id_;
+  VtuArray element_id_;
+};
+
+}  // namespace crumple::output

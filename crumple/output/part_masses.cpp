@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/part_masses.hpp"
+
+#include <array>
+#include <map>
+
+namespace crumple::output {
+
+namespace {
+
+math::Vec3 position_of(const model::Model& model, Index node) {
+  const auto& x = model.nodes.position[node];
+  return {x[0], x[1], x[2]};
+}
+
+}  // namespace
+
+double shell_mass(const model::Model& model, const model::ShellElement& shell) {
+  const math::Vec3 first = position_of(model, shell.node[2]) - position_of(model, shell.node[0]);
+  const math::Vec3 second = position_of(model, shell.node[3]) - position_of(model, shell.node[1]);
+  const double area = 0.5 * math::norm(math::cross(first, second));
+  const auto thickness = model::shell_thickness(model, shell);
+  const double mean = 0.25 * (thickness[0] + thickness[1] + thickness[2] + thickness[3]);
+  return model.materials[model.parts[shell.part].material].density * area * mean;
+}
+
+PartMasses::PartMasses(const View& view) {
+  std::vector<std::map<Index, double>> by_node(view.model.parts.size());
+  for (const model::ShellElement& shell : view.model.shells) {
+    const bool triangle = shell.node[3] == shell.node[2];
+    const int corners = triangle ? 3 : 4;
+    const double share = shell_mass(view.model, shell) / corners;
+    for (int corner = 0; corner < corners; ++corner)
+      by_node[shell.part][view.domain.nodes.domain_node[shell.node[corner]]] += share;
+  }
+  for (const auto& nodes : by_node) shares_.emplace_back(nodes.begin(), nodes.end());
+}
+
+PartMasses::Motion PartMasses::motion(const domain::NodeFields& nodes, Index part) const {
+  Motion result;
+  math::Vec3 momentum;
+  for (const auto& [node, mass] : shares_[part]) {
+    const math::Vec3& velocity = nodes.velocity[node];
+    result.mass += mass;
+    result.kinetic_energy += 0.5 * mass * math::dot(velocity, velocity);
+    momentum += mass * velocity;
+  }
+  if (result.mass > 0) result.velocity = (1.0 / result.mass) * momentum;
+  return result;
+}
+
+double PartMasses::mass(Index part) const {
+  double sum = 0;
+  for (const auto& share : shares_[part]) sum += share.second;
+  return sum;
+}
+
+}  // namespace crumple::output

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/recorder.hpp"
+
+namespace crumple::output {
+
+Recorder::Recorder(const std::filesystem::path& folder, const std::string& name, const View& view)
+    : series_(folder, name, view),
+      frame_schedule_(view.model.output.state_interval, default_frames, view.model.control) {
+  for (HistoryEntry& entry : histories_of(view))
+    tables_.push_back({CsvFile(folder / entry.file, entry.header),
+                       Schedule(entry.interval, default_history_points, view.model.control),
+                       std::move(entry.history)});
+}
+
+void Recorder::write_rows(Table& table, const View& view) {
+  table.history->add_rows(view, table.file);
+  table.file.flush();
+  table.schedule.mark_written(view.domain.clock);
+}
+
+void Recorder::write_due(const View& view) {
+  for (Table& table : tables_)
+    if (table.schedule.due(view.domain.clock)) write_rows(table, view);
+  if (frame_schedule_.due(view.domain.clock)) write_frame(view);
+}
+
+void Recorder::write_last(const View& view) {
+  for (Table& table : tables_)
+    if (!table.schedule.has_written(view.domain.clock)) write_rows(table, view);
+  write_frame(view);
+}
+
+void Recorder::write_frame(const View& view) {
+  if (frame_schedule_.has_written(view.domain.clock)) return;
+  series_.write_frame(view);
+  frame_schedule_.mark_written(view.domain.clock);
+}
+
+std::vector<std::filesystem::path> Recorder::files() const {
+  std::vector<std::filesystem::path> paths{series_.collection()};
+  for (const Table& table : tables_) paths.push_back(table.file.path());
+  return paths;
+}
+
+}  // namespace crumple::output

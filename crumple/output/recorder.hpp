@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "output/csv_file.hpp"
+#include "output/history.hpp"
+#include "output/paraview_series.hpp"
+#include "output/schedule.hpp"
+#include "output/view.hpp"
+
+namespace crumple::output {
+
+/// Frames of a run if the deck does not ask for an interval.
+inline constexpr int default_frames = 100;
+/// Rows of each history over a run if the deck does not ask for an interval.
+inline constexpr int default_history_points = 1000;
+
+/// Everything that a run writes while it goes on.
+class Recorder {
+ public:
+  /// Makes the folder and the files in it; `name` is that of the frames. Throws WriteError.
+  Recorder(const std::filesystem::path& folder, const std::string& name, const View& view);
+
+  /// Writes what is due at this time. To be called once at time zero and after every step. Throws WriteError.
+  void write_due(const View& view);
+  /// Writes the present state to the frames and all histories, unless it is there already.
+  void write_last(const View& view);
+  /// Adds a frame of the present state, due or not, unless it is there already.
+  void write_frame(const View& view);
+
+  int frames() const { return series_.frames(); }
+  /// What was written, the most useful first.
+  std::vector<std::filesystem::path> files() const;
+
+ private:
+  struct Table {
+    CsvFile file;
+    Schedule schedule;
+    std::unique_ptr<History> history;
+  };
+  static void write_rows(Table& table, const View& view);
+
+  ParaviewSeries series_;
+  Schedule frame_schedule_;
+  std::vector<Table> tables_;
+};
+
+}  // namespace crumple::output

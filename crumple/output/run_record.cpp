@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/isa.hpp"
+#include "output/atomic_file.hpp"
+
+namespace crumple::output {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json energy_of(const domain::EnergyLedger& energy) {
+  return {
+      {"error", energy.error()},       {"kinetic", energy.kinetic}, {"internal", energy.internal},
+      {"hourglass", energy.hourglass}, {"contact", energy.contact}, {"friction", energy.friction},
+      {"rigidwall", energy.rigidwall}, {"damping", energy.damping}, {"external_work", energy.external_work},
+      {"eroded", energy.eroded},       {"total", energy.total()},   {"initial_total", energy.initial_total},
+      {"ratio", energy.ratio()}};
+}
+
+Json timings_of(const domain::StageTimes& times) {
+  return {{"elements", times.elements},
+          {"contact_search", times.contact_search},
+          {"contact_local", times.contact_local},
+          {"contact_forces", times.contact_forces},
+          {"constraints", times.constraints},
+          {"integrate", times.integrate},
+          {"output", times.output}};
+}
+
+Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
+  Json list = Json::array();
+  for (const domain::ContactReport& contact : contacts)
+    list.push_back({{"id", contact.id},
+                    {"method", contact.method},
+                    {"searches", contact.searches},
+                    {"candidates", contact.candidates},
+                    {"active_pairs", contact.active_pairs},
+                    {"penetration", contact.penetration},
+                    {"worst_penetration", contact.worst_penetration},
+                    {"worst_node", contact.worst_node},
+                    {"energy", contact.energy},
+                    {"friction_energy", contact.friction_energy}});
+  return list;
+}
+
+Json checks_of(const std::vector<Check>& checks) {
+  Json list = Json::array();
+  for (const Check& check : checks) {
+    Json entry = {{"name", check.name}, {"value", check.value},   {"limit", check.limit},
+                  {"pass", check.pass}, {"source", check.source}, {"source_limit", nullptr}};
+    if (check.source_limit) entry["source_limit"] = *check.source_limit;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace
+
+double nanoseconds_per_element_cycle(const domain::Domain& domain, double seconds) {
+  const double work =
+      static_cast<double>(domain::shell_count(domain)) * static_cast<double>(domain.clock.cycle);
+  return work > 0 ? 1e9 * seconds * domain.execution.threads / work : 0.0;
+}
+
+void write_run_record(const std::filesystem::path& folder, const RunRecord& record, const View& view) {
+  const domain::Domain& domain = view.domain;
+  Json files = Json::array();
+  for (const auto& file : record.files) files.push_back(file.generic_string());
+  const Json json = {{"version", record.version},
+                     {"deck", record.deck},
+                     {"deck_hash", fmt::format("{:016x}", record.deck_hash)},
+                     {"title", view.model.title},
+                     {"termination", record.termination},
+                     {"reason", record.reason},
+                     {"end_time", domain.clock.time},
+                     {"cycles", domain.clock.cycle},
+                     {"nodes", domain.nodes.count()},
+                     {"elements", {{"shells", domain::shell_count(domain)}}},
+                     {"threads", domain.execution.threads},
+                     {"precision", domain.execution.precision == Precision::Mixed ? "mixed" : "double"},
+                     {"isa", std::string(isa_name(domain.execution.isa))},
+                     {"search", view.model.search.method},
+                     {"wall_seconds", record.wall_seconds},
+                     {"loop_seconds", record.loop_seconds},
+                     {"ns_per_element_cycle", nanoseconds_per_element_cycle(domain, record.loop_seconds)},
+                     {"peak_memory_bytes", record.peak_memory_bytes},
+                     {"energy", energy_of(domain.energy)},
+                     {"added_mass", domain.added_mass},
+                     {"state_hash", fmt::format("{:016x}", record.state_hash)},
+                     {"timings", timings_of(domain.times)},
+                     {"contact", contacts_of(domain.contacts)},
+                     {"checks", checks_of(record.checks)},
+                     {"warnings", record.warnings},
+                     {"files", files}};
+  // Titles come from decks in any encoding: bytes that are no UTF-8 must not stop the record.
+  write_atomically(folder / "run.json",
+                   json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace crumple::output

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "output/checks.hpp"
+#include "output/view.hpp"
+
+namespace crumple::output {
+
+/// What `run.json` says beside what the model and the domain know.
+struct RunRecord {
+  std::string version;
+  std::string deck;
+  std::uint64_t deck_hash = 0;
+  std::string termination;  ///< "normal", "error" or "interrupted"
+  std::string reason;
+  double wall_seconds = 0;  ///< of the whole program, reading included [s]
+  double loop_seconds = 0;  ///< of the cycles, output included [s]
+  std::uint64_t peak_memory_bytes = 0;
+  std::uint64_t state_hash = 0;
+  std::vector<Check> checks;
+  std::vector<std::string> warnings;
+  std::vector<std::filesystem::path> files;  ///< relative to the folder
+};
+
+/// Wall time of the loop by thread, element and cycle [ns]; 0 before the first cycle.
+double nanoseconds_per_element_cycle(const domain::Domain& domain, double seconds);
+
+/// Writes `run.json` as a whole. Numbers that are not finite become null. Throws WriteError.
+void write_run_record(const std::filesystem::path& folder, const RunRecord& record, const View& view);
+
+}  // namespace crumple::output

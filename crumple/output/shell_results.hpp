@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/index.hpp"
+#include "domain/shell_block.hpp"
+#include "model/model.hpp"
+
+namespace crumple::output {
+
+/// What output shows of the shells of one block, found by name in the block's state. Stress and plastic
+/// strain that a block does not keep are zero; thickness then is the model's. Model and block must outlive
+/// this.
+class ShellResults {
+ public:
+  ShellResults(const model::Model& model, const domain::ShellBlock& block);
+
+  /// Largest effective plastic strain over the thickness points [-].
+  double plastic_strain(Index place) const;
+  /// Largest von Mises stress over the thickness points [stress].
+  double von_mises(Index place) const;
+  /// Von Mises stress of the middle point, or of the mean stress of the two points next to the middle: the
+  /// membrane stress, without bending [stress].
+  double mid_von_mises(Index place) const;
+  /// Mean thickness now [length].
+  double thickness(Index place) const;
+  /// False once the element has failed.
+  bool alive(Index place) const;
+
+ private:
+  double von_mises_between(Index place, Index first_point, Index second_point) const;
+
+  const model::Model* model_;
+  const domain::ShellBlock* block_;
+  const domain::StateItem* stress_;
+  const domain::StateItem* plastic_strain_;
+  const domain::StateItem* thickness_;
+  const domain::StateItem* active_;
+};
+
+}  // namespace crumple::output

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "domain/domain.hpp"
+#include "math/vec3.hpp"
+#include "model/model.hpp"
+
+namespace crumple::output {
+
+/// What an observer sees between two steps. Refers to a running simulation and owns nothing.
+struct View {
+  const model::Model& model;
+  const domain::Domain& domain;
+  double next_step = 0;  ///< from n to n+1 [time]
+};
+
+}  // namespace crumple::output

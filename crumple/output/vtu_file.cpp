@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/vtu_file.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <iterator>
+
+#include "output/write_error.hpp"
+
+namespace crumple::output {
+
+namespace {
+
+constexpr std::size_t block_size = 1U << 18;
+
+void append_number(std::string& text, std::uint64_t number) {
+  char bytes[sizeof(number)];
+  std::memcpy(bytes, &number, sizeof(number));
+  text.append(bytes, sizeof(number));
+}
+
+std::string compressed(std::string_view bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string out(size, '\0');
+  // The fastest level: fields of floats hardly gain from more effort, and the run waits for it.
+  const int result = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
+                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED);
+  if (result != Z_OK) throw WriteError("zlib could not compress a field: out of memory.");
+  out.resize(size);
+  return out;
+}
+
+/// Writes the XML head of the arrays of one section; the data itself follows later, at `offset`.
+void add_section(std::string& xml, std::string_view section, const std::vector<const VtuArray*>& arrays,
+                 std::uint64_t& offset) {
+  fmt::format_to(std::back_inserter(xml), "      <{}>\n", section);
+  for (const VtuArray* array : arrays) {
+    fmt::format_to(std::back_inserter(xml),
+                   "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
+                   "offset=\"{}\"/>\n",
+                   array->type, array->name, array->components, offset);
+    offset += array->packed.size();
+  }
+  fmt::format_to(std::back_inserter(xml), "      </{}>\n", section);
+}
+
+}  // namespace
+
+std::string pack_vtk_data(std::string_view bytes) {
+  const std::size_t blocks = (bytes.size() + block_size - 1) / block_size;
+  std::string header;
+  append_number(header, blocks);
+  append_number(header, block_size);
+  append_number(header, bytes.size() % block_size);
+  std::string data;
+  for (std::size_t at = 0; at < bytes.size(); at += block_size) {
+    const std::string block = compressed(bytes.substr(at, block_size));
+    append_number(header, block.size());
+    data += block;
+  }
+  return header + data;
+}
+
+std::string vtu_text(const VtuGrid& grid) {
+  const std::string_view order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\" "
+      "compressor=\"vtkZLibDataCompressor\">\n"
+      "  <UnstructuredGrid>\n"
+      "    <FieldData>\n"
+      "      <DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{}"
+      "</DataArray>\n"
+      "    </FieldData>\n"
+      "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+      order, grid.time, grid.points, grid.cells);
+  std::uint64_t offset = 0;
+  add_section(text, "PointData", grid.point_data, offset);
+  add_section(text, "CellData", grid.cell_data, offset);
+  add_section(text, "Points", grid.positions, offset);
+  add_section(text, "Cells", grid.topology, offset);
+  text += "    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
+  for (const auto* arrays : {&grid.point_data, &grid.cell_data, &grid.positions, &grid.topology})
+    for (const VtuArray* array : *arrays) text += array->packed;
+  text += "\n  </AppendedData>\n</VTKFile>\n";
+  return text;
+}
+
+}  // namespace crumple::output

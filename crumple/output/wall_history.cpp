@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/history.hpp"
+
+namespace crumple::output {
+
+namespace {
+
+/// The force of a single step is noise: nodes strike and leave a wall one by one, and sampling it would give
+/// neither peaks nor means. The mean over an interval follows from the impulse and loses nothing.
+class WallHistory : public History {
+ public:
+  explicit WallHistory(const View& view) : impulse_(view.domain.walls.size()) {}
+
+  void add_rows(const View& view, CsvFile& table) override {
+    const double time = view.domain.clock.time;
+    for (std::size_t i = 0; i < view.domain.walls.size(); ++i) {
+      const domain::WallReport& wall = view.domain.walls[i];
+      const auto& n = view.model.rigid_walls[i].normal;
+      math::Vec3 force;
+      if (time > time_) force = (1.0 / (time - time_)) * (wall.impulse - impulse_[i]);
+      const double normal = -math::dot(force, {n[0], n[1], n[2]});
+      table.add_row(time, wall.id, normal, force.x, force.y, force.z);
+      if (time > time_) impulse_[i] = wall.impulse;
+    }
+    time_ = time;
+  }
+
+ private:
+  double time_ = 0;
+  std::vector<math::Vec3> impulse_;  ///< up to the row before
+};
+
+}  // namespace
+
+std::unique_ptr<History> make_wall_history(const View& view) {
+  return std::make_unique<WallHistory>(view);
+}
+
+}  // namespace crumple::output
