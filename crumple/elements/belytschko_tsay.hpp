@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements/formulation.hpp"
+
+namespace crumple::elements {
+
+/// The one-point corotational shell of Belytschko, Lin & Tsay (CMAME 42 (1984) 225-251):
+/// docs/theory/belytschko_tsay.md.
+struct BelytschkoTsay {
+  static constexpr model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay;
+  static constexpr const char* name = "Belytschko-Tsay";
+  static constexpr bool has_fibres = false;
+
+  static constexpr int row_r31 = 0;
+  static constexpr int row_r42 = 3;
+  static constexpr int row_mode = 6;
+  static constexpr int row_rates = 9;
+  static constexpr int row_area = 14;
+  static constexpr int rows = 15;
+
+  template <class Pack>
+  static void strains(const ShellPlace<RealOf<Pack>>& place);
+  template <class Pack>
+  static ShellForces<Pack> forces(const ShellPlace<RealOf<Pack>>& place);
+};
+
+/// Gradients of a nodal field at the centre, B1.f and B2.f, from its differences over the diagonals.
+template <class Pack>
+struct CentreGradient {
+  Pack x, y;
+};
+template <class Pack>
+CRUMPLE_INLINE CentreGradient<Pack> gradient(const LaminaGeometry<Pack>& g, const Pack& f31,
+                                             const Pack& f42) {
+  return {g.inverse_twice_area * multiply_add(g.y42, f31, Pack(-(g.y31 * f42))),
+          g.inverse_twice_area * multiply_add(g.x31, f42, Pack(-(g.x42 * f31)))};
+}
+
+/// gamma.f, the hourglass part of a field: its pattern less what the centre gradients explain.
+template <class Pack>
+CRUMPLE_INLINE Pack hourglass_part(const LaminaGeometry<Pack>& g, const Pack& f_mode,
+                                   const CentreGradient<Pack>& gradient) {
+  return multiply_add(Pack(-g.x_mode), gradient.x, multiply_add(Pack(-g.y_mode), gradient.y, f_mode));
+}
+
+// Everything here is evaluated at the geometry of the middle of the step (Hughes & Winget 1980): only there
+// is a rigid rotation a velocity field without strain.
+template <class Pack>
+CRUMPLE_INLINE void BelytschkoTsay::strains(const ShellPlace<RealOf<Pack>>& place) {
+  using Real = RealOf<Pack>;
+  const ShellConstants<Real>& constants = place.task.constants;
+  const ShellNodes<Pack> n = gather<Pack>(place.task.nodes, place.node);
+  const Pack back(-(Real(0.5) * place.task.step));
+  const auto r31 = math::multiply_add(back, n.v31, n.r31);
+  const auto r42 = math::multiply_add(back, n.v42, n.r42);
+  const auto r_mode = math::multiply_add(back, n.v_mode, n.r_mode);
+  const auto frame = lamina_frame(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
+                                  own_state<Pack>(place, element_state::frame + 1));
+  const auto g = lamina_geometry(frame, r31, r42, r_mode);
+
+  const auto velocity_gradient = [&](const math::PackVec3<Pack>& axis) {
+    return gradient(g, math::dot(n.v31, axis), math::dot(n.v42, axis));
+  };
+  const auto spin_gradient = [&](const math::PackVec3<Pack>& axis) {
+    return gradient(g, math::dot(n.w31, axis), math::dot(n.w42, axis));
+  };
+  const auto vx = velocity_gradient(frame.e1);
+  const auto vy = velocity_gradient(frame.e2);
+  const auto vz = velocity_gradient(frame.e3);
+  const auto wx = spin_gradient(frame.e1);
+  const auto wy = spin_gradient(frame.e2);
+
+  const Pack step(place.task.step);
+  const Pack shear_step = step * Pack(constants.shear_root);
+  const Pack quarter(Real(0.25));
+  const materials::PlaneStrain<Pack> membrane{
+      step * vx.x, step * vy.y, step * (vx.y + vy.x),
+      shear_step * multiply_add(-quarter, math::dot(n.w_sum, frame.e1), vz.y),
+      shear_step * multiply_add(quarter, math::dot(n.w_sum, frame.e2), vz.x)};
+  const Pack half_thickness = Real(0.5) * own_state<Pack>(place, element_state::thickness);
+  const Pack bend = half_thickness * step;
+  const Pack bend_xx = bend * wy.x;
+  const Pack bend_yy = -(bend * wx.y);
+  const Pack bend_xy = bend * (wy.y - wx.x);
+  for (int p = 0; p < constants.points; ++p) {
+    const Pack z(constants.place[p]);
+    const materials::PlaneStrain<Pack> strain{
+        multiply_add(z, bend_xx, membrane.xx), multiply_add(z, bend_yy, membrane.yy),
+        multiply_add(z, bend_xy, membrane.xy), membrane.yz, membrane.zx};
+    materials::store_five(place.strain + p * materials::components * tile_lanes, tile_lanes, strain);
+  }
+
+  keep_vec(place, row_r31, n.r31);
+  keep_vec(place, row_r42, n.r42);
+  keep_vec(place, row_mode, n.r_mode);
+  // A warped element turning as a rigid body moves its hourglass pattern: the turn of the normal, vz, times
+  // the warp takes that out again.
+  keep(place, row_rates, multiply_add(g.z_mode, vz.x, hourglass_part(g, math::dot(n.v_mode, frame.e1), vx)));
+  keep(place, row_rates + 1,
+       multiply_add(g.z_mode, vz.y, hourglass_part(g, math::dot(n.v_mode, frame.e2), vy)));
+  keep(place, row_rates + 2, hourglass_part(g, math::dot(n.v_mode, frame.e3), vz));
+  keep(place, row_rates + 3, hourglass_part(g, math::dot(n.w_mode, frame.e1), wx));
+  keep(place, row_rates + 4, hourglass_part(g, math::dot(n.w_mode, frame.e2), wy));
+  keep(place, row_area, g.area);
+}
+
+/// Resultants of the stresses: forces and moments per length, times the thickness factors.
+template <class Pack>
+struct Resultants {
+  Pack xx, yy, xy, yz, zx;
+  Pack bend_xx, bend_yy, bend_xy;
+};
+
+template <class Pack>
+CRUMPLE_INLINE Resultants<Pack> integrate(const ShellPlace<RealOf<Pack>>& place, const Pack& thickness) {
+  using Real = RealOf<Pack>;
+  const ShellConstants<Real>& constants = place.task.constants;
+  const Pack zero(Real(0));
+  Resultants<Pack> r{zero, zero, zero, zero, zero, zero, zero, zero};
+  for (int p = 0; p < constants.points; ++p) {
+    const auto s = materials::load_five<materials::PlaneStress<Pack>>(
+        place.state + p * materials::components * lanes, lanes);
+    const Pack weight(constants.weight[p]);
+    const Pack moment(constants.weight[p] * constants.place[p]);
+    r.xx = multiply_add(weight, s.xx, r.xx);
+    r.yy = multiply_add(weight, s.yy, r.yy);
+    r.xy = multiply_add(weight, s.xy, r.xy);
+    r.yz = multiply_add(weight, s.yz, r.yz);
+    r.zx = multiply_add(weight, s.zx, r.zx);
+    r.bend_xx = multiply_add(moment, s.xx, r.bend_xx);
+    r.bend_yy = multiply_add(moment, s.yy, r.bend_yy);
+    r.bend_xy = multiply_add(moment, s.xy, r.bend_xy);
+  }
+  const Pack shear = thickness * Pack(constants.shear_root);
+  const Pack bend = thickness * (Real(0.5) * own_state<Pack>(place, element_state::thickness));
+  return {thickness * r.xx, thickness * r.yy, thickness * r.xy, shear * r.yz,
+          shear * r.zx,     bend * r.bend_xx, bend * r.bend_yy, bend * r.bend_xy};
+}
+
+/// What node 1 (and, negative, node 3) or node 2 (and 4) gets of the resultants; b1 and b2 are the area times
+/// the node's gradients.
+template <class Pack>
+struct NodeShare {
+  math::PackVec3<Pack> force;  ///< lamina axes
+  Pack moment_x, moment_y;
+};
+template <class Pack>
+CRUMPLE_INLINE NodeShare<Pack> node_share(const Resultants<Pack>& r, const Pack& b1, const Pack& b2,
+                                          const Pack& lift_x, const Pack& lift_y) {
+  return {{multiply_add(b1, r.xx, Pack(b2 * r.xy)), multiply_add(b2, r.yy, Pack(b1 * r.xy)),
+           multiply_add(b1, Pack(r.zx + lift_x), Pack(b2 * (r.yz + lift_y)))},
+          -multiply_add(b2, r.bend_yy, Pack(b1 * r.bend_xy)),
+          multiply_add(b1, r.bend_xx, Pack(b2 * r.bend_xy))};
+}
+
+/// New thickness where it may change; returns the mean over the step.
+template <class Pack>
+CRUMPLE_INLINE Pack update_thickness(const ShellPlace<RealOf<Pack>>& place) {
+  using Real = RealOf<Pack>;
+  const Pack old = own_state<Pack>(place, element_state::thickness);
+  if (!place.task.constants.thickness_change) return old;
+  const Pack change = old * load<Pack>(place.rows + scratch_row::thickness_strain * tile_lanes);
+  store(place.state + (place.task.constants.own + element_state::thickness) * lanes, Pack(old + change));
+  return multiply_add(Pack(Real(0.5)), change, old);
+}
+
+template <class Pack>
+CRUMPLE_INLINE ShellForces<Pack> BelytschkoTsay::forces(const ShellPlace<RealOf<Pack>>& place) {
+  using Real = RealOf<Pack>;
+  using Vec = math::PackVec3<Pack>;
+  const ShellConstants<Real>& constants = place.task.constants;
+  const Vec r31 = kept_vec<Pack>(place, row_r31);
+  const Vec r42 = kept_vec<Pack>(place, row_r42);
+  const Vec r_mode = kept_vec<Pack>(place, row_mode);
+  const auto frame = lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
+                                        own_state<Pack>(place, element_state::frame + 1));
+  const auto g = lamina_geometry(frame, r31, r42, r_mode);
+  const Pack active = own_state<Pack>(place, element_state::active);
+
+  const Pack mean_thickness = update_thickness<Pack>(place);
+  const Pack thickness = active * own_state<Pack>(place, element_state::thickness);
+  const auto energy = load<Pack>(place.rows + scratch_row::material_energy * tile_lanes);
+  store(place.rows + scratch_row::internal_energy * tile_lanes,
+        Pack(energy * (active * (mean_thickness * kept<Pack>(place, row_area)))));
+
+  const HourglassModes<Pack> old = hourglass_state<Pack>(place);
+  const HourglassModes<Pack> rate{kept<Pack>(place, row_rates), kept<Pack>(place, row_rates + 1),
+                                  kept<Pack>(place, row_rates + 2), kept<Pack>(place, row_rates + 3),
+                                  kept<Pack>(place, row_rates + 4)};
+  const Pack step(place.task.step);
+  const auto q = hourglass_stress(constants, hourglass_moduli(constants, g, thickness), step, old, rate);
+  set_hourglass_state(place, q);
+  store(place.rows + scratch_row::hourglass_energy * tile_lanes, hourglass_work(step, old, q, rate));
+
+  // What the warp takes out of the membrane rates, the forces take out of the moments.
+  const Pack lift = (g.inverse_twice_area + g.inverse_twice_area) * g.z_mode;
+  const Resultants<Pack> r = integrate(place, thickness);
+  const Pack half(Real(0.5));
+  const Pack a1 = -(half * g.y42);
+  const Pack a2 = half * g.x42;
+  const Pack b1 = half * g.y31;
+  const Pack b2 = -(half * g.x31);
+  const NodeShare<Pack> share_a = node_share<Pack>(r, a1, a2, lift * q.x, lift * q.y);
+  const NodeShare<Pack> share_b = node_share<Pack>(r, b1, b2, lift * q.x, lift * q.y);
+  const Pack quarter_area = Real(0.25) * g.area;
+
+  const auto global3 = [&](const Vec& v) {
+    return math::multiply_add(v.x, frame.e1, math::multiply_add(v.y, frame.e2, v.z * frame.e3));
+  };
+  const auto global2 = [&](const Pack& x, const Pack& y) {
+    return math::multiply_add(x, frame.e1, y * frame.e2);
+  };
+  const Vec force_a = global3(share_a.force);
+  const Vec force_b = global3(share_b.force);
+  const Vec force_q = global3({q.x, q.y, q.z});
+  const Vec moment_a = global2(share_a.moment_x, share_a.moment_y);
+  const Vec moment_b = global2(share_b.moment_x, share_b.moment_y);
+  const Vec moment_s = global2(-(quarter_area * r.yz), quarter_area * r.zx);
+  const Vec moment_q = global2(q.bending_x, q.bending_y);
+
+  const Pack inverse_area = g.inverse_twice_area + g.inverse_twice_area;
+  const Pack gamma_a = inverse_area * multiply_add(g.x_mode, a1, Pack(g.y_mode * a2));
+  const Pack gamma_b = inverse_area * multiply_add(g.x_mode, b1, Pack(g.y_mode * b2));
+  const Pack one(Real(1));
+  const Pack gamma[4] = {one - gamma_a, -(one + gamma_b), one + gamma_a, gamma_b - one};
+  ShellForces<Pack> out;
+  out.force[0] = math::multiply_add(gamma[0], force_q, force_a);
+  out.force[1] = math::multiply_add(gamma[1], force_q, force_b);
+  out.force[2] = math::multiply_add(gamma[2], force_q, Pack(-one) * force_a);
+  out.force[3] = math::multiply_add(gamma[3], force_q, Pack(-one) * force_b);
+  out.moment[0] = math::multiply_add(gamma[0], moment_q, moment_s + moment_a);
+  out.moment[1] = math::multiply_add(gamma[1], moment_q, moment_s + moment_b);
+  out.moment[2] = math::multiply_add(gamma[2], moment_q, moment_s - moment_a);
+  out.moment[3] = math::multiply_add(gamma[3], moment_q, moment_s - moment_b);
+
+  const Pack limit =
+      stable_step(g.area, r31, r42, r_mode,
+                  Pack(own_state<Pack>(place, element_state::step_scale) * Pack(constants.slowness)));
+  store(place.rows + scratch_row::shortest_step * tile_lanes,
+        select<Pack>(active > Pack(Real(0)), limit, Pack(Real(1e30))));
+  return out;
+}
+
+}  // namespace crumple::elements

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A shell formulation is a type with
+//   static constexpr model::ShellFormulation formulation, const char* name
+//   static constexpr int rows            numbers per element kept from strains() to forces()
+//   static constexpr bool has_fibres     the state ends with element_state::fibre
+//   template <class Pack> static void strains(const ShellPlace<Real>&)
+//   template <class Pack> static ShellForces<Pack> forces(const ShellPlace<Real>&)
+// strains() gathers the nodes and leaves the strain increments of all points, forces() makes nodal forces of
+// the updated stresses. Between the two the material brings the tile up to date (chunk.hpp).
+
+#include "elements/gather.hpp"
+#include "elements/hourglass.hpp"
+#include "elements/lamina_frame.hpp"
+#include "elements/shell_task.hpp"
+#include "materials/plane_stress.hpp"
+
+namespace crumple::elements {
+
+using materials::tile_lanes;
+
+/// Rows of the scratch that the driver reads, before those of the formulation.
+namespace scratch_row {
+inline constexpr int material_energy = 0;   ///< from the material: work per volume of the step
+inline constexpr int thickness_strain = 1;  ///< from the material
+inline constexpr int internal_energy = 2;   ///< from forces(): increment
+inline constexpr int hourglass_energy = 3;  ///< from forces(): increment
+inline constexpr int shortest_step = 4;     ///< from forces(): stable step
+inline constexpr int own = 5;               ///< first row of the formulation
+}  // namespace scratch_row
+
+/// Where one pack of elements finds everything. Strides are `lanes` in the state, tile_lanes in the scratch.
+template <class Real>
+struct ShellPlace {
+  const ShellTask<Real>& task;
+  const Index* node;  ///< [4][lanes], from the first element of the pack
+  Real* state;        ///< [component][lanes]
+  Real* strain;       ///< [point][5][tile_lanes]
+  Real* rows;         ///< [row][tile_lanes]
+};
+
+template <class Pack>
+CRUMPLE_INLINE Pack own_state(const ShellPlace<RealOf<Pack>>& place, Index item) {
+  return load<Pack>(place.state + (place.task.constants.own + item) * lanes);
+}
+
+template <class Pack>
+CRUMPLE_INLINE void keep(const ShellPlace<RealOf<Pack>>& place, int row, const Pack& value) {
+  store(place.rows + (scratch_row::own + row) * tile_lanes, value);
+}
+template <class Pack>
+CRUMPLE_INLINE void keep_vec(const ShellPlace<RealOf<Pack>>& place, int row,
+                             const math::PackVec3<Pack>& value) {
+  keep(place, row, value.x);
+  keep(place, row + 1, value.y);
+  keep(place, row + 2, value.z);
+}
+template <class Pack>
+CRUMPLE_INLINE Pack kept(const ShellPlace<RealOf<Pack>>& place, int row) {
+  return load<Pack>(place.rows + (scratch_row::own + row) * tile_lanes);
+}
+template <class Pack>
+CRUMPLE_INLINE math::PackVec3<Pack> kept_vec(const ShellPlace<RealOf<Pack>>& place, int row) {
+  return {kept<Pack>(place, row), kept<Pack>(place, row + 1), kept<Pack>(place, row + 2)};
+}
+
+template <class Pack>
+CRUMPLE_INLINE HourglassModes<Pack> hourglass_state(const ShellPlace<RealOf<Pack>>& place) {
+  using namespace element_state;
+  return {own_state<Pack>(place, hourglass), own_state<Pack>(place, hourglass + 1),
+          own_state<Pack>(place, hourglass + 2), own_state<Pack>(place, hourglass + 3),
+          own_state<Pack>(place, hourglass + 4)};
+}
+template <class Pack>
+CRUMPLE_INLINE void set_hourglass_state(const ShellPlace<RealOf<Pack>>& place,
+                                        const HourglassModes<Pack>& q) {
+  RealOf<Pack>* const to = place.state + (place.task.constants.own + element_state::hourglass) * lanes;
+  store(to, q.x);
+  store(to + lanes, q.y);
+  store(to + 2 * lanes, q.z);
+  store(to + 3 * lanes, q.bending_x);
+  store(to + 4 * lanes, q.bending_y);
+}
+
+template <class Pack>
+CRUMPLE_INLINE LaminaGeometry<Pack> lamina_geometry(const LaminaFrame<Pack>& frame,
+                                                    const math::PackVec3<Pack>& r31,
+                                                    const math::PackVec3<Pack>& r42,
+                                                    const math::PackVec3<Pack>& r_mode) {
+  LaminaGeometry<Pack> g;
+  g.x31 = math::dot(r31, frame.e1);
+  g.y31 = math::dot(r31, frame.e2);
+  g.x42 = math::dot(r42, frame.e1);
+  g.y42 = math::dot(r42, frame.e2);
+  g.x_mode = math::dot(r_mode, frame.e1);
+  g.y_mode = math::dot(r_mode, frame.e2);
+  g.z_mode = math::dot(r_mode, frame.e3);
+  const Pack twice_area = multiply_add(g.x31, g.y42, Pack(-(g.x42 * g.y31)));
+  g.area = RealOf<Pack>(0.5) * twice_area;
+  g.inverse_twice_area = Pack(RealOf<Pack>(1)) / twice_area;
+  return g;
+}
+
+/// Stable step: area over the longest side over the plate wave speed, times what step_scale says.
+template <class Pack>
+CRUMPLE_INLINE Pack stable_step(const Pack& area, const math::PackVec3<Pack>& r31,
+                                const math::PackVec3<Pack>& r42, const math::PackVec3<Pack>& r_mode,
+                                const Pack& scaled_slowness) {
+  using Vec = math::PackVec3<Pack>;
+  const Vec r21 = Pack(RealOf<Pack>(0.5)) * ((r31 - r42) - r_mode);
+  const Vec r32 = r31 - r21;
+  const Vec r41 = r42 + r21;
+  const Vec r43 = r41 - r31;
+  const Pack longest = larger(larger(math::dot(r21, r21), math::dot(r32, r32)),
+                              larger(math::dot(r43, r43), math::dot(r41, r41)));
+  return area * scaled_slowness / square_root(longest);
+}
+
+}  // namespace crumple::elements

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements/shell_task.hpp"
+#include "math/pack_vec3.hpp"
+
+namespace crumple::elements {
+
+/// Geometry of a four-node shell in its lamina axes.
+template <class Pack>
+struct LaminaGeometry {
+  Pack x31, y31, x42, y42;      ///< diagonals
+  Pack x_mode, y_mode, z_mode;  ///< hourglass pattern of the positions: node 1 - 2 + 3 - 4
+  Pack area;
+  Pack inverse_twice_area;
+};
+
+/// Generalised hourglass rates or stresses: membrane x and y, warping z, bending x and y.
+template <class Pack>
+struct HourglassModes {
+  Pack x, y, z, bending_x, bending_y;
+};
+
+/// Coefficients of this element: stress per rate (viscous) or per displacement (stiffness), forces in all.
+template <class Pack>
+struct HourglassModuli {
+  Pack membrane, warping, bending;
+};
+
+/// Viscous form: 1/4 Q rho c t sqrt(A) in the membrane (Flanagan & Belytschko 1981, with the shell's t
+/// sqrt(A) for the brick's V^(2/3)), the same integrated over the thickness for bending, and t for sqrt(A) in
+/// warping. Stiffness form: Belytschko, Lin & Tsay (1984), C1 to C3. docs/theory/hourglass.md.
+template <class Pack>
+CRUMPLE_INLINE HourglassModuli<Pack> hourglass_moduli(const ShellConstants<RealOf<Pack>>& constants,
+                                                      const LaminaGeometry<Pack>& g, const Pack& thickness) {
+  const Pack t2 = thickness * thickness;
+  const Pack membrane(constants.hourglass_membrane);
+  const Pack warping(constants.hourglass_warping);
+  const Pack bending(constants.hourglass_bending);
+  if (constants.viscous) {
+    const Pack t_length = thickness * square_root(g.area);
+    return {membrane * t_length, warping * t2, bending * (t_length * t2)};
+  }
+  Pack squares = g.x31 * g.x31;
+  squares = multiply_add(g.y31, g.y31, squares);
+  squares = multiply_add(g.x42, g.x42, squares);
+  squares = multiply_add(g.y42, g.y42, squares);
+  // A B.B; the warping stiffness of a shell thicker than long is held at that of t = sqrt(A), so that it
+  // cannot govern the step.
+  const Pack t_shape = thickness * (squares * g.inverse_twice_area);
+  const Pack slender = smaller(t2, g.area) * (g.inverse_twice_area + g.inverse_twice_area);
+  return {membrane * t_shape, warping * (t_shape * slender), bending * (t_shape * t2)};
+}
+
+/// Stresses at time n from those at n-1 (both in lamina axes) and the rates between.
+template <class Pack>
+CRUMPLE_INLINE HourglassModes<Pack> hourglass_stress(const ShellConstants<RealOf<Pack>>& constants,
+                                                     const HourglassModuli<Pack>& moduli, const Pack& step,
+                                                     const HourglassModes<Pack>& old,
+                                                     const HourglassModes<Pack>& rate) {
+  if (constants.viscous)
+    return {moduli.membrane * rate.x, moduli.membrane * rate.y, moduli.warping * rate.z,
+            moduli.bending * rate.bending_x, moduli.bending * rate.bending_y};
+  const Pack membrane = moduli.membrane * step;
+  const Pack warping = moduli.warping * step;
+  const Pack bending = moduli.bending * step;
+  return {multiply_add(membrane, rate.x, old.x), multiply_add(membrane, rate.y, old.y),
+          multiply_add(warping, rate.z, old.z), multiply_add(bending, rate.bending_x, old.bending_x),
+          multiply_add(bending, rate.bending_y, old.bending_y)};
+}
+
+/// Work of the mean of old and new stress over a step.
+template <class Pack>
+CRUMPLE_INLINE Pack hourglass_work(const Pack& step, const HourglassModes<Pack>& old,
+                                   const HourglassModes<Pack>& now, const HourglassModes<Pack>& rate) {
+  Pack twice = (old.x + now.x) * rate.x;
+  twice = multiply_add(Pack(old.y + now.y), rate.y, twice);
+  twice = multiply_add(Pack(old.z + now.z), rate.z, twice);
+  twice = multiply_add(Pack(old.bending_x + now.bending_x), rate.bending_x, twice);
+  twice = multiply_add(Pack(old.bending_y + now.bending_y), rate.bending_y, twice);
+  return RealOf<Pack>(0.5) * (step * twice);
+}
+
+}  // namespace crumple::elements

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements/belytschko_tsay.hpp"
+
+namespace crumple::elements {
+
+template <class... Formulations>
+struct FormulationList {
+  static constexpr int count = sizeof...(Formulations);
+};
+
+/// Every shell formulation, one line each. What one must have is written in formulation.hpp.
+using ShellFormulations = FormulationList<  //
+    BelytschkoTsay>;
+
+}  // namespace crumple::elements

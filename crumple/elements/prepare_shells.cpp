@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "elements/registry.hpp"
+#include "elements/shell_geometry.hpp"
+#include "elements/shell_setup.hpp"
+#include "elements/shell_task.hpp"
+#include "elements/shells.hpp"
+#include "math/quadrature.hpp"
+
+namespace crumple::elements {
+namespace {
+
+using domain::ShellBlock;
+using materials::ElasticConstants;
+
+void require(bool holds, const model::Part& part, const std::string& what) {
+  if (!holds) throw Error("Part " + std::to_string(part.id) + ": " + what + ".");
+}
+
+void set_thickness_rule(const model::Part& part, const model::ShellSection& section,
+                        ShellConstants<double>& constants) {
+  const int points = section.thickness_points;
+  const bool lobatto = section.thickness_rule == model::ThicknessRule::Lobatto;
+  require(points >= (lobatto ? 2 : 1) && points <= materials::max_points, part,
+          std::to_string(points) +
+              " integration points through the thickness are not possible; Gauss takes " +
+              "1 to 10, Lobatto 2 to 10");
+  const math::Quadrature rule = lobatto ? math::lobatto_rule(points) : math::gauss_rule(points);
+  constants.points = points;
+  std::copy(rule.point.begin(), rule.point.end(), constants.place);
+  std::copy(rule.weight.begin(), rule.weight.end(), constants.weight);
+}
+
+/// The factors that do not change during the run, see hourglass.hpp.
+void set_hourglass(const model::HourglassControl& control, const ElasticConstants& elastic,
+                   double shear_factor, ShellConstants<double>& constants) {
+  constants.viscous = control.form == model::HourglassForm::Viscous;
+  if (constants.viscous) {
+    const double impedance = 0.25 * elastic.density * elastic.plate_wave_speed();
+    constants.hourglass_membrane = control.coefficient * impedance;
+    constants.hourglass_warping = control.warping * impedance;
+    constants.hourglass_bending = control.bending * impedance / 12;
+  } else {
+    constants.hourglass_membrane = control.coefficient * elastic.youngs_modulus / 8;
+    constants.hourglass_warping = control.warping * shear_factor * elastic.shear_modulus() / 12;
+    constants.hourglass_bending = control.bending * elastic.youngs_modulus / 192;
+  }
+}
+
+void declare_own_items(ShellBlock& block, bool has_fibres) {
+  domain::add_item(block, "thickness", "length", 1);
+  domain::add_item(block, "active", "-", 1);
+  domain::add_item(block, "frame", "-", 2);
+  domain::add_item(block, "step_scale", "-", 1);
+  domain::add_item(block, "hourglass", "force, force * length", 5);
+  if (has_fibres) domain::add_item(block, "fibre", "-", 12);
+}
+
+void allocate(ShellBlock& block, Precision precision) {
+  const std::size_t numbers = static_cast<std::size_t>(block.groups()) * block.components * lanes;
+  if (precision == Precision::Mixed)
+    block.float_state.assign(numbers, 0.0F);
+  else
+    block.double_state.assign(numbers, 0.0);
+}
+
+ShellConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
+                                     ShellBlock& block) {
+  const model::Part& part = model.parts[block.part];
+  const model::ShellSection& section = model.shell_sections[part.section];
+  const model::Material& material = model.materials[part.material];
+  const ShellKind kind = shell_kind(block.formulation);
+  const int law = materials::shell_material_kind(material.law);
+  require(kind.kind >= 0, part, "its shell formulation is not computed by any kind in the registry");
+  require(law >= 0, part, "its material cannot be used with shells");
+
+  require(section.shear_factor > 0, part, "the shear factor must be above zero");
+  const ElasticConstants elastic = materials::elastic_constants(material);
+  ShellConstants<double> constants;
+  constants.formulation = kind.kind;
+  constants.material = law;
+  constants.thickness_change = model.control.thickness_change;
+  constants.shear_root = std::sqrt(section.shear_factor);
+  constants.slowness = 1 / elastic.plate_wave_speed();
+  set_thickness_rule(part, section, constants);
+  set_hourglass(model::hourglass_of(model, part), elastic, section.shear_factor, constants);
+
+  domain::add_item(block, "stress", "stress", materials::components * constants.points);
+  constants.history = materials::declare_history(material.law, block);
+  constants.own = block.components;
+  declare_own_items(block, kind.has_fibres);
+  allocate(block, domain.execution.precision);
+  block.material_constants = materials::shell_material_constants(material);
+  block.element_constants = to_numbers(constants);
+  return constants;
+}
+
+/// Factor on the mass that DT2MS asks for, given the step without it.
+double mass_factor(double mass_scaling_step, double step) {
+  if (mass_scaling_step == 0) return 1;
+  const double ratio = std::fabs(mass_scaling_step) / step;
+  return mass_scaling_step < 0 && ratio < 1 ? 1 : ratio * ratio;
+}
+
+void set_fibres(ShellBlock& block, Index place, Index first, const ShellCorners& corner) {
+  const std::array<math::Vec3, 4> fibres = corner_normals(corner);
+  for (Index k = 0; k < 4; ++k)
+    for (Index axis = 0; axis < 3; ++axis) block.set_state(place, first + 3 * k + axis, fibres[k][axis]);
+}
+
+struct ShellMass {
+  double mass = 0;     ///< [mass]
+  double inertia = 0;  ///< per mass, of each node [length^2]
+  double added = 0;    ///< by mass scaling [mass]
+};
+
+ShellMass prepare_element(const model::Model& model, const domain::Domain& domain, ShellBlock& block,
+                          const ShellConstants<double>& constants, Index place) {
+  const Index real = std::min(place, block.elements - 1);
+  const model::ShellElement& shell = model.shells[block.element[real]];
+  const std::array<Index, 4> node = block.nodes_of(place);
+  const ShellCorners corner = corners_of(domain, node);
+  const double area = shell_area(corner);
+  const bool triangle = is_triangle(node);
+  const double length = characteristic_length(corner, triangle);
+  if (!(area > 0) || !(length > 0)) throw Error("Shell " + std::to_string(shell.id) + " has no area.");
+
+  const std::array<double, 4> at_nodes = model::shell_thickness(model, shell);
+  const double thickness = 0.25 * ((at_nodes[0] + at_nodes[1]) + (at_nodes[2] + at_nodes[3]));
+  const double factor = mass_factor(model.control.mass_scaling_step, length * constants.slowness);
+  const std::array<double, 2> frame = reference_frame(corner);
+  const Index own = constants.own;
+  block.set_state(place, own + element_state::thickness, thickness);
+  block.set_state(place, own + element_state::active, place < block.elements ? 1 : 0);
+  block.set_state(place, own + element_state::frame, frame[0]);
+  block.set_state(place, own + element_state::frame + 1, frame[1]);
+  block.set_state(place, own + element_state::step_scale, (triangle ? 2 : 1) * std::sqrt(factor));
+  if (block.find("fibre") != nullptr) set_fibres(block, place, own + element_state::fibre, corner);
+
+  const double density = model.materials[model.parts[block.part].material].density;
+  const double mass = density * area * thickness;
+  return {factor * mass, std::max(thickness * thickness / 12, area / 8), (factor - 1) * mass};
+}
+
+}  // namespace
+
+void prepare_shells(const model::Model& model, domain::Domain& domain) {
+  domain::NodeFields& nodes = domain.nodes;
+  for (ShellBlock& block : domain.shells) {
+    const ShellConstants<double> constants = prepare_block(model, domain, block);
+    for (Index place = 0; place < block.groups() * lanes; ++place) {
+      const ShellMass shell = prepare_element(model, domain, block, constants, place);
+      if (place >= block.elements) continue;
+      const std::array<Index, 4> node = block.nodes_of(place);
+      const std::array<double, 4> share = mass_shares(node);
+      for (std::size_t k = 0; k < 4; ++k) {
+        nodes.mass[node[k]] += share[k] * shell.mass;
+        nodes.inertia[node[k]] += share[k] * shell.mass * shell.inertia;
+      }
+      domain.added_mass += shell.added;
+    }
+  }
+}
+
+}  // namespace crumple::elements

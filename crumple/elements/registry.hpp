@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements/kernel_list.hpp"
+#include "model/section.hpp"
+
+namespace crumple::elements {
+
+/// What preparation needs to know of a formulation.
+struct ShellKind {
+  int kind = -1;  ///< place in the list, -1 if it is not there
+  const char* name = "";
+  bool has_fibres = false;
+};
+
+ShellKind shell_kind(model::ShellFormulation formulation);
+
+}  // namespace crumple::elements

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <type_traits>
+
+#include "elements/shell_task.hpp"
+
+namespace crumple::elements {
+namespace {
+
+/// Visits every number in the order in which it is stored.
+template <class Constants, class Visit>
+void for_each_number(Constants& constants, const Visit& visit) {
+  visit(constants.points);
+  visit(constants.formulation);
+  visit(constants.material);
+  visit(constants.history);
+  visit(constants.own);
+  visit(constants.viscous);
+  visit(constants.thickness_change);
+  for (auto& place : constants.place) visit(place);
+  for (auto& weight : constants.weight) visit(weight);
+  visit(constants.shear_root);
+  visit(constants.hourglass_membrane);
+  visit(constants.hourglass_warping);
+  visit(constants.hourglass_bending);
+  visit(constants.slowness);
+}
+
+}  // namespace
+
+std::vector<double> to_numbers(const ShellConstants<double>& constants) {
+  std::vector<double> numbers;
+  for_each_number(constants, [&](const auto& value) { numbers.push_back(double(value)); });
+  return numbers;
+}
+
+template <class Real>
+ShellConstants<Real> from_numbers(const std::vector<double>& numbers) {
+  ShellConstants<Real> constants;
+  std::size_t next = 0;
+  for_each_number(constants, [&]<class Number>(Number& value) {
+    const double number = numbers[next++];
+    if constexpr (std::is_same_v<Number, bool>)
+      value = number != 0;
+    else
+      value = static_cast<Number>(number);
+  });
+  return constants;
+}
+
+template ShellConstants<float> from_numbers<float>(const std::vector<double>& numbers);
+template ShellConstants<double> from_numbers<double>(const std::vector<double>& numbers);
+
+}  // namespace crumple::elements

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "domain/node_fields.hpp"
+#include "domain/shell_block.hpp"
+#include "materials/shell_material.hpp"
+
+namespace crumple::elements {
+
+/// Numbers of a block that are the same for all its elements.
+template <class Real>
+struct ShellConstants {
+  int points = 0;       ///< through the thickness
+  int formulation = 0;  ///< place in the list of formulations
+  int material = 0;     ///< place in the list of constitutive laws
+  Index history = 0;    ///< first component of the material's items in the state
+  Index own = 0;        ///< first component of the element's items, see ElementState
+  bool viscous = true;  ///< hourglass form: viscous, else stiffness
+  bool thickness_change = false;
+  Real place[materials::max_points] = {};   ///< of the points, -1 bottom to 1 top
+  Real weight[materials::max_points] = {};  ///< of the points, summing to 1
+  Real shear_root = 1;  ///< square root of the shear factor: on shear strains and, again, on their stresses
+  Real hourglass_membrane = 0;  ///< see hourglass.hpp
+  Real hourglass_warping = 0;
+  Real hourglass_bending = 0;
+  Real slowness = 0;  ///< 1 / plate wave speed [time/length]
+};
+
+/// The element's own items, counted from ShellConstants::own.
+namespace element_state {
+inline constexpr Index thickness = 0;
+inline constexpr Index active = 1;      ///< 1, or 0: no force, no energy, no limit on the step
+inline constexpr Index frame = 2;       ///< two numbers, see lamina_frame.hpp
+inline constexpr Index step_scale = 4;  ///< on area / longest side: 2 for triangles, mass scaling
+inline constexpr Index hourglass = 5;   ///< five generalised hourglass stresses
+inline constexpr Index fibre = 10;      ///< four unit vectors, only where the formulation has fibres
+}  // namespace element_state
+
+/// ShellBlock::element_constants and back.
+std::vector<double> to_numbers(const ShellConstants<double>& constants);
+template <class Real>
+ShellConstants<Real> from_numbers(const std::vector<double>& numbers);
+
+/// One chunk of one block.
+template <class Real>
+struct ShellTask {
+  const domain::NodeRecord<Real>* nodes = nullptr;
+  domain::NodeForce* force = nullptr;
+  const Index* node = nullptr;    ///< of the first group
+  const Index* target = nullptr;  ///< of the first group
+  Real* state = nullptr;          ///< of the first group
+  Index components = 0;
+  Index groups = 0;
+  Real step = 0;  ///< from n-1 to n [time]
+  ShellConstants<Real> constants;
+  const double* material_constants = nullptr;
+  materials::MaterialUpdate<Real> material = nullptr;
+};
+
+/// What a chunk adds to the block.
+struct ShellSums {
+  double internal_energy = 0;   ///< increment [energy]
+  double hourglass_energy = 0;  ///< increment [energy]
+  double shortest_step = 0;     ///< smallest stable step at time n [time]
+};
+
+}  // namespace crumple::elements

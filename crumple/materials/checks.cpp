@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "materials/checks.hpp"
+
+#include "base/error.hpp"
+
+namespace crumple::materials {
+
+void require(bool holds, const model::Material& material, const std::string& what) {
+  if (!holds) throw Error("Material " + std::to_string(material.id) + ": " + what + ".");
+}
+
+void require_elastic(const model::Material& material, double youngs_modulus, double poissons_ratio) {
+  require(youngs_modulus > 0, material, "Young's modulus must be above zero");
+  require(poissons_ratio > -1 && poissons_ratio < 0.5, material,
+          "Poisson's ratio must be above -1 and below 0.5");
+}
+
+void require_cowper_symonds(const model::Material& material, double rate, double exponent) {
+  require(rate >= 0, material, "the Cowper-Symonds rate C must not be negative");
+  require(rate == 0 || exponent > 0, material,
+          "the Cowper-Symonds exponent p must be above zero where the rate C is given");
+}
+
+void require_no_failure(const model::Material& material, double failure_strain) {
+  require(failure_strain == 0, material, "a failure strain is not supported yet; leave it zero");
+}
+
+}  // namespace crumple::materials

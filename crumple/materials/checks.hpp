@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "model/material.hpp"
+
+namespace crumple::materials {
+
+/// Throws Error "Material <id>: <what>." unless `holds`.
+void require(bool holds, const model::Material& material, const std::string& what);
+
+/// Young's modulus above zero, Poisson's ratio above -1 and below 1/2.
+void require_elastic(const model::Material& material, double youngs_modulus, double poissons_ratio);
+
+/// Cowper-Symonds: rate and exponent both above zero, or the rate zero (no rate effect).
+void require_cowper_symonds(const model::Material& material, double rate, double exponent);
+
+/// No failure strain: erosion is not computed yet.
+void require_no_failure(const model::Material& material, double failure_strain);
+
+}  // namespace crumple::materials

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "materials/plane_stress.hpp"
+#include "materials/shell_material.hpp"
+
+namespace crumple::materials {
+
+/// Linear isotropic elasticity in plane stress (docs/theory/elastic.md).
+struct ElasticLaw {
+  using Model = model::Elastic;
+  static constexpr const char* name = "elastic";
+
+  static void declare_history(domain::ShellBlock& /*block*/) {}
+  static std::vector<double> constants(const model::Material& material);
+
+  template <class Pack>
+  struct Update {
+    using Real = RealOf<Pack>;
+    struct Trial {};
+    static constexpr bool can_yield = false;
+
+    PlaneStressElasticity<Real> elasticity;
+
+    CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
+        : elasticity(task.constants[0], task.constants[1]) {}
+  };
+};
+
+}  // namespace crumple::materials

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All laws of the list, for the instruction set that this file is being compiled for.
+#include "materials/kernel_list.hpp"
+#include "materials/list.hpp"
+#include "materials/tile_update.hpp"
+
+namespace crumple::materials {
+namespace {
+
+template <class Law, class Real>
+void update(const MaterialTask<Real>& task) {
+  update_tile<typename Law::template Update<NativePack<Real>>, NativePack<Real>>(task);
+}
+
+template <class Real, class... Laws>
+MaterialUpdate<Real> pick(int kind, LawList<Laws...> /*list*/) {
+  constexpr MaterialUpdate<Real> updates[] = {&update<Laws, Real>...};
+  return updates[kind];
+}
+
+/// The instruction set's value, spelled as the build names it.
+[[maybe_unused]] constexpr Isa scalar = Isa::Scalar;
+[[maybe_unused]] constexpr Isa baseline = Isa::Baseline;
+[[maybe_unused]] constexpr Isa avx2 = Isa::Avx2;
+[[maybe_unused]] constexpr Isa avx512 = Isa::Avx512;
+
+}  // namespace
+
+template <>
+MaterialUpdate<float> shell_law_kernel<CRUMPLE_ISA, float>(int kind) {
+  return pick<float>(kind, ShellLaws{});
+}
+template <>
+MaterialUpdate<double> shell_law_kernel<CRUMPLE_ISA, double>(int kind) {
+  return pick<double>(kind, ShellLaws{});
+}
+
+}  // namespace crumple::materials

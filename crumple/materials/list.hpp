@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "materials/elastic.hpp"
+
+namespace crumple::materials {
+
+template <class... Laws>
+struct LawList {
+  static constexpr int count = sizeof...(Laws);
+};
+
+/// Every constitutive law of shells, one line each. What a law must have is written in tile_update.hpp (the
+/// update, a template over the pack) and in registry.cpp (name, history and constants).
+using ShellLaws = LawList<  //
+    ElasticLaw>;
+
+}  // namespace crumple::materials

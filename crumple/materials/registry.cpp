@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The registry: what the rest of the solver asks of a constitutive law, answered through the list.
+#include <cmath>
+#include <variant>
+
+#include "base/error.hpp"
+#include "materials/kernel_list.hpp"
+#include "materials/list.hpp"
+#include "materials/shell_material.hpp"
+
+namespace crumple::materials {
+namespace {
+
+/// Calls visit(Law{}, kind) for the law that computes this model; false if the list has none.
+template <class Visit, class... Laws>
+bool with_law(const model::ConstitutiveLaw& law, const Visit& visit, LawList<Laws...> /*list*/) {
+  int kind = -1;
+  const auto try_one = [&]<class Law>(Law one) {
+    ++kind;
+    if (!std::holds_alternative<typename Law::Model>(law)) return false;
+    visit(one, kind);
+    return true;
+  };
+  return (try_one(Laws{}) || ...);
+}
+
+}  // namespace
+
+double ElasticConstants::plate_wave_speed() const {
+  return std::sqrt(youngs_modulus / (density * (1 - poissons_ratio * poissons_ratio)));
+}
+
+int shell_material_kind(const model::ConstitutiveLaw& law) {
+  int found = -1;
+  with_law(
+      law, [&](auto, int kind) { found = kind; }, ShellLaws{});
+  return found;
+}
+
+Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block) {
+  const Index first = block.components;
+  with_law(
+      law, [&]<class Law>(Law, int) { Law::declare_history(block); }, ShellLaws{});
+  return first;
+}
+
+std::vector<double> shell_material_constants(const model::Material& material) {
+  std::vector<double> constants;
+  with_law(
+      material.law, [&]<class Law>(Law, int) { constants = Law::constants(material); }, ShellLaws{});
+  return constants;
+}
+
+ElasticConstants elastic_constants(const model::Material& material) {
+  return std::visit(
+      [&](const auto& law) {
+        return ElasticConstants{law.youngs_modulus, law.poissons_ratio, material.density};
+      },
+      material.law);
+}
+
+template <class Real>
+MaterialUpdate<Real> shell_material_update(Isa isa, int kind) {
+  switch (isa) {
+#if defined(__x86_64__)
+    case Isa::Avx512:
+      return shell_law_kernel<Isa::Avx512, Real>(kind);
+    case Isa::Avx2:
+      return shell_law_kernel<Isa::Avx2, Real>(kind);
+#endif
+    case Isa::Scalar:
+      return shell_law_kernel<Isa::Scalar, Real>(kind);
+    default:
+      return shell_law_kernel<Isa::Baseline, Real>(kind);
+  }
+}
+template MaterialUpdate<float> shell_material_update<float>(Isa isa, int kind);
+template MaterialUpdate<double> shell_material_update<double>(Isa isa, int kind);
+
+}  // namespace crumple::materials

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/index.hpp"
+#include "base/isa.hpp"
+#include "base/pack.hpp"
+#include "domain/shell_block.hpp"
+#include "model/material.hpp"
+
+namespace crumple::materials {
+
+/// Largest number of integration points through the thickness of a shell.
+inline constexpr int max_points = 10;
+
+/// Stress and strain components of a shell in lamina axes: xx, yy, xy, yz, zx. Shear strains are engineering
+/// ones (twice the tensor's).
+inline constexpr int components = 5;
+
+/// Groups of `lanes` elements that a formulation hands to the material in one call: few enough that their
+/// strains and geometry stay in the first-level cache, enough to make the call free.
+inline constexpr Index tile_groups = 2;
+inline constexpr Index tile_lanes = tile_groups * lanes;
+
+/// One call of a material: the points of up to tile_groups groups of elements.
+template <class Real>
+struct MaterialTask {
+  Real* state = nullptr;            ///< state of the first group: [group][component][lane], updated in place
+  std::ptrdiff_t group_stride = 0;  ///< from one group's state to the next
+  Index groups = 0;
+  int points = 0;
+  Index stress = 0;                   ///< first component of "stress" [point][5] in the state
+  Index history = 0;                  ///< first component of the material's own items
+  const Real* strain = nullptr;       ///< increments [point][5][tile_lanes]
+  const Real* weight = nullptr;       ///< [point], summing to 1
+  const double* constants = nullptr;  ///< ShellBlock::material_constants
+  Real step = 0;                      ///< the step that the increments belong to [time]; may be 0
+  Real* energy = nullptr;             ///< out: mean over the thickness of 1/2 (old + new stress) : strain
+  Real* thickness_strain = nullptr;   ///< out: mean increment of the strain zz over the thickness
+};
+
+template <class Real>
+using MaterialUpdate = void (*)(const MaterialTask<Real>& task);
+
+/// What the elements need of the elastic part, for step size, hourglass control and mass.
+struct ElasticConstants {
+  double youngs_modulus = 0;  ///< [stress]
+  double poissons_ratio = 0;
+  double density = 0;  ///< [mass/volume]
+
+  double shear_modulus() const { return 0.5 * youngs_modulus / (1 + poissons_ratio); }
+  /// Speed of longitudinal waves in a plate, sqrt(E / (rho (1 - nu^2))) [length/time].
+  double plate_wave_speed() const;
+};
+
+/// Place of the law in the list (materials/list.hpp), or -1 if shells cannot use it.
+int shell_material_kind(const model::ConstitutiveLaw& law);
+
+/// Adds the law's own items ("plastic_strain", ...) to a block whose thickness_points are set; returns the
+/// first component (the present end of the state if the law has none).
+Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
+
+/// The numbers that the update reads. Throws Error naming the material if one is out of its range.
+std::vector<double> shell_material_constants(const model::Material& material);
+
+ElasticConstants elastic_constants(const model::Material& material);
+
+/// The update of a kind for an instruction set. Every one computes the same; AVX2 and AVX-512 to the bit, and
+/// scalar and baseline to the bit.
+template <class Real>
+MaterialUpdate<Real> shell_material_update(Isa isa, int kind);
+
+}  // namespace crumple::materials

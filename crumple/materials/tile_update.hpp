@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// The loop over groups and thickness points, written once for all constitutive laws. Only kernels include it.
+//
+// A law is a class template over the pack with
+//   explicit Update(const MaterialTask<Real>&)       reads its constants
+//   PlaneStressElasticity<Real> elasticity           the elastic part
+//   static constexpr bool can_yield                  false: nothing below is called
+//   Trial trial(stress, strain, history)             what decides whether the trial stress is admissible
+//   Mask yields(const Trial&)
+//   void correct(stress, Trial&, mask, history)      returns the stress to the yield surface in the lanes of
+//                                                    the mask, updates the history, leaves plastic_zz
+// Elements hardly ever yield all at once: the trial is made for all points of a pack first, and one test
+// decides whether any of them needs the correction.
+
+#include "materials/plane_stress.hpp"
+#include "materials/shell_material.hpp"
+
+namespace crumple::materials {
+
+/// History of one point of one pack of elements: item numbers are counted in components of the law's own
+/// items, as declare_history added them.
+template <class Real>
+struct HistoryView {
+  Real* first;  ///< component 0 of the law's items, first lane of the pack
+  int points;
+  int point;
+
+  /// Address of component `component` of the law's items.
+  CRUMPLE_INLINE Real* at(int component) const { return first + component * lanes; }
+};
+
+template <class Law, class Pack>
+CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>& task, Index group,
+                                Index lane) {
+  using Real = RealOf<Pack>;
+  using Stress = PlaneStress<Pack>;
+  using Strain = PlaneStrain<Pack>;
+  Real* const state = task.state + group * task.group_stride + lane;
+  Real* const stress_state = state + task.stress * lanes;
+  const Real* const strains = task.strain + group * lanes + lane;
+
+  Stress stress[max_points];
+  [[maybe_unused]] typename Law::Trial trial[max_points];
+  [[maybe_unused]] bool any_yields = false;
+  for (int p = 0; p < task.points; ++p) {
+    const auto old = load_five<Stress>(stress_state + p * components * lanes, lanes);
+    const auto strain = load_five<Strain>(strains + p * components * tile_lanes, tile_lanes);
+    stress[p] = law.elasticity.stress(old, strain);
+    if constexpr (Law::can_yield) {
+      trial[p] =
+          law.trial(stress[p], strain, HistoryView<Real>{state + task.history * lanes, task.points, p});
+      any_yields |= any<Pack>(law.yields(trial[p]));
+    }
+  }
+  if constexpr (Law::can_yield)
+    if (any_yields)
+      for (int p = 0; p < task.points; ++p) {
+        const auto mask = law.yields(trial[p]);
+        if (any<Pack>(mask))
+          law.correct(stress[p], trial[p], mask,
+                      HistoryView<Real>{state + task.history * lanes, task.points, p});
+      }
+
+  Pack energy(Real(0));
+  Pack thickness(Real(0));
+  for (int p = 0; p < task.points; ++p) {
+    const Pack weight(task.weight[p]);
+    const auto old = load_five<Stress>(stress_state + p * components * lanes, lanes);
+    const auto strain = load_five<Strain>(strains + p * components * tile_lanes, tile_lanes);
+    energy = multiply_add(weight, mean_work(old, stress[p], strain), energy);
+    const Pack sum = (stress[p].xx - old.xx) + (stress[p].yy - old.yy);
+    Pack zz = -(Pack(law.elasticity.lateral) * sum);
+    if constexpr (Law::can_yield) zz = zz + trial[p].plastic_zz;
+    thickness = multiply_add(weight, zz, thickness);
+    store_five(stress_state + p * components * lanes, lanes, stress[p]);
+  }
+  store(task.energy + group * lanes + lane, energy);
+  store(task.thickness_strain + group * lanes + lane, thickness);
+}
+
+/// Brings all points of a tile up to date.
+template <class Law, class Pack>
+void update_tile(const MaterialTask<RealOf<Pack>>& task) {
+  const Law law(task);
+  for (Index group = 0; group < task.groups; ++group)
+    for (Index lane = 0; lane < lanes; lane += width_of<Pack>) update_pack<Law, Pack>(law, task, group, lane);
+}
+
+}  // namespace crumple::materials
