@@ -2,7 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
+#include "contact/statistics.hpp"
+#include "contact/surface.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
 
@@ -32,6 +35,13 @@ class SingleSurface {
   /// Compares every `cycles` cycles the candidates in use with a brute-force search; throws Error naming the
   /// first pair that was missed. 0 switches it off.
   void verify_search_every(long cycles);
+
+  /// What happened so far, for warnings and summaries.
+  const ContactStatistics& statistics() const;
+  /// The pairs with a force at time n; holds until the next call of add_forces.
+  std::span<const Penetration> penetrations() const;
+  /// The segments and nodes of this contact.
+  const Surface& surface() const;
 
  private:
   struct Implementation;

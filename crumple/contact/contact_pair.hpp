@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/index.hpp"
+#include "math/vec3.hpp"
+
+namespace crumple::contact {
+
+using math::Vec3;
+
+/// What a node-segment pair remembers from one step to the next. No padding, so that its bytes can be hashed.
+struct RememberedPair {
+  Index node = no_index;     ///< place in Surface::nodes
+  Index segment = no_index;  ///< in Surface
+  std::int32_t side = 0;     ///< side of the segment's normal on which the node belongs; 0 where it is round
+  std::int32_t wrong = 0;    ///< 1 while the node is on the other side
+  std::array<double, 4> weight{};  ///< of the segment's nodes, at the contact point
+  double offset = 0;               ///< by which the contact distance is reduced [length]
+  Vec3 friction;                   ///< on the node, in the segment's frame [force]
+};
+static_assert(sizeof(RememberedPair) == 80);
+
+/// A node in contact with a segment, now.
+struct ContactPair {
+  Index node = no_index;     ///< place in Surface::nodes
+  Index segment = no_index;  ///< in Surface
+  std::int32_t side = 0;
+  std::int32_t wrong = 0;
+  std::array<double, 4> weight{};
+  Vec3 point;         ///< contact point, sum of weight[i] x[i] [length]
+  Vec3 normal;        ///< unit vector in which the node is pushed
+  double gap = 0;     ///< distance from the mid-surface, negative on the wrong side [length]
+  double reach = 0;   ///< distance at which contact begins, offset deducted [length]
+  double offset = 0;  ///< [length]
+  double share = 1;   ///< of the force; below 1 in a concave ridge that is almost flat
+  Vec3 slip;          ///< movement of the contact point over the surface since the last step [length]
+  Vec3 friction;      ///< friction force of the last step, turned with the segment [force]
+
+  double penetration() const { return reach - gap; }
+};
+
+}  // namespace crumple::contact

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/global_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "cellsearch/search_interval.hpp"
+#include "contact/inside_outside.hpp"
+
+namespace crumple::contact {
+namespace {
+
+/// Automatic expansion beyond the contact distance, over the mean element edge. With a thickness below 0.4
+/// of an edge, the territory stays below one edge, so that the nodes of the next elements in a flat mesh are
+/// no candidates (docs/theory/contact.md).
+constexpr double automatic_margin = 0.4;
+
+/// Most steps that eq. (10) may predict.
+constexpr int longest_interval = 100000;
+
+constexpr Index piece = 1024;
+
+struct Range {
+  std::array<double, 3> low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+                            std::numeric_limits<double>::max()};
+  std::array<double, 3> high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest(),
+                             std::numeric_limits<double>::lowest()};
+
+  void include(const Vec3& a) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], a[axis]);
+      high[axis] = std::max(high[axis], a[axis]);
+    }
+  }
+  double extent(int axis) const { return high[axis] - low[axis]; }
+  double largest_extent() const { return std::max({extent(0), extent(1), extent(2)}); }
+};
+
+/// Range of value(place) over all places. Smallest and largest do not depend on the order.
+template <class Value>
+Range range_of(Index places, int threads, const Value& value) {
+  std::vector<Range> parts(pieces(places, piece));
+  parallel_for(pieces(places, piece), threads, [&](Index part) {
+    Range range;
+    for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) range.include(value(i));
+    parts[part] = range;
+  });
+  Range whole = parts.front();
+  for (const Range& range : parts)
+    for (int axis = 0; axis < 3; ++axis) {
+      whole.low[axis] = std::min(whole.low[axis], range.low[axis]);
+      whole.high[axis] = std::max(whole.high[axis], range.high[axis]);
+    }
+  return whole;
+}
+
+cellsearch::Settings settings_of(const model::SearchSettings& settings, int threads) {
+  cellsearch::Settings found;
+  const auto method = cellsearch::method_named(settings.method);
+  if (!method) {
+    std::string names;
+    for (const cellsearch::Method known : cellsearch::methods())
+      names += (names.empty() ? "" : ", ") + std::string(cellsearch::name_of(known));
+    throw Error("There is no contact search method \"" + settings.method + "\"; choose one of: " + names +
+                ".");
+  }
+  found.method = *method;
+  found.threads = threads;
+  if (settings.has_cells) {
+    cellsearch::CellDomain domain;
+    domain.cells = settings.cells;
+    domain.box.lo = settings.domain_minimum;
+    domain.box.hi = settings.domain_maximum;
+    found.domain = domain;
+  }
+  return found;
+}
+
+std::span<const double> coordinates(const domain::NodeFields& nodes) {
+  static_assert(sizeof(Vec3) == 3 * sizeof(double));
+  return {&nodes.position.front().x, 3 * nodes.position.size()};
+}
+
+/// Largest distance along an axis between a point and the bounding box of a segment.
+double box_gap(const Surface& surface, const AlignedArray<Vec3>& x, Index segment, const Vec3& p) {
+  Range box;
+  for (int k = 0; k < 4; ++k) box.include(x[surface.segment(segment)[k]]);
+  double gap = std::numeric_limits<double>::lowest();
+  for (int axis = 0; axis < 3; ++axis)
+    gap = std::max({gap, box.low[axis] - p[axis], p[axis] - box.high[axis]});
+  return gap;
+}
+
+}  // namespace
+
+GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& settings, int threads)
+    : surface_(&surface),
+      threads_(threads),
+      cells_(settings_of(settings, threads).domain),
+      search_(settings_of(settings, threads)) {
+  const double largest_distance = 2 * surface.largest_half_thickness;
+  if (settings.expansion > 0) {
+    if (settings.expansion <= largest_distance)
+      throw Error("The territory expansion of the contact search is " + std::to_string(settings.expansion) +
+                  ", but it must exceed the largest contact distance, " + std::to_string(largest_distance) +
+                  ".");
+    statistics_.margin = settings.expansion - largest_distance;
+  } else {
+    statistics_.margin = automatic_margin * surface.mean_edge;
+  }
+  // The node's half thickness and the margin are common to all territories, the other half is the segment's.
+  common_expansion_ = surface.largest_half_thickness + statistics_.margin;
+  segment_expansion_ = surface.half_thickness;
+  statistics_.expansion = largest_distance + statistics_.margin;
+}
+
+void GlobalSearch::update(const domain::Domain& domain) {
+  if (!searched_.empty()) {
+    const double before = consumed_;
+    const double now = motion_since_search(domain);
+    // Between two steps no pair comes nearer than at the worse of the two.
+    consumed_ = std::max(before, now);
+    if (now < statistics_.margin) return;
+  }
+  search(domain);
+  consumed_ = step_motion(domain);
+}
+
+double GlobalSearch::motion_since_search(const domain::Domain& domain) const {
+  const auto& x = domain.nodes.position;
+  return range_of(surface_->node_count(), threads_,
+                  [&](Index i) { return x[surface_->nodes[i]] - searched_[i]; })
+      .largest_extent();
+}
+
+double GlobalSearch::step_motion(const domain::Domain& domain) const {
+  const auto& v = domain.nodes.velocity;
+  return range_of(surface_->node_count(), threads_,
+                  [&](Index i) { return domain.clock.step * v[surface_->nodes[i]]; })
+      .largest_extent();
+}
+
+void GlobalSearch::search(const domain::Domain& domain) {
+  cellsearch::Scene scene;
+  scene.positions = cellsearch::Positions(coordinates(domain.nodes));
+  scene.segments = cellsearch::Segments(surface_->connectivity);
+  scene.expansion = common_expansion_;
+  scene.segment_expansion = segment_expansion_;
+  scene.nodes = std::span<const cellsearch::Index>(surface_->nodes);
+  try {
+    sort_by_node(search_.find(scene));
+  } catch (const cellsearch::Error& error) {
+    if (error.kind() != cellsearch::ErrorKind::NonFiniteCoordinate) throw Error(error.what());
+    throw NumericalError("The position of node " +
+                         std::to_string(surface_->node_id[surface_->place[error.index()]]) +
+                         " is not a finite number any more.");
+  }
+  searched_.resize(surface_->nodes.size());
+  for (Index i = 0; i < surface_->node_count(); ++i) searched_[i] = domain.nodes.position[surface_->nodes[i]];
+  measure_slack(domain);
+  ++statistics_.searches;
+  statistics_.candidates += static_cast<long>(segment_.size());
+
+  const auto& v = domain.nodes.velocity;
+  const Range speed =
+      range_of(surface_->node_count(), threads_, [&](Index i) { return v[surface_->nodes[i]]; });
+  statistics_.predicted_interval = cellsearch::search_interval(
+      statistics_.expansion, statistics_.expansion - statistics_.margin,
+      norm(Vec3{speed.extent(0), speed.extent(1), speed.extent(2)}), domain.clock.step, longest_interval);
+}
+
+void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
+  const Index places = surface_->node_count();
+  first_.assign(static_cast<std::size_t>(places) + 1, 0);
+  for (const Index node : found.node) ++first_[surface_->place[node] + 1];
+  for (Index i = 0; i < places; ++i) first_[i + 1] += first_[i];
+  segment_.resize(found.node.size());
+  // Rows come in the order of the segments, so that each node's own come out ascending.
+  std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
+  for (Index s = 0; s < found.segments(); ++s)
+    for (const Index node : found.of(s)) segment_[next[surface_->place[node]]++] = s;
+}
+
+void GlobalSearch::measure_slack(const domain::Domain& domain) {
+  const Index places = surface_->node_count();
+  slack_.resize(segment_.size());
+  node_slack_.resize(places);
+  parallel_for(pieces(places, piece), threads_, [&](Index part) {
+    for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
+      double smallest = std::numeric_limits<double>::max();
+      for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
+        slack_[pair] = box_gap(*surface_, domain.nodes.position, segment_[pair], searched_[i]) -
+                       surface_->contact_distance(i, segment_[pair]);
+        smallest = std::min(smallest, slack_[pair]);
+      }
+      node_slack_[i] = smallest;
+    }
+  });
+}
+
+bool GlobalSearch::listed(Index place, Index segment) const {
+  return std::binary_search(segment_.begin() + first_[place], segment_.begin() + first_[place + 1], segment);
+}
+
+void GlobalSearch::verify(const domain::Domain& domain) const {
+  const Surface& surface = *surface_;
+  const auto& x = domain.nodes.position;
+  const SurfaceAt at{surface_, {x.data(), domain.nodes.velocity.data(), 0}};
+  for (Index i = 0; i < surface.node_count(); ++i) {
+    const Index node = surface.nodes[i];
+    if (cells_ && !cells_->box.contains(&searched_[i].x)) continue;
+    for (Index s = 0; s < surface.segments(); ++s) {
+      const double distance = surface.contact_distance(i, s);
+      if (surface.owns(s, node) || box_gap(surface, x, s, x[node]) > distance || listed(i, s)) continue;
+      const NearestPoint nearest = nearest_point(at.shape(s), x[node]);
+      if (nearest.distance_squared >= distance * distance) continue;
+      throw Error("The contact search missed a pair at cycle " + std::to_string(domain.clock.cycle) +
+                  ": node " + std::to_string(surface.node_id[i]) + " touches shell " +
+                  std::to_string(surface.segment_id[s]) + ", but is not among its candidates.");
+    }
+  }
+}
+
+void GlobalSearch::declare(domain::StateList& list) {
+  list.add("contact_searched_position", "length", domain::Entity::Contact, 3, std::span(searched_));
+}
+
+}  // namespace crumple::contact

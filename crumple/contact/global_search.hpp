@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/aligned_array.hpp"
+#include "base/index.hpp"
+#include "cellsearch/search.hpp"
+#include "contact/statistics.hpp"
+#include "contact/surface.hpp"
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::contact {
+
+/// The global contact search: which nodes may touch which segments. The candidates of one search hold until
+/// two nodes have moved relative to each other, along any axis, by more than what the expansion leaves beyond
+/// the contact distance. The motion itself is watched, so that no contact is ever missed.
+class GlobalSearch {
+ public:
+  /// Throws Error for an unknown method or an expansion that does not exceed the contact distance.
+  GlobalSearch(const Surface& surface, const model::SearchSettings& settings, int threads);
+
+  /// Searches anew if the candidates may no longer be complete. Throws NumericalError if a coordinate is not
+  /// a finite number.
+  void update(const domain::Domain& domain);
+
+  /// Places in the arrays below of the candidates of a node, segments ascending.
+  std::int64_t first(Index place) const { return first_[place]; }
+  Index segment(std::int64_t pair) const { return segment_[pair]; }
+  /// The pair cannot have touched since the last step while this exceeds consumed() [length].
+  double slack(std::int64_t pair) const { return slack_[pair]; }
+  /// Smallest slack of a node's pairs.
+  double node_slack(Index place) const { return node_slack_[place]; }
+  /// Relative motion since the search, or in the step before it if there was one just now [length].
+  double consumed() const { return consumed_; }
+
+  /// Every pair closer than its contact distance must be a candidate: throws Error naming the first that is
+  /// not. Looks at all nodes and segments, O(N^2).
+  void verify(const domain::Domain& domain) const;
+
+  const SearchStatistics& statistics() const { return statistics_; }
+  const cellsearch::Statistics& details() const { return search_.statistics(); }
+
+  /// Declares the positions at the last search, from which the candidates follow.
+  void declare(domain::StateList& list);
+
+ private:
+  void search(const domain::Domain& domain);
+  void sort_by_node(const cellsearch::Candidates& found);
+  void measure_slack(const domain::Domain& domain);
+  double motion_since_search(const domain::Domain& domain) const;
+  double step_motion(const domain::Domain& domain) const;
+  bool listed(Index place, Index segment) const;
+
+  const Surface* surface_;
+  int threads_;
+  std::optional<cellsearch::CellDomain> cells_;
+  cellsearch::Search search_;
+  double common_expansion_ = 0;
+  std::vector<double> segment_expansion_;
+  AlignedArray<Vec3> searched_;  ///< positions at the last search, by place; empty before the first
+  std::vector<std::int64_t> first_;
+  std::vector<Index> segment_;
+  std::vector<double> slack_;
+  std::vector<double> node_slack_;
+  double consumed_ = 0;
+  SearchStatistics statistics_;
+};
+
+}  // namespace crumple::contact

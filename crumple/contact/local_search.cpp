@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/local_search.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+#include "contact/node_search.hpp"
+
+namespace crumple::contact {
+namespace {
+
+constexpr Index piece = 512;
+
+}  // namespace
+
+std::span<ContactPair> LocalSearch::find(const domain::Domain& domain, const GlobalSearch& candidates,
+                                         std::span<const RememberedPair> remembered, bool tracking) {
+  const domain::NodeFields& nodes = domain.nodes;
+  StepView view;
+  view.now = {surface_, {nodes.position.data(), nodes.velocity.data(), 0}};
+  view.reference = {surface_, {nodes.reference.data(), nodes.velocity.data(), 0}};
+  view.candidates = &candidates;
+  view.step = domain.clock.step;
+  view.tracking = tracking;
+
+  const Index places = surface_->node_count();
+  parts_.resize(pieces(places, piece));
+  parallel_for(pieces(places, piece), domain.execution.threads, [&](Index part) {
+    std::vector<ContactPair>& found = parts_[part];
+    found.clear();
+    const auto before = [](const RememberedPair& pair, Index place) { return pair.node < place; };
+    auto memory = std::lower_bound(remembered.begin(), remembered.end(), part * piece, before);
+    for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
+      const auto begin = memory;
+      while (memory != remembered.end() && memory->node == i) ++memory;
+      if (begin == memory && candidates.node_slack(i) > candidates.consumed()) continue;
+      NodeSearch(view, i, {begin, memory}).find(found);
+    }
+  });
+  pairs_.clear();
+  for (const auto& found : parts_) pairs_.insert(pairs_.end(), found.begin(), found.end());
+  return pairs_;
+}
+
+}  // namespace crumple::contact

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/index.hpp"
+#include "contact/contact_pair.hpp"
+#include "contact/global_search.hpp"
+#include "contact/inside_outside.hpp"
+#include "contact/surface.hpp"
+#include "domain/domain.hpp"
+
+namespace crumple::contact {
+
+/// The local search: which candidates are in contact now, where, and how deep. A node has a contact with
+/// every segment that is a nearest place of the surface around it; of connected segments that push in almost
+/// the same direction the dividing planes choose one (docs/theory/contact.md).
+class LocalSearch {
+ public:
+  explicit LocalSearch(const Surface& surface) : surface_(&surface) {}
+
+  /// Finds the contacts at time n. `remembered` are the pairs of the step before, in order.
+  /// With `tracking` every contact is allowed the penetration that it has now (first step of a contact).
+  /// The result is ordered by (node, segment) and the same for any number of threads; it holds until the
+  /// next call.
+  std::span<ContactPair> find(const domain::Domain& domain, const GlobalSearch& candidates,
+                              std::span<const RememberedPair> remembered, bool tracking);
+
+ private:
+  const Surface* surface_;
+  std::vector<std::vector<ContactPair>> parts_;
+  std::vector<ContactPair> pairs_;
+};
+
+}  // namespace crumple::contact

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/node_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/crossing.hpp"
+
+namespace crumple::contact {
+namespace {
+
+/// Two connected segments that push a node in directions closer than 30 degrees are one surface: only the
+/// owner pushes. Beyond 60 degrees they are two walls and both do; the other's share grows in between.
+constexpr double same_surface = 0.8660254037844386;
+constexpr double two_walls = 0.5;
+
+double share_of_other(double cosine) {
+  return std::clamp((same_surface - cosine) / (same_surface - two_walls), 0.0, 1.0);
+}
+
+int sign_of(double a) {
+  return a > 0 ? 1 : a < 0 ? -1 : 0;
+}
+
+/// True if a segment shares a node with a segment of `place`: a next neighbour in the mesh.
+bool next_neighbour(const Surface& surface, Index place, Index segment) {
+  for (const Index own : surface.topology.at_node(place))
+    if (connected(surface, own, segment)) return true;
+  return false;
+}
+
+}  // namespace
+
+NodeSearch::NodeSearch(const StepView& view, Index place, std::span<const RememberedPair> remembered)
+    : view_(view),
+      surface_(*view.now.surface),
+      place_(place),
+      node_(surface_.nodes[place]),
+      p_(view.now.x[node_]),
+      remembered_(remembered) {
+  for (const RememberedPair& pair : remembered_) astray_ = astray_ || pair.wrong != 0;
+}
+
+void NodeSearch::find(std::vector<ContactPair>& found) {
+  const GlobalSearch& candidates = *view_.candidates;
+  const std::size_t before = found.size();
+  for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c)
+    if (astray_ || candidates.slack(c) <= candidates.consumed()) examine(candidates.segment(c), found);
+  if (found.size() - before > 1) keep_owners(found, before);
+  const std::span<ContactPair> present = std::span(found).subspan(before);
+  for (ContactPair& pair : present) carry_friction(pair, present);
+}
+
+const RememberedPair* NodeSearch::memory_of(Index segment) const {
+  for (const RememberedPair& pair : remembered_)
+    if (pair.segment == segment) return &pair;
+  return nullptr;
+}
+
+/// A cheap look at the bounding box; a node that is astray looks at everything.
+bool NodeSearch::worth_looking(Index segment, const RememberedPair* memory) const {
+  if (astray_ || memory != nullptr) return true;
+  const Index* nodes = surface_.segment(segment);
+  double gap = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = view_.now.x[nodes[0]][axis];
+    double high = low;
+    for (int k = 1; k < 4; ++k) {
+      const double x = view_.now.x[nodes[k]][axis];
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    gap = std::max({gap, low - p_[axis], p_[axis] - high});
+  }
+  return gap < surface_.contact_distance(place_, segment) ||
+         gap <= relative_motion(view_.now, node_, segment, view_.step);
+}
+
+/// A node and its next neighbours may touch by thickness alone: their contact distance is at most what the
+/// undeformed mesh leaves between them.
+double NodeSearch::contact_distance(Index segment) const {
+  const double full = surface_.contact_distance(place_, segment);
+  if (!next_neighbour(surface_, place_, segment)) return full;
+  const Vec3 origin = view_.reference.x[node_];
+  return std::min(full, std::sqrt(nearest_point(view_.reference.shape(segment), origin).distance_squared));
+}
+
+/// True if the node's nearest place of the surface is still on that segment, so that it has not passed on to
+/// a neighbour.
+bool NodeSearch::still_near(Index segment) const {
+  return nearest_around(view_.now, node_, segment, nearest_point(view_.now.shape(segment), p_));
+}
+
+/// The side on which the node belongs: as remembered; or as on a connected segment whose wrong side it was on
+/// and which it has left; or where it was before a crossing in this step; or where it is.
+int NodeSearch::side_of(Index segment, const RememberedPair* memory, double distance, int present) const {
+  if (memory != nullptr && memory->side != 0) return memory->side;
+  if (astray_)
+    for (const RememberedPair& other : remembered_)
+      if (other.wrong != 0 && same_sides(surface_, segment, other.segment) && !still_near(other.segment))
+        return other.side;
+  if (view_.step > 0 && distance <= relative_motion(view_.now, node_, segment, view_.step)) {
+    const int from = crossed_from(view_.now, node_, segment, view_.step);
+    if (from != 0) return from;
+  }
+  return present;
+}
+
+double NodeSearch::inherited_offset(Index segment, const RememberedPair* memory) const {
+  if (memory != nullptr) return memory->offset;
+  double offset = 0;
+  for (const RememberedPair& other : remembered_)
+    if (other.offset > offset && connected(surface_, segment, other.segment)) offset = other.offset;
+  return offset;
+}
+
+void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
+  const RememberedPair* memory = memory_of(segment);
+  if (!worth_looking(segment, memory)) return;
+  const NearestPoint nearest = nearest_point(view_.now.shape(segment), p_);
+  const double distance = std::sqrt(nearest.distance_squared);
+  const bool near = distance < surface_.contact_distance(place_, segment);
+  if (!near && !astray_ && distance > relative_motion(view_.now, node_, segment, view_.step)) return;
+  if (!nearest_around(view_.now, node_, segment, nearest)) return;
+
+  const Vec3 away = p_ - nearest.point;
+  const Vec3 normal = side_normal(view_.now, segment, nearest, away);
+  const bool round = dot(normal, normal) == 0;
+  const int present = round ? 0 : sign_of(dot(away, normal));
+  const int side = round ? 0 : side_of(segment, memory, distance, present);
+  const bool wrong = present != 0 && side != 0 && present != side;
+  if (!near && !wrong) return;
+
+  ContactPair pair;
+  pair.node = place_;
+  pair.segment = segment;
+  pair.side = side;
+  pair.wrong = wrong ? 1 : 0;
+  pair.weight = nearest.weight;
+  pair.point = nearest.point;
+  pair.gap = wrong ? -distance : distance;
+  if (distance > 0)
+    pair.normal = (wrong ? -1.0 : 1.0) / distance * away;
+  else if (!round)
+    pair.normal = (side < 0 ? -1.0 : 1.0) * normal;
+  const double full = contact_distance(segment);
+  pair.offset = view_.tracking ? full - pair.gap : inherited_offset(segment, memory);
+  // What has opened stays open: the allowance only shrinks.
+  pair.offset = std::clamp(pair.offset, 0.0, std::max(0.0, full - pair.gap));
+  pair.reach = full - pair.offset;
+  if (pair.penetration() > 0 || pair.offset > 0) found.push_back(pair);
+}
+
+/// Of connected segments that push in almost the same direction only the owner keeps its contact.
+void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first) const {
+  const std::size_t last = found.size();
+  for (std::size_t i = first; i < last; ++i)
+    for (std::size_t j = i + 1; j < last; ++j) {
+      ContactPair& a = found[i];
+      ContactPair& b = found[j];
+      if (a.share == 0 || b.share == 0 || !connected(surface_, a.segment, b.segment)) continue;
+      const double share = share_of_other(dot(a.normal, b.normal));
+      if (share == 1) continue;
+      const bool a_owns = owns_first(view_.now, a.segment, b.segment, p_, std::fabs(a.gap), std::fabs(b.gap));
+      ContactPair& other = a_owns ? b : a;
+      other.share = std::min(other.share, share);
+    }
+  const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
+  found.erase(std::remove_if(begin, found.end(), [](const ContactPair& pair) { return pair.share == 0; }),
+              found.end());
+}
+
+/// Finds the friction force and the contact point of the step before, on this segment or on a connected one
+/// that the node has left.
+void NodeSearch::carry_friction(ContactPair& pair, std::span<const ContactPair> present) const {
+  const auto left = [&](Index segment) {
+    return std::none_of(present.begin(), present.end(),
+                        [&](const ContactPair& other) { return other.segment == segment; });
+  };
+  const RememberedPair* from = memory_of(pair.segment);
+  for (std::size_t i = 0; from == nullptr && i < remembered_.size(); ++i)
+    if (connected(surface_, pair.segment, remembered_[i].segment) && left(remembered_[i].segment))
+      from = &remembered_[i];
+  if (from == nullptr) return;
+  const SegmentShape shape = view_.now.shape(from->segment);
+  Vec3 old_point;
+  for (int k = 0; k < 4; ++k) old_point += from->weight[k] * shape.corner[k];
+  pair.slip = pair.point - old_point;
+  pair.friction = frame_of(shape).to_global(from->friction);
+}
+
+}  // namespace crumple::contact

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/contact_pair.hpp"
+#include "contact/global_search.hpp"
+#include "contact/inside_outside.hpp"
+
+namespace crumple::contact {
+
+/// What the local search of one step works with.
+struct StepView {
+  SurfaceAt now;        ///< positions and velocities of the step
+  SurfaceAt reference;  ///< positions at time zero
+  const GlobalSearch* candidates = nullptr;
+  double step = 0;        ///< from n-1 to n [time]
+  bool tracking = false;  ///< allow the penetrations that there are
+};
+
+/// The local search of one node.
+class NodeSearch {
+ public:
+  NodeSearch(const StepView& view, Index place, std::span<const RememberedPair> remembered);
+
+  /// Appends the contacts of the node to `found`, segments ascending.
+  void find(std::vector<ContactPair>& found);
+
+ private:
+  void examine(Index segment, std::vector<ContactPair>& found);
+  bool worth_looking(Index segment, const RememberedPair* memory) const;
+  int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
+  double contact_distance(Index segment) const;
+  double inherited_offset(Index segment, const RememberedPair* memory) const;
+  void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
+  void carry_friction(ContactPair& pair, std::span<const ContactPair> present) const;
+  bool still_near(Index segment) const;
+  const RememberedPair* memory_of(Index segment) const;
+
+  const StepView& view_;
+  const Surface& surface_;
+  Index place_;
+  Index node_;
+  Vec3 p_;
+  std::span<const RememberedPair> remembered_;
+  bool astray_ = false;  ///< the node is on the wrong side of some segment
+};
+
+}  // namespace crumple::contact

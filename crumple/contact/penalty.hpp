@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace crumple::contact {
+
+/// Force between a node and a segment over their penetration d [length]. Linear with the penalty stiffness k
+/// until half of the reach is used up; from there to the mid-surface the slope grows linearly to 10 k, and
+/// stays there beyond. The slope never exceeds the limit that stability sets. The force has a potential as
+/// long as the limit does not change.
+struct PenaltyLaw {
+  double stiffness = 0;  ///< k [force/length]
+  double limit = 0;      ///< largest slope [force/length]
+  double reach = 0;      ///< penetration at which the node is on the mid-surface [length]
+
+  /// Repelling force [force], zero for d <= 0.
+  double force(double penetration) const;
+};
+
+/// (omega dt)^2 that contact may add in a step that uses the share `step_scale` (TSSFAC) of the stable step
+/// of the elements: 4 - 4 TSSFAC^2 is left of the stability bound 4 of central differences, of which 0.9 is
+/// used; never more than 1, and never less than 0.1.
+double stability_budget(double step_scale);
+
+/// Factor on the stiffness limit with viscous damping of `fraction` of critical, computed with velocities
+/// half a step old: the stable step shrinks by sqrt(1 + x^2) - x.
+double damping_factor(double fraction);
+
+/// exp(-x) for x >= 0 without libm, whose last bits differ between processors. Relative error below 1e-14
+/// where the result exceeds 1e-300.
+double decay(double x);
+
+}  // namespace crumple::contact

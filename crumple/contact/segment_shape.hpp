@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "base/index.hpp"
+#include "contact/surface.hpp"
+#include "math/vec3.hpp"
+
+namespace crumple::contact {
+
+/// Positions at time n, or `back` before: x - back v, with the velocities of the step that led to time n.
+struct Configuration {
+  const Vec3* position = nullptr;
+  const Vec3* velocity = nullptr;
+  double back = 0;  ///< [time]
+
+  Vec3 operator[](Index node) const {
+    return back == 0 ? position[node] : position[node] - back * velocity[node];
+  }
+};
+
+/// The mid-surface of a segment: a triangle, or a quadrilateral as the four flat triangles that join its
+/// edges to the mean of its corners. The surface is continuous from segment to segment, warped or not, and
+/// the nearest point is found in closed form. Sub-triangle k stands on edge k.
+struct SegmentShape {
+  std::array<Vec3, 4> corner;
+  Vec3 centre;
+  bool triangle = false;
+};
+
+SegmentShape shape_of(const Surface& surface, const Configuration& x, Index segment);
+
+/// Where on a segment a point was found.
+enum class Feature {
+  Face,
+  Edge,
+  Corner,
+};
+
+/// The point of a segment that is nearest to a given one.
+struct NearestPoint {
+  Vec3 point;                    ///< sum of weight[i] corner[i] [length]
+  std::array<double, 4> weight;  ///< of the four nodes; their sum is 1
+  double distance_squared = 0;   ///< [length^2]
+  Feature feature = Feature::Face;
+  int local = 0;  ///< number of the edge or corner within the segment, on the face of the sub-triangle
+};
+
+/// Nearest point of the segment to `p`; of several equally near ones that of the lowest sub-triangle. The
+/// nearest point of a triangle follows from the regions of its corners, edges and face (C. Ericson,
+/// Real-Time Collision Detection, 2005, section 5.1.5).
+NearestPoint nearest_point(const SegmentShape& shape, const Vec3& p);
+
+/// Normal of the segment as a whole, its length twice the projected area: the product of the diagonals.
+inline Vec3 area_normal(const SegmentShape& shape) {
+  return cross(shape.corner[2] - shape.corner[0], shape.corner[3] - shape.corner[1]);
+}
+
+/// Axes that turn with the segment: the first along edge 0, the third along the normal.
+struct Frame {
+  Vec3 first;
+  Vec3 second;
+  Vec3 third;
+
+  Vec3 to_local(const Vec3& a) const { return {dot(a, first), dot(a, second), dot(a, third)}; }
+  Vec3 to_global(const Vec3& a) const { return a.x * first + a.y * second + a.z * third; }
+};
+
+Frame frame_of(const SegmentShape& shape);
+
+}  // namespace crumple::contact
