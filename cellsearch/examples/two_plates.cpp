@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Two parallel plates of one segment each, 0.1 apart: which nodes are near which segment?
 #include <array>
+#include <cellsearch/search.hpp>
 #include <cstdio>
-
-#include "cellsearch/search.hpp"
 
 int main() {
   const std::array<double, 24> positions{0, 0, 0.0, 1, 0, 0.0, 1, 1, 0.0, 0, 1, 0.0,   // lower plate

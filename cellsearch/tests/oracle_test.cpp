@@ -13,8 +13,8 @@
 
 namespace cellsearch {
 
-void PrintTo(Method method, std::ostream* stream) {
-  *stream << name_of(method);
+std::ostream& operator<<(std::ostream& stream, Method method) {
+  return stream << name_of(method);
 }
 
 namespace {
