@@ -86,7 +86,7 @@ const Candidates& Search::query() {
 }
 
 Index Search::query_batch(Index begin) {
-  const Index end = std::min(segments(), static_cast<Index>(begin + batch_size));
+  const Index end = std::min(segments(), begin + batch_size);
   batch_nodes_.clear();
   FoundRows rows{batch_ends_.data(), &batch_nodes_, 0};
   finder_->query(begin, end, rows);
