@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/sample.hpp"
+
+namespace crumple::output {
+namespace {
+
+/// A run that is good in every respect; each test spoils one.
+class ChecksTest : public SampleTest {
+ protected:
+  ChecksTest() {
+    domain_.contacts.push_back({.id = 2, .method = "linked-cell"});
+    domain_.nodes.mass.assign(6, 1.0);
+    domain::EnergyLedger& energy = domain_.energy;
+    energy.initial_total = 100;
+    energy.kinetic = 40;
+    energy.internal = 57;
+    energy.hourglass = 2;
+    energy.contact = 1;
+    for (domain::ShellBlock& block : domain_.shells) {
+      block.internal_energy = 28.5;
+      block.hourglass_energy = 1;
+    }
+    for (math::Vec3& velocity : domain_.nodes.velocity) velocity = {0, 15, 0};
+    peaks_.observe(view());
+  }
+  Check find(const std::string& part_of_name) const {
+    for (const Check& check : acceptance_checks(view(), peaks_))
+      if (check.name.find(part_of_name) != std::string::npos) return check;
+    ADD_FAILURE() << "no check named " << part_of_name;
+    return {};
+  }
+  PeakValues peaks_;
+};
+
+TEST_F(ChecksTest, AGoodRunPassesEveryCheckAndHasNoWarning) {
+  for (const Check& check : acceptance_checks(view(), peaks_))
+    EXPECT_TRUE(check.pass) << check.name << " = " << check.value;
+  EXPECT_TRUE(energy_warnings(view()).empty());
+}
+
+TEST_F(ChecksTest, EnergyThatAppearsFails) {
+  domain_.energy.kinetic = 43;
+  EXPECT_DOUBLE_EQ(find("total energy change").value, 0.03);
+  EXPECT_FALSE(find("total energy change").pass);
+  EXPECT_DOUBLE_EQ(find("energy error").value, 3.0 / 60);
+  EXPECT_FALSE(find("energy error").pass);
+}
+
+TEST_F(ChecksTest, ExternalWorkIsNoError) {
+  domain_.energy.kinetic = 43;
+  domain_.energy.external_work = 3;
+  EXPECT_TRUE(find("total energy change").pass);
+  EXPECT_TRUE(find("energy error").pass);
+}
+
+TEST_F(ChecksTest, HourglassIsHeldAgainstInitialAndInternalEnergy) {
+  domain_.energy.hourglass = 6;
+  EXPECT_DOUBLE_EQ(find("hourglass / initial").value, 0.06);
+  EXPECT_FALSE(find("hourglass / initial").pass);
+  EXPECT_FALSE(find("hourglass / internal energy").pass);
+  EXPECT_EQ(energy_warnings(view()).size(), 1U);
+}
+
+TEST_F(ChecksTest, TheWorstPartIsNamed) {
+  for (domain::ShellBlock& block : domain_.shells)
+    if (model_.parts[block.part].id == 3) block.hourglass_energy = 5.7;
+  EXPECT_DOUBLE_EQ(find("part 3").value, 0.2);
+  EXPECT_FALSE(find("part 3").pass);
+  ASSERT_EQ(energy_warnings(view()).size(), 1U);
+  EXPECT_NE(energy_warnings(view())[0].find("part 3 is 20.0 %"), std::string::npos);
+}
+
+TEST_F(ChecksTest, AddedMassCountsAgainstTheMassWithoutIt) {
+  domain_.added_mass = 1;
+  EXPECT_DOUBLE_EQ(find("added mass").value, 0.2);
+  EXPECT_FALSE(find("added mass").pass);
+}
+
+TEST_F(ChecksTest, ContactEnergyIsNeitherNegativeNorLarge) {
+  domain_.energy.contact = domain_.contacts[0].energy = -1;
+  EXPECT_NEAR(find("negative contact").value, 1.0 / 57, 1e-15);
+  EXPECT_FALSE(find("negative contact").pass);
+  EXPECT_EQ(energy_warnings(view()).size(), 1U);
+  domain_.energy.contact = domain_.contacts[0].energy = 6;
+  EXPECT_TRUE(find("negative contact").pass);
+  EXPECT_FALSE(find("without friction").pass);
+}
+
+TEST_F(ChecksTest, AShootingNodeIsFoundAndNamed) {
+  domain_.nodes.velocity[domain_.nodes.domain_node[2]] = {0, 0, 1500};
+  peaks_.observe(view());
+  EXPECT_DOUBLE_EQ(find("fastest node (node 40)").value, 100);
+  EXPECT_FALSE(find("fastest node").pass);
+}
+
+TEST_F(ChecksTest, NotANumberFails) {
+  domain_.energy.kinetic = std::nan("");
+  EXPECT_FALSE(find("total energy change").pass);
+  EXPECT_FALSE(find("energy error").pass);
+}
+
+TEST_F(ChecksTest, RoundOffInAModelThatOnlyFliesIsNoFault) {
+  domain_.energy = domain::EnergyLedger{};
+  domain_.energy.initial_total = domain_.energy.kinetic = 100;
+  domain_.energy.internal = 1e-14;
+  domain_.energy.hourglass = 1e-13;
+  domain_.energy.contact = -1e-13;
+  EXPECT_TRUE(find("hourglass / internal energy").pass);
+  EXPECT_TRUE(find("negative contact").pass);
+}
+
+}  // namespace
+}  // namespace crumple::output

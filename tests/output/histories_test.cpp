@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <sstream>
+
+#include "output/history.hpp"
+#include "output/part_masses.hpp"
+#include "output/recorder.hpp"
+#include "output/sample.hpp"
+#include "output/write_error.hpp"
+
+namespace crumple::output {
+namespace {
+
+std::vector<std::string> cells(const std::string& line) {
+  std::vector<std::string> result;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) result.push_back(cell);
+  return result;
+}
+
+/// The sample with a wall, a contact and a history node.
+class HistoriesTest : public SampleTest {
+ protected:
+  HistoriesTest() : SampleTest(with_conditions()) {
+    domain_.walls.push_back({.id = 4, .force = {}, .impulse = {}});
+    domain_.contacts.push_back({.id = 2, .method = "linked-cell"});
+  }
+  static model::Model with_conditions() {
+    model::Model model = sample_model();
+    model.rigid_walls.push_back({.id = 4, .title = "", .nodes = {0, 1}, .point = {}, .normal = {0, 0, 1}});
+    model.contacts.push_back({.id = 2, .title = "", .parts = {0}});
+    model.output.history_nodes = {5, 0};
+    return model;
+  }
+  void record(Recorder& recorder, double time, long cycle) {
+    go_to(time, cycle);
+    recorder.write_due(view());
+  }
+};
+
+TEST_F(HistoriesTest, HeadersAreTheDocumentedOnes) {
+  Recorder recorder(folder_, "run", view());
+  EXPECT_EQ(
+      lines(folder_ / "glstat.csv")[0],
+      "time,dt,kinetic,internal,hourglass,contact,friction,rigidwall,damping,external_work,eroded,total,"
+      "ratio,added_mass");
+  EXPECT_EQ(lines(folder_ / "matsum.csv")[0], "time,part,internal,kinetic,hourglass,vx,vy,vz,mass");
+  EXPECT_EQ(lines(folder_ / "rwforc.csv")[0], "time,wall,normal,fx,fy,fz");
+  EXPECT_EQ(lines(folder_ / "rcforc.csv")[0], "time,interface,side,fx,fy,fz,mass");
+  EXPECT_EQ(lines(folder_ / "nodout.csv")[0], "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z");
+}
+
+TEST_F(HistoriesTest, EveryRowHasAsManyCellsAsTheHeader) {
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  for (const auto& file : recorder.files()) {
+    if (file.extension() != ".csv") continue;
+    const auto rows = lines(file);
+    EXPECT_GE(rows.size(), 2U) << file;
+    for (const auto& row : rows) EXPECT_EQ(cells(row).size(), cells(rows[0]).size()) << file << ": " << row;
+  }
+}
+
+TEST_F(HistoriesTest, NumbersReadBackToTheSameDouble) {
+  domain_.energy.kinetic = 1.0 / 3;
+  domain_.energy.internal = -1e-300 / 7;
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0.1, 3);
+  const auto row = cells(lines(folder_ / "glstat.csv")[1]);
+  EXPECT_EQ(std::stod(row[0]), 0.1);
+  EXPECT_EQ(std::stod(row[2]), 1.0 / 3);
+  EXPECT_EQ(std::stod(row[3]), -1e-300 / 7);
+}
+
+TEST_F(HistoriesTest, TheLastStateIsWrittenOnce) {
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  record(recorder, 0.0105, 1);
+  record(recorder, 0.01051, 2);
+  EXPECT_EQ(lines(folder_ / "glstat.csv").size(), 3U) << "cycle 2 comes before the next multiple";
+  EXPECT_EQ(recorder.frames(), 2);
+  recorder.write_last(view());
+  recorder.write_last(view());
+  EXPECT_EQ(lines(folder_ / "glstat.csv").size(), 4U);
+  EXPECT_EQ(cells(lines(folder_ / "nodout.csv").back())[0], "0.01051");
+  EXPECT_EQ(recorder.frames(), 3);
+}
+
+TEST_F(HistoriesTest, IntervalsOfTheDeckHoldAndTheRestTakesDefaults) {
+  model_.output.glstat_interval = 0.25;
+  model_.output.state_interval = 0.5;
+  Recorder recorder(folder_, "run", view());
+  for (long cycle = 0; cycle <= 4000; ++cycle) record(recorder, static_cast<double>(cycle) / 4000, cycle);
+  EXPECT_EQ(lines(folder_ / "glstat.csv").size(), 1U + 5);
+  EXPECT_EQ(lines(folder_ / "rwforc.csv").size(), 1U + 1001);
+  EXPECT_EQ(recorder.frames(), 3);
+}
+
+TEST_F(HistoriesTest, WallForceTimesTimeSumsToTheImpulse) {
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  double time = 0;
+  for (long cycle = 1; cycle <= 1000; ++cycle) {
+    time += 1e-3 * (1 + 0.5 * std::sin(static_cast<double>(cycle)));
+    domain_.walls[0].impulse.z -= std::fabs(std::sin(0.7 * static_cast<double>(cycle)));
+    record(recorder, time, cycle);
+  }
+  recorder.write_last(view());
+  const auto rows = lines(folder_ / "rwforc.csv");
+  double impulse = 0;
+  for (std::size_t i = 2; i < rows.size(); ++i)
+    impulse +=
+        std::stod(cells(rows[i])[5]) * (std::stod(cells(rows[i])[0]) - std::stod(cells(rows[i - 1])[0]));
+  EXPECT_NEAR(impulse, domain_.walls[0].impulse.z, 1e-10);
+  EXPECT_GT(std::stod(cells(rows[2])[2]), 0) << "nodes press on the wall: its normal force is positive";
+}
+
+TEST_F(HistoriesTest, PartRowsHoldMassMotionAndEnergies) {
+  // Part 7 is 2 x 1 by 0.5 thick; it flies at 3 along x and its energies are set by hand.
+  for (math::Vec3& velocity : domain_.nodes.velocity) velocity = {3, 0, 0};
+  for (domain::ShellBlock& block : domain_.shells)
+    if (model_.parts[block.part].id == 7) {
+      block.internal_energy = 11;
+      block.hourglass_energy = 0.5;
+    }
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  const auto rows = lines(folder_ / "matsum.csv");
+  ASSERT_EQ(rows.size(), 3U);
+  const auto row = cells(rows[1]);
+  const double mass = 7.85e-6 * 2 * 0.5;
+  EXPECT_EQ(row[1], "7");
+  EXPECT_EQ(row[2], "11");
+  EXPECT_NEAR(std::stod(row[3]), 0.5 * mass * 9, 1e-18);
+  EXPECT_EQ(row[4], "0.5");
+  EXPECT_NEAR(std::stod(row[5]), 3, 1e-14);
+  EXPECT_NEAR(std::stod(row[8]), mass, 1e-20);
+  EXPECT_EQ(cells(rows[2])[1], "3");
+  EXPECT_NEAR(std::stod(cells(rows[2])[8]), 7.85e-6 * 0.5 * 0.5, 1e-20) << "the triangle";
+}
+
+TEST_F(HistoriesTest, NodeRowsFollowTheDecksListAndIds) {
+  const Index node = domain_.nodes.domain_node[5];
+  domain_.nodes.position[node] += math::Vec3{0.5, 0, 0};
+  domain_.nodes.acceleration[node] = {0, 9, 0};
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  EXPECT_EQ(lines(folder_ / "nodout.csv")[1], "0,10,0.5,0,0,0,0,0,0,9,0,2.5,1,0");
+  EXPECT_EQ(cells(lines(folder_ / "nodout.csv")[2])[1], "60");
+}
+
+TEST_F(SampleTest, AModelWithoutWallsContactsAndHistoryNodesHasNoSuchFiles) {
+  const Recorder recorder(folder_, "run", view());
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "glstat.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "matsum.csv"));
+  for (const char* name : {"rwforc.csv", "rcforc.csv", "nodout.csv"})
+    EXPECT_FALSE(std::filesystem::exists(folder_ / name)) << name;
+}
+
+TEST_F(SampleTest, AFullDeviceIsAnErrorThatNamesTheTable) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  std::filesystem::create_symlink("/dev/full", folder_ / "t.csv");
+  try {
+    CsvFile table(folder_ / "t.csv", "a,b");
+    FAIL() << "nothing was noticed";
+  } catch (const WriteError& fault) {
+    EXPECT_NE(std::string(fault.what()).find("t.csv: No space left"), std::string::npos) << fault.what();
+  }
+}
+
+}  // namespace
+}  // namespace crumple::output
