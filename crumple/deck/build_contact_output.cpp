@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "deck/build.hpp"
 
@@ -17,16 +18,17 @@ std::vector<Index> parts_with_shells(const Build& build) {
   return parts;
 }
 
-/// The parts that a contact names, before those without elements are taken out. Nothing after an error.
-std::vector<Index> named_parts(Build& build, const RawContact& raw) {
+/// The parts that a contact names, before those without elements are taken out. Nothing if there is a fault.
+std::optional<std::vector<Index>> named_parts(Build& build, const RawContact& raw) {
   const Reference reference{raw.id, "SSID", raw.where};
   if (raw.target == RawContact::Target::All) return parts_with_shells(build);
   if (raw.target == RawContact::Target::Part) {
     const Index part = build.find(Item::Part, reference);
-    return part == no_index ? std::vector<Index>() : std::vector<Index>{part};
+    if (part == no_index) return std::nullopt;
+    return std::vector<Index>{part};
   }
   const Index set = build.find(Item::PartSet, reference);
-  if (set == no_index) return {};
+  if (set == no_index) return std::nullopt;
   const std::vector<Index>& members = build.model.part_sets[static_cast<std::size_t>(set)].parts;
   if (raw.target == RawContact::Target::PartSet) return members;
   std::vector<Index> others = parts_with_shells(build);
@@ -43,7 +45,9 @@ void build_contacts(Build& build, bool automatic_contact) {
     model::SingleSurfaceContact contact = raw.contact;
     if (contact.id == 0) contact.id = static_cast<UserId>(i) + 1;
     build.enter(Item::Contact, {contact.id, "ID", raw.where}, i);
-    for (const Index part : named_parts(build, raw))
+    const std::optional<std::vector<Index>> named = named_parts(build, raw);
+    if (!named) continue;
+    for (const Index part : *named)
       if (std::binary_search(with_shells.begin(), with_shells.end(), part)) contact.parts.push_back(part);
     std::sort(contact.parts.begin(), contact.parts.end());
     contact.parts.erase(std::unique(contact.parts.begin(), contact.parts.end()), contact.parts.end());

@@ -48,8 +48,9 @@ void check_shape(const model::ShellElement& shell, const Where& where, Build& bu
     }
   constexpr double flat = 1e-9;
   if (!(std::sqrt(dot(area, area)) > flat * longest)) {
-    build.report.error(where, "area",
-                       fmt::format("shell {} has no area; check its nodes and their coordinates", shell.id));
+    build.report.error(
+        where, "area",
+        fmt::format("shell {} has no area; check the order of its nodes and their coordinates", shell.id));
     return;
   }
   if (shell.node[2] == shell.node[3]) return;

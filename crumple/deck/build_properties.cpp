@@ -43,7 +43,7 @@ void extend(model::PiecewiseLinearPlasticity& law, const Where& where, Report& r
 }
 
 void take_curve(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
-  const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCSS", raw.where});
+  const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCSS", raw.curve_where});
   if (index == no_index) return;
   const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
   law.plastic_strain = curve.abscissa;

@@ -15,20 +15,31 @@ Where place_of(const RawSet& set, const RawMember& member) {
   return where;
 }
 
-/// Indices of the members of a set. A range stands for those of its ids that exist, a single id must exist.
+/// Indices of the members of a set, each once. A range stands for those of its ids that exist, a single id
+/// must exist.
 template <class AllIds>
 std::vector<Index> members_of(const RawSet& set, Item item, const AllIds& all_ids, Build& build) {
   std::vector<Index> indices;
+  std::vector<char> taken(all_ids.size(), 0);
+  bool missing = false;
+  const auto take = [&](std::size_t index) {
+    if (!taken[index]) indices.push_back(static_cast<Index>(index));
+    taken[index] = 1;
+  };
   for (const RawMember& member : set.members) {
     if (member.first == member.last) {
       const Index index = build.find(item, {member.first, "ID", place_of(set, member)});
-      if (index != no_index) indices.push_back(index);
+      if (index != no_index)
+        take(static_cast<std::size_t>(index));
+      else
+        missing = true;
       continue;
     }
     for (std::size_t i = 0; i < all_ids.size(); ++i)
-      if (all_ids[i] >= member.first && all_ids[i] <= member.last) indices.push_back(static_cast<Index>(i));
+      if (all_ids[i] >= member.first && all_ids[i] <= member.last) take(i);
   }
-  if (indices.empty()) build.report.warning(set.where, "empty", fmt::format("set {} has no members", set.id));
+  if (indices.empty() && !missing)
+    build.report.warning(set.where, "empty", fmt::format("set {} has no members", set.id));
   return indices;
 }
 

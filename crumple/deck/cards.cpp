@@ -64,7 +64,8 @@ Card Cards::next(Layout layout) {
   card.where_ = block_->where;
   card.where_.card = ++card_;
   std::string_view text;
-  if (has_line()) {
+  const bool is_missing = !has_line();
+  if (!is_missing) {
     const Line& line = block_->lines[next_++];
     card.where_.line = line.number;
     text = line.text;
@@ -77,19 +78,20 @@ Card Cards::next(Layout layout) {
   }
   slots_.fill({});
   rest_ = {};
+  cut_by_tab_ = false;
   free_ = is_free(text, layout);
   if (free_)
     split_free(text, layout);
   else
     split_fixed(without_tabs(text, layout, card.where_), layout);
-  const bool absent = text.data() == nullptr;
+  const bool absent = is_missing || cut_by_tab_;
   for (std::size_t i = 0; i < layout.size(); ++i) {
     if (absent) card.values_[i].good = false;
     card.values_[i].real = layout[i].fallback;
     card.values_[i].integer = static_cast<std::int64_t>(layout[i].fallback);
     if (!absent) parse(i, card);
   }
-  if (!rest_.empty()) report_rest(card);
+  if (!rest_.empty() && !absent) report_rest(card);
   return card;
 }
 
@@ -158,6 +160,7 @@ std::string_view Cards::without_tabs(std::string_view line, Layout layout, const
           fmt::format("the line has tabs, and with tab stops of 8 columns the field {} cuts a value "
                       "in two; use blanks or commas",
                       field.name));
+      cut_by_tab_ = true;
       break;
     }
   }
@@ -208,6 +211,7 @@ void Cards::parse(std::size_t index, Card& card) {
     }
   }
   value.good = check(field, value, card);
+  if (!value.good && field.check.kind == Check::Kind::Only) value.real = field.fallback;
 }
 
 bool Cards::check(const Field& field, const Card::Value& value, const Card& card) {
@@ -243,6 +247,7 @@ bool Cards::check(const Field& field, const Card::Value& value, const Card& card
       fault.expected =
           fmt::format("{}, the only value{} supported", list_of_values(check), check.count > 1 ? "s" : "");
       fault.hint = check.text;
+      if (report_->allow_unsupported()) fault.hint += fmt::format("; {} is used", field.fallback);
       report_->field_unsupported(card.where_, fault);
       return false;
     case Check::Kind::Harmless:

@@ -99,6 +99,7 @@ class Cards {
   std::size_t next_ = 0;
   std::int32_t card_ = 0;
   bool free_ = false;
+  bool cut_by_tab_ = false;  ///< the fields of the line at hand cannot be told apart
   std::array<std::string_view, max_fields> slots_;
   std::string_view rest_;  ///< what follows the last field
   std::string expanded_;   ///< the line at hand with its tabs replaced

@@ -71,7 +71,7 @@ constexpr Keyword table[] = {
 };
 
 constexpr std::string_view is_output = "an output that is not written";
-constexpr std::string_view is_definition = "a definition that no supported keyword refers to";
+constexpr std::string_view is_definition = "a definition that nothing supported uses";
 
 constexpr IgnoredRow ignored[] = {
     {"COMMENT", false, "a remark"},

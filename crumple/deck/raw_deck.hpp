@@ -61,6 +61,7 @@ struct RawMaterial {
   model::Material material;
   UserId hardening_curve = 0;
   Where where;
+  Where curve_where;
 };
 
 struct RawHourglass {

@@ -19,7 +19,7 @@ constexpr Field termination_card[] = {
 
 constexpr Field timestep_card[] = {
     real("DTINIT", 0, not_negative),
-    real_or_default("TSSFAC", 0.9, between(0, 1.000001, "a factor on the stable time step")),
+    real_or_default("TSSFAC", 0.9, within(0, 1, "a factor on the stable time step")),
     harmless("ISDO", {0}, "the element length is area over the longest side or diagonal (ISDO=0)"),
     only("TSLIMT", {0}, "use DT2MS for a minimum time step"),
     real("DT2MS"),

@@ -2,6 +2,8 @@
 // *DEFINE_CURVE, *SET_NODE_LIST, *SET_PART_LIST.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "deck/families.hpp"
 
 namespace crumple::deck {
@@ -69,6 +71,8 @@ void read_define_curve(Cards& cards, RawDeck& deck) {
     if (!point.good("A") || !point.good("O")) continue;
     const double abscissa = card.real("SFA") * (point.real("A") + card.real("OFFA"));
     const double ordinate = card.real("SFO") * (point.real("O") + card.real("OFFO"));
+    if (!std::isfinite(abscissa) || !std::isfinite(ordinate))
+      cards.report().error(point.where(), "range", "the point is out of the range of numbers once scaled");
     if (!raw.curve.abscissa.empty() && abscissa <= raw.curve.abscissa.back())
       cards.report().field_error(
           point.where(), {"A", std::string(point.text("A")), "a value above that of the point before it",

@@ -190,8 +190,7 @@ void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
     if (raw.hardening_curve == 0) take_points(strain, stress, law, cards.report());
     if (raw.hardening_curve == 0 && law.plastic_strain.empty()) take_line(card, law, cards.report());
     raw.material.law = law;
-    // The curve is named on the second card.
-    if (raw.hardening_curve != 0) raw.where = rate.where();
+    raw.curve_where = rate.where();
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
 }

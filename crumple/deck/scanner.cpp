@@ -82,7 +82,7 @@ void Scanner::read_file(LoadedText loaded, const Where& from) {
 
 bool Scanner::is_text(std::string_view text, std::int32_t file) {
   const Where where{{}, file, 0, 0};
-  if (trimmed(text).find_first_not_of('\n') == std::string_view::npos) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     report_->error(where, "file", "the file is empty, expected LS-DYNA keywords");
     return false;
   }

@@ -48,6 +48,7 @@ struct Setting {
 };
 
 void set_cells(const Setting& setting, RawDeck& deck) {
+  deck.search_cells = setting.where;
   const auto cells = numbers(setting.value, 3);
   constexpr double limit = std::numeric_limits<Index>::max();
   const bool whole = cells && std::all_of(cells->begin(), cells->end(), [](double n) {
@@ -58,10 +59,10 @@ void set_cells(const Setting& setting, RawDeck& deck) {
     return;
   }
   for (std::size_t i = 0; i < 3; ++i) deck.search.cells[i] = static_cast<Index>((*cells)[i]);
-  deck.search_cells = setting.where;
 }
 
 void set_domain(const Setting& setting, RawDeck& deck) {
+  deck.search_domain = setting.where;
   const auto box = numbers(setting.value, 6);
   if (!box || !((*box)[0] < (*box)[1] && (*box)[2] < (*box)[3] && (*box)[4] < (*box)[5])) {
     setting.fault("xmin,xmax,ymin,ymax,zmin,zmax with each minimum below its maximum");
@@ -71,7 +72,6 @@ void set_domain(const Setting& setting, RawDeck& deck) {
     deck.search.domain_minimum[i] = (*box)[2 * i];
     deck.search.domain_maximum[i] = (*box)[2 * i + 1];
   }
-  deck.search_domain = setting.where;
 }
 
 void set_one(const Setting& setting, const std::vector<std::string>& methods, RawDeck& deck) {
