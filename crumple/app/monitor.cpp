@@ -51,8 +51,13 @@ void Monitor::clear_bar() {
 
 void Monitor::print_line() {
   clear_bar();
+  line_cycle_ = simulation_.domain().clock.cycle;
   fmt::print(console_.out, "{}\n", status_line(simulation_.domain(), progress()));
   console_.out.flush();
+}
+
+void Monitor::print_last_line() {
+  if (line_cycle_ != simulation_.domain().clock.cycle) print_line();
 }
 
 void Monitor::observe() {

@@ -18,6 +18,8 @@ class Monitor {
   void observe();
   /// Prints a line at once.
   void print_line();
+  /// Prints a line unless that of the present cycle is there.
+  void print_last_line();
   /// Removes the bar, so that other text can be printed. The next observe brings it back.
   void clear_bar();
 
@@ -36,6 +38,7 @@ class Monitor {
   double next_line_time_ = 0;     ///< [time]
   double next_line_seconds_ = 0;  ///< wall time [s]
   double next_bar_seconds_ = 0;   ///< wall time [s]
+  long line_cycle_ = -1;          ///< of the last line
   long speed_cycle_ = 0;          ///< since when the speed is taken
   double speed_seconds_ = 0;
   double cycle_seconds_ = 0;  ///< wall time per cycle, of late [s]

@@ -170,7 +170,7 @@ ExitCode RunSession::run() {
   Ending ending = follow_guarded();
   loop_seconds_ = monitor_->seconds();
   monitor_->clear_bar();
-  if (!options_.quiet && ending.code != ExitCode::Output) monitor_->print_line();
+  if (!options_.quiet && ending.code != ExitCode::Output) monitor_->print_last_line();
   for (const deck::Diagnostic& diagnostic : deck_.diagnostics)
     if (diagnostic.severity == deck::Severity::Warning) warnings_.push_back(deck::to_string(diagnostic));
   for (std::string& warning : output::energy_warnings(view())) {

@@ -20,26 +20,27 @@ constexpr std::uint8_t vtk_triangle = 5;
 constexpr std::uint8_t vtk_quad = 9;
 
 /// User ids as 32-bit numbers, or as 64-bit ones if any does not fit.
-VtuArray make_id_array(const std::string& name, const std::vector<UserId>& ids) {
+VtuArray make_id_array(VtuPacker& packer, const std::string& name, const std::vector<UserId>& ids) {
   constexpr UserId limit = std::numeric_limits<std::int32_t>::max();
   if (std::any_of(ids.begin(), ids.end(), [](UserId id) { return id > limit || id < -limit; }))
-    return make_vtu_array<std::int64_t>(name, 1, ids);
+    return packer.array<std::int64_t>(name, 1, ids);
   std::vector<std::int32_t> narrow(ids.size());
   std::transform(ids.begin(), ids.end(), narrow.begin(),
                  [](UserId id) { return static_cast<std::int32_t>(id); });
-  return make_vtu_array<std::int32_t>(name, 1, narrow);
+  return packer.array<std::int32_t>(name, 1, narrow);
 }
 
 /// A vector field in the order of the model's nodes.
 template <class Field>
-VtuArray make_vector_array(const std::string& name, const domain::NodeFields& nodes, const Field& field) {
+VtuArray make_vector_array(VtuPacker& packer, const std::string& name, const domain::NodeFields& nodes,
+                           const Field& field) {
   std::vector<float> values;
   values.reserve(3 * nodes.domain_node.size());
   for (const Index node : nodes.domain_node) {
     const math::Vec3 vector = field(node);
     for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(vector[axis]));
   }
-  return make_vtu_array<float>(name, 3, values);
+  return packer.array<float>(name, 3, values);
 }
 
 bool is_triangle(const model::ShellElement& shell) {
@@ -84,27 +85,30 @@ void ParaviewSeries::pack_constant_arrays(const View& view) {
     elements.push_back(shell.id);
     parts.push_back(view.model.parts[shell.part].id);
   }
-  topology_.push_back(make_vtu_array<std::int32_t>("connectivity", 1, connectivity));
-  topology_.push_back(make_vtu_array<std::int32_t>("offsets", 1, offsets));
-  topology_.push_back(make_vtu_array<std::uint8_t>("types", 1, types));
-  node_id_ = make_id_array("node_id", view.model.nodes.id);
-  element_id_ = make_id_array("element_id", elements);
-  part_id_ = make_id_array("part", parts);
+  topology_.push_back(packer_.array<std::int32_t>("connectivity", 1, connectivity));
+  topology_.push_back(packer_.array<std::int32_t>("offsets", 1, offsets));
+  topology_.push_back(packer_.array<std::uint8_t>("types", 1, types));
+  node_id_ = make_id_array(packer_, "node_id", view.model.nodes.id);
+  element_id_ = make_id_array(packer_, "element_id", elements);
+  part_id_ = make_id_array(packer_, "part", parts);
 }
 
-std::vector<VtuArray> ParaviewSeries::point_fields(const View& view) const {
+std::vector<VtuArray> ParaviewSeries::point_fields(const View& view) {
   const domain::NodeFields& nodes = view.domain.nodes;
   const auto& contact = view.domain.contact_force;
   std::vector<VtuArray> fields;
-  fields.push_back(make_vector_array(
-      "displacement", nodes, [&](Index node) { return nodes.position[node] - nodes.reference[node]; }));
-  fields.push_back(make_vector_array("velocity", nodes, [&](Index node) { return nodes.velocity[node]; }));
-  fields.push_back(make_vector_array(
-      "contact_force", nodes, [&](Index node) { return contact.empty() ? math::Vec3{} : contact[node]; }));
+  fields.push_back(make_vector_array(packer_, "displacement", nodes, [&](Index node) {
+    return nodes.position[node] - nodes.reference[node];
+  }));
+  fields.push_back(
+      make_vector_array(packer_, "velocity", nodes, [&](Index node) { return nodes.velocity[node]; }));
+  fields.push_back(make_vector_array(packer_, "contact_force", nodes, [&](Index node) {
+    return contact.empty() ? math::Vec3{} : contact[node];
+  }));
   return fields;
 }
 
-std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) const {
+std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
   std::vector<ShellResults> results;
   for (const domain::ShellBlock& block : view.domain.shells) results.emplace_back(view.model, block);
   const auto make = [&](const std::string& name, auto value) {
@@ -112,7 +116,7 @@ std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) const {
     values.reserve(place_.size());
     for (const auto& [block, place] : place_)
       values.push_back(static_cast<float>((results[block].*value)(place)));
-    return make_vtu_array<float>(name, 1, values);
+    return packer_.array<float>(name, 1, values);
   };
   std::vector<VtuArray> fields;
   fields.push_back(make("plastic_strain", &ShellResults::plastic_strain));
@@ -121,7 +125,7 @@ std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) const {
   fields.push_back(make("thickness", &ShellResults::thickness));
   std::vector<std::uint8_t> alive;
   for (const auto& [block, place] : place_) alive.push_back(results[block].alive(place) ? 1 : 0);
-  fields.push_back(make_vtu_array<std::uint8_t>("alive", 1, alive));
+  fields.push_back(packer_.array<std::uint8_t>("alive", 1, alive));
   return fields;
 }
 
@@ -141,7 +145,7 @@ std::string ParaviewSeries::collection_text() const {
 void ParaviewSeries::write_frame(const View& view) {
   const domain::NodeFields& nodes = view.domain.nodes;
   const VtuArray positions =
-      make_vector_array("position", nodes, [&](Index node) { return nodes.position[node]; });
+      make_vector_array(packer_, "position", nodes, [&](Index node) { return nodes.position[node]; });
   const std::vector<VtuArray> points = point_fields(view);
   const std::vector<VtuArray> cells = cell_fields(view);
   VtuGrid grid;

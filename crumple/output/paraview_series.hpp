@@ -28,14 +28,15 @@ class ParaviewSeries {
  private:
   void remove_earlier_frames() const;
   void pack_constant_arrays(const View& view);
-  std::vector<VtuArray> point_fields(const View& view) const;
-  std::vector<VtuArray> cell_fields(const View& view) const;
+  std::vector<VtuArray> point_fields(const View& view);
+  std::vector<VtuArray> cell_fields(const View& view);
   std::string frame_name(int frame) const;
   std::string collection_text() const;
 
   std::filesystem::path folder_;
   std::string name_;
   std::vector<double> times_;
+  VtuPacker packer_;
   /// Block and place in it of every shell, in the order of the model.
   std::vector<std::pair<Index, Index>> place_;
   std::vector<VtuArray> topology_;  ///< connectivity, offsets, types

@@ -23,17 +23,6 @@ void append_number(std::string& text, std::uint64_t number) {
   text.append(bytes, sizeof(number));
 }
 
-std::string compressed(std::string_view bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string out(size, '\0');
-  // The fastest level: fields of floats hardly gain from more effort, and the run waits for it.
-  const int result = compress2(reinterpret_cast<Bytef*>(out.data()), &size,
-                               reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), Z_BEST_SPEED);
-  if (result != Z_OK) throw WriteError("zlib could not compress a field: out of memory.");
-  out.resize(size);
-  return out;
-}
-
 /// Writes the XML head of the arrays of one section; the data itself follows later, at `offset`.
 void add_section(std::string& xml, std::string_view section, const std::vector<const VtuArray*>& arrays,
                  std::uint64_t& offset) {
@@ -50,7 +39,39 @@ void add_section(std::string& xml, std::string_view section, const std::vector<c
 
 }  // namespace
 
-std::string pack_vtk_data(std::string_view bytes) {
+struct VtuPacker::Stream {
+  z_stream zlib{};
+  bool ready = false;
+};
+
+VtuPacker::VtuPacker() : stream_(std::make_unique<Stream>()) {
+  // The fastest level: fields of floats hardly gain from more effort, and the run waits for it.
+  stream_->ready = deflateInit(&stream_->zlib, Z_BEST_SPEED) == Z_OK;
+  if (!stream_->ready) throw WriteError("zlib could not be started: out of memory.");
+}
+
+VtuPacker::~VtuPacker() {
+  if (stream_ && stream_->ready) deflateEnd(&stream_->zlib);
+}
+
+VtuPacker::VtuPacker(VtuPacker&&) noexcept = default;
+VtuPacker& VtuPacker::operator=(VtuPacker&&) noexcept = default;
+
+void VtuPacker::append_block(std::string& data, std::string_view bytes) {
+  z_stream& zlib = stream_->zlib;
+  deflateReset(&zlib);
+  const std::size_t start = data.size();
+  data.resize(start + deflateBound(&zlib, bytes.size()));
+  // zlib does not write to its input, but its interface lacks the const.
+  zlib.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  zlib.avail_in = static_cast<uInt>(bytes.size());
+  zlib.next_out = reinterpret_cast<Bytef*>(data.data() + start);
+  zlib.avail_out = static_cast<uInt>(data.size() - start);
+  if (deflate(&zlib, Z_FINISH) != Z_STREAM_END) throw WriteError("zlib could not compress a field.");
+  data.resize(start + zlib.total_out);
+}
+
+std::string VtuPacker::pack(std::string_view bytes) {
   const std::size_t blocks = (bytes.size() + block_size - 1) / block_size;
   std::string header;
   append_number(header, blocks);
@@ -58,9 +79,9 @@ std::string pack_vtk_data(std::string_view bytes) {
   append_number(header, bytes.size() % block_size);
   std::string data;
   for (std::size_t at = 0; at < bytes.size(); at += block_size) {
-    const std::string block = compressed(bytes.substr(at, block_size));
-    append_number(header, block.size());
-    data += block;
+    const std::size_t start = data.size();
+    append_block(data, bytes.substr(at, block_size));
+    append_number(header, data.size() - start);
   }
   return header + data;
 }

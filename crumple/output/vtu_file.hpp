@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/index.hpp"
@@ -19,11 +21,6 @@ struct VtuArray {
   int components = 1;  ///< numbers per tuple
   std::string packed;  ///< block header and zlib streams
 };
-
-/// Header (number of blocks, block size, size of a short last block, compressed sizes, all 64-bit) followed
-/// by one zlib stream per block: VTK's appended raw form with a compressor (VTK File Formats, "XML File
-/// Formats", appended data).
-std::string pack_vtk_data(std::string_view bytes);
 
 template <class T>
 std::string_view vtk_type_name();
@@ -44,12 +41,33 @@ inline std::string_view vtk_type_name<std::uint8_t>() {
   return "UInt8";
 }
 
-template <class T>
-VtuArray make_vtu_array(std::string name, int components, std::span<const T> values) {
-  const auto bytes = std::as_bytes(values);
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return {std::move(name), std::string(vtk_type_name<T>()), components, pack_vtk_data(text)};
-}
+/// Packs arrays. Keeps zlib's working memory from one array to the next: asking the system for it anew each
+/// time costs more than packing a small array.
+class VtuPacker {
+ public:
+  VtuPacker();
+  ~VtuPacker();
+  VtuPacker(VtuPacker&&) noexcept;
+  VtuPacker& operator=(VtuPacker&&) noexcept;
+
+  /// Header (number of blocks, block size, size of a short last block, compressed sizes, all 64-bit) followed
+  /// by one zlib stream per block: VTK's appended raw form with a compressor (VTK File Formats, "XML File
+  /// Formats", appended data). Throws WriteError if there is no memory.
+  std::string pack(std::string_view bytes);
+
+  template <class T>
+  VtuArray array(std::string name, int components, std::span<const T> values) {
+    const auto bytes = std::as_bytes(values);
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return {std::move(name), std::string(vtk_type_name<T>()), components, pack(text)};
+  }
+
+ private:
+  void append_block(std::string& data, std::string_view bytes);
+
+  struct Stream;
+  std::unique_ptr<Stream> stream_;
+};
 
 /// An unstructured grid at one time, in VTK's terms.
 struct VtuGrid {

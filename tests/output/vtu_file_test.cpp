@@ -18,9 +18,10 @@ std::vector<float> ramp(std::size_t count) {
 std::string text_with(std::size_t count) {
   const std::vector<float> values = ramp(count);
   const std::vector<float> places(3 * count);
-  const VtuArray field = make_vtu_array<float>("field", 1, values);
-  const VtuArray position = make_vtu_array<float>("position", 3, places);
-  const VtuArray nothing = make_vtu_array<std::int32_t>("connectivity", 1, {});
+  VtuPacker packer;
+  const VtuArray field = packer.array<float>("field", 1, values);
+  const VtuArray position = packer.array<float>("position", 3, places);
+  const VtuArray nothing = packer.array<std::int32_t>("connectivity", 1, {});
   VtuGrid grid;
   grid.time = 0.1;
   grid.points = static_cast<Index>(count);
