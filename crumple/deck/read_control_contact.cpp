@@ -8,7 +8,6 @@ namespace {
 
 using namespace row;
 
-constexpr std::string_view other_contacts = "it is for other kinds of contact";
 constexpr std::string_view by_part = "there is no *PART_CONTACT";
 
 constexpr Field card_1[] = {
