@@ -18,12 +18,12 @@ namespace crumple::timeloop {
 void Simulation::start() {
   compute_forces();
   choose_step();
-  previous_velocity_ = domain_.nodes.velocity;
-  const double spin = rotational_energy(domain_);
-  kick(0.5 * next_step_);
-  domain_.energy.kinetic = kinetic_energy(domain_, previous_velocity_, previous_velocity_) + spin;
+  const AlignedArray<math::Vec3>& velocity = domain_.nodes.velocity;
+  previous_velocity_ = velocity;
+  domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + rotational_energy(domain_);
   balance();
   domain_.energy.initial_total = domain_.energy.total();
+  kick(0.5 * next_step_);
 }
 
 void Simulation::step() {

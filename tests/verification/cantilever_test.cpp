@@ -97,9 +97,9 @@ TEST_P(Cantilever, AmplitudeAndPeriodFollowBeamTheory) {
 INSTANTIATE_TEST_SUITE_P(BothShells, Cantilever,
                          ::testing::Values(model::ShellFormulation::BelytschkoTsay,
                                            model::ShellFormulation::HughesLiu),
-                         [](const auto& info) {
-                           return info.param == model::ShellFormulation::HughesLiu ? "HughesLiu"
-                                                                                   : "BelytschkoTsay";
+                         [](const auto& which) {
+                           return which.param == model::ShellFormulation::HughesLiu ? "HughesLiu"
+                                                                                    : "BelytschkoTsay";
                          });
 
 }  // namespace

@@ -84,9 +84,9 @@ TEST_P(CylindricalPanel, GreatestDeflectionIsThatOfExperimentAndPublishedCodes) 
 INSTANTIATE_TEST_SUITE_P(BothShells, CylindricalPanel,
                          ::testing::Values(model::ShellFormulation::BelytschkoTsay,
                                            model::ShellFormulation::HughesLiu),
-                         [](const auto& info) {
-                           return info.param == model::ShellFormulation::HughesLiu ? "HughesLiu"
-                                                                                   : "BelytschkoTsay";
+                         [](const auto& which) {
+                           return which.param == model::ShellFormulation::HughesLiu ? "HughesLiu"
+                                                                                    : "BelytschkoTsay";
                          });
 
 }  // namespace

@@ -57,7 +57,11 @@ TEST_P(SpinningPlate, KeepsEnergyAndAngularMomentum) {
   const domain::Domain& domain = simulation.domain();
   EXPECT_LT(norm(angular_momentum(domain) - start), 1e-5 * norm(start));
   EXPECT_LT(norm(test::momentum(domain)), 1e-10 * norm(start));
-  EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-5 * domain.energy.initial_total);
+  // Forces act on the geometry at the ends of a step, strains are those of its middle: the two works differ
+  // by 1/4 dt^2 (change of stress) : L^T L, which is bounded by the square of the turn in one step and does
+  // not add up.
+  const double turn = spin * domain.clock.step;
+  EXPECT_LT(std::fabs(domain.energy.imbalance()), turn * turn * domain.energy.initial_total);
   // Strain energy of the centrifugal stress only: of the order (rho spin^2 r^2)^2 / 2E, far below kinetic.
   EXPECT_LT(domain.energy.internal + domain.energy.hourglass, 1e-3 * domain.energy.kinetic);
 }
@@ -68,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"BelytschkoTsayTumbling", model::ShellFormulation::BelytschkoTsay, {1, 0, 0}},
                       Case{"HughesLiuInPlane", model::ShellFormulation::HughesLiu, {0, 0, 1}},
                       Case{"HughesLiuTumbling", model::ShellFormulation::HughesLiu, {1, 0, 0}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& which) { return which.param.name; });
 
 }  // namespace
 }  // namespace crumple
