@@ -2,6 +2,8 @@
 #pragma once
 
 #include "materials/elastic.hpp"
+#include "materials/piecewise_linear_plasticity.hpp"
+#include "materials/plastic_kinematic.hpp"
 
 namespace crumple::materials {
 
@@ -13,6 +15,8 @@ struct LawList {
 /// Every constitutive law of shells, one line each. What a law must have is written in tile_update.hpp (the
 /// update, a template over the pack) and in registry.cpp (name, history and constants).
 using ShellLaws = LawList<  //
-    ElasticLaw>;
+    ElasticLaw,             //
+    PlasticKinematicLaw,    //
+    PiecewiseLinearPlasticityLaw>;
 
 }  // namespace crumple::materials

@@ -40,7 +40,7 @@ int shell_material_kind(const model::ConstitutiveLaw& law) {
 Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block) {
   const Index first = block.components;
   with_law(
-      law, [&]<class Law>(Law, int) { Law::declare_history(block); }, ShellLaws{});
+      law, [&]<class Law>(Law, int) { Law::declare_history(law, block); }, ShellLaws{});
   return first;
 }
 

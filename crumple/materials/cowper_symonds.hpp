@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "materials/plane_stress.hpp"
+#include "math/power.hpp"
+
+namespace crumple::materials {
+
+/// Effective strain increment if the material keeps its volume (zz = -xx - yy): sqrt(2/3 e : e). Under
+/// uniaxial tension of an incompressible material it is the axial one.
+template <class Pack>
+CRUMPLE_INLINE Pack effective_strain(const PlaneStrain<Pack>& strain) {
+  using Real = RealOf<Pack>;
+  Pack shears = strain.zx * strain.zx;
+  shears = multiply_add(strain.yz, strain.yz, shears);
+  shears = multiply_add(strain.xy, strain.xy, shears);
+  Pack direct = strain.xx * strain.yy;
+  direct = multiply_add(strain.yy, strain.yy, direct);
+  direct = multiply_add(strain.xx, strain.xx, direct);
+  return square_root(multiply_add(Pack(Real(4.0 / 3.0)), direct, Pack(Pack(Real(1.0 / 3.0)) * shears)));
+}
+
+/// Factor on the yield stress, 1 + (rate / C)^(1/p) (Cowper & Symonds 1957).
+template <class Real>
+struct CowperSymonds {
+  Real per_rate = 0;  ///< 1 / (C dt); 0 switches the effect off
+  Real exponent = 1;  ///< 1 / p
+
+  CRUMPLE_INLINE CowperSymonds(double rate, double p, Real step) {
+    if (rate <= 0 || !(step > 0)) return;
+    per_rate = static_cast<Real>(1 / (rate * static_cast<double>(step)));
+    exponent = static_cast<Real>(1 / p);
+  }
+
+  template <class Pack>
+  CRUMPLE_INLINE Pack factor(const PlaneStrain<Pack>& strain) const {
+    const Pack one(Real(1));
+    if (per_rate == 0) return one;
+    return one + math::power(Pack(Pack(per_rate) * effective_strain(strain)), Pack(exponent));
+  }
+};
+
+}  // namespace crumple::materials

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "materials/cowper_symonds.hpp"
+#include "materials/plane_stress.hpp"
+#include "materials/tile_update.hpp"
+
+namespace crumple::materials {
+
+/// Yield stress at zero rate and its slope over the effective plastic strain.
+template <class Pack>
+struct YieldPoint {
+  Pack stress, slope;
+};
+
+/// J2 plasticity in plane stress with two transverse shears: the return of Simo & Taylor (IJNME 22 (1986)
+/// 649-670) in the five components at once, since sum, difference and shears of the stress are the
+/// eigenvectors of both elasticity and yield function (docs/theory/plane_stress_plasticity.md). `Hardening`
+/// gives at(strain) -> YieldPoint and least(), a bound that the yield stress never falls below.
+template <class Pack, class Hardening>
+struct PlaneStressPlasticity {
+  using Real = RealOf<Pack>;
+  using Mask = MaskOf<Pack>;
+  using History = HistoryView<Real>;
+
+  /// The trial stress relative to the back stress, as its squares.
+  struct Trial {
+    Pack sum_square;   ///< 1/4 (xx + yy)^2
+    Pack rest_square;  ///< 3/4 (xx - yy)^2 + 3 (xy^2 + yz^2 + zx^2)
+    Pack radius;       ///< yield stress at the old plastic strain and the present rate
+    Pack rate_factor;
+    Pack plastic_zz;  ///< increment of plastic strain zz
+  };
+  static constexpr bool can_yield = true;
+
+  PlaneStressElasticity<Real> elasticity;
+  Hardening hardening;
+  CowperSymonds<Real> rate;
+  Real kinematic;   ///< 2/3 of the kinematic hardening modulus; 0: there is no back stress in the state
+  Real sum_slope;   ///< by which gamma divides the sum: 1 + sum_slope gamma
+  Real rest_slope;  ///< the same for difference and shears
+
+  CRUMPLE_INLINE PlaneStressPlasticity(double youngs_modulus, double poissons_ratio, double kinematic_modulus,
+                                       const Hardening& hardening_law, const CowperSymonds<Real>& rate_effect)
+      : elasticity(youngs_modulus, poissons_ratio),
+        hardening(hardening_law),
+        rate(rate_effect),
+        kinematic(static_cast<Real>(2.0 / 3.0 * kinematic_modulus)),
+        sum_slope(
+            static_cast<Real>(youngs_modulus / (3 * (1 - poissons_ratio)) + 2.0 / 3.0 * kinematic_modulus)),
+        rest_slope(static_cast<Real>(youngs_modulus / (1 + poissons_ratio) + 2.0 / 3.0 * kinematic_modulus)) {
+  }
+
+  CRUMPLE_INLINE static Real* plastic_strain(const History& history) { return history.at(history.point); }
+  CRUMPLE_INLINE static Real* back_stress(const History& history) {
+    return history.at(history.points + components * history.point);
+  }
+
+  CRUMPLE_INLINE PlaneStress<Pack> relative(const PlaneStress<Pack>& stress, const History& history) const {
+    if (kinematic == 0) return stress;
+    const auto back = load_five<PlaneStress<Pack>>(back_stress(history), lanes);
+    return {stress.xx - back.xx, stress.yy - back.yy, stress.xy - back.xy, stress.yz - back.yz,
+            stress.zx - back.zx};
+  }
+
+  CRUMPLE_INLINE Trial trial(const PlaneStress<Pack>& stress, const PlaneStrain<Pack>& strain,
+                             const History& history) const {
+    const PlaneStress<Pack> s = relative(stress, history);
+    const Pack sum = s.xx + s.yy;
+    const Pack difference = s.xx - s.yy;
+    Pack rest = Pack(Real(0.25)) * (difference * difference);
+    rest = multiply_add(s.xy, s.xy, rest);
+    rest = multiply_add(s.yz, s.yz, rest);
+    rest = multiply_add(s.zx, s.zx, rest);
+    const Pack factor = rate.factor(strain);
+    const Pack yield = hardening.at(load<Pack>(plastic_strain(history))).stress;
+    return {Pack(Real(0.25)) * (sum * sum), Pack(Real(3)) * rest, factor * yield, factor, Pack(Real(0))};
+  }
+
+  CRUMPLE_INLINE Mask yields(const Trial& t) const {
+    return t.sum_square + t.rest_square > t.radius * t.radius;
+  }
+
+  /// The consistency parameter times rest_slope, in the lanes of the mask.
+  struct Solution {
+    Pack x;
+    Pack size;  ///< equivalent stress over the old radius
+  };
+
+  /// Newton's method on 1 = yield stress / equivalent stress, which is nearly linear in x and, for linear
+  /// hardening, concave: it approaches the root from below without fail. Kinks of a table may throw it off;
+  /// the bracket then halves. A lane that has converged is left alone, so that its bits do not depend on its
+  /// neighbours.
+  CRUMPLE_INLINE Solution solve(const Trial& t, const Mask& mask, const Pack& old_strain) const {
+    constexpr Real tolerance = sizeof(Real) == sizeof(float) ? Real(2.5e-7) : Real(4e-15);
+    constexpr int most_iterations = 60;
+    const Pack zero(Real(0));
+    const Pack one(Real(1));
+    const Pack third(Real(2.0 / 3.0));
+    const Pack radius_square = t.radius * t.radius;
+    const Pack u = t.sum_square / radius_square;
+    const Pack v = t.rest_square / radius_square;
+    const Pack ratio(sum_slope / rest_slope);
+    const Pack strain_unit = third * t.radius / Pack(rest_slope);
+    const Pack scale = t.rate_factor / t.radius;
+    const Real slowest = sum_slope < rest_slope ? sum_slope / rest_slope : Real(1);
+    const Pack floor_stress = scale * Pack(hardening.least());
+    Pack low = zero;
+    Pack high = (square_root(Pack(u + v)) / floor_stress - one) / Pack(slowest) + Pack(Real(1e-6));
+    Solution found{zero, one};
+    Mask open = mask;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      const Pack over_a = one / multiply_add(ratio, found.x, one);
+      const Pack over_b = one / (one + found.x);
+      const Pack ua = u * (over_a * over_a);
+      const Pack vb = v * (over_b * over_b);
+      const Pack size = square_root(Pack(ua + vb));
+      const Pack fall = multiply_add(Pack(ratio * ua), over_a, Pack(vb * over_b)) / size;
+      const auto yield = hardening.at(Pack(old_strain + strain_unit * (found.x * size)));
+      const Pack quotient = scale * yield.stress / size;
+      const Pack g = quotient - one;
+      found.size = select<Pack>(open, size, found.size);
+      open = open && (absolute(g) > Pack(tolerance));
+      if (!any<Pack>(open)) break;
+      low = select<Pack>(g < zero, found.x, low);
+      high = select<Pack>(g < zero, high, found.x);
+      const Pack growth = scale * yield.slope * strain_unit * multiply_add(Pack(-found.x), fall, size);
+      const Pack slope = multiply_add(quotient, fall, growth) / size;
+      Pack next = found.x - g / slope;
+      const Mask inside = (next > low) && (next < high);
+      next = select<Pack>(inside, next, Pack(Real(0.5) * (low + high)));
+      found.x = select<Pack>(open, next, found.x);
+    }
+    return found;
+  }
+
+  CRUMPLE_INLINE void correct(PlaneStress<Pack>& stress, Trial& t, const Mask& mask,
+                              const History& history) const {
+    const Pack zero(Real(0));
+    const Pack one(Real(1));
+    const Pack half(Real(0.5));
+    const Pack old_strain = load<Pack>(plastic_strain(history));
+    const Solution solution = solve(t, mask, old_strain);
+    const PlaneStress<Pack> s = relative(stress, history);
+    const Pack gamma = solution.x / Pack(rest_slope);
+    const Pack over_a = one / multiply_add(Pack(sum_slope / rest_slope), solution.x, one);
+    const Pack over_b = one / (one + solution.x);
+    const Pack sum = half * (over_a * (s.xx + s.yy));
+    const Pack difference = half * (over_b * (s.xx - s.yy));
+    PlaneStress<Pack> returned{sum + difference, sum - difference, over_b * s.xy, over_b * s.yz,
+                               over_b * s.zx};
+    if (kinematic != 0) {
+      // The back stress follows the relative stress: d alpha = 2/3 H_k gamma (sigma - alpha).
+      const Pack follow = Pack(kinematic) * gamma;
+      auto back = load_five<PlaneStress<Pack>>(back_stress(history), lanes);
+      const auto advance = [&](Pack& alpha, Pack& sigma) {
+        alpha = select<Pack>(mask, multiply_add(follow, sigma, alpha), alpha);
+        sigma = sigma + alpha;
+      };
+      advance(back.xx, returned.xx);
+      advance(back.yy, returned.yy);
+      advance(back.xy, returned.xy);
+      advance(back.yz, returned.yz);
+      advance(back.zx, returned.zx);
+      store_five(back_stress(history), lanes, back);
+    }
+    stress.xx = select<Pack>(mask, returned.xx, stress.xx);
+    stress.yy = select<Pack>(mask, returned.yy, stress.yy);
+    stress.xy = select<Pack>(mask, returned.xy, stress.xy);
+    stress.yz = select<Pack>(mask, returned.yz, stress.yz);
+    stress.zx = select<Pack>(mask, returned.zx, stress.zx);
+    const Pack grown =
+        multiply_add(Pack(Pack(Real(2.0 / 3.0)) * gamma), Pack(solution.size * t.radius), old_strain);
+    store(plastic_strain(history), select<Pack>(mask, grown, old_strain));
+    t.plastic_zz = select<Pack>(mask, Pack(-(Pack(Real(2.0 / 3.0)) * gamma * sum)), zero);
+  }
+};
+
+}  // namespace crumple::materials

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "materials/plane_stress_plasticity.hpp"
+
+namespace crumple::materials {
+
+/// sigma_0 + H strain.
+template <class Real>
+struct LinearHardening {
+  Real initial;
+  Real modulus;
+
+  template <class Pack>
+  CRUMPLE_INLINE YieldPoint<Pack> at(const Pack& strain) const {
+    return {multiply_add(Pack(modulus), strain, Pack(initial)), Pack(modulus)};
+  }
+  CRUMPLE_INLINE Real least() const { return initial; }
+};
+
+/// J2 plasticity with linear hardening, isotropic by a share beta of the plastic modulus and kinematic by the
+/// rest, and the Cowper-Symonds rate effect (docs/theory/plane_stress_plasticity.md).
+struct PlasticKinematicLaw {
+  using Model = model::PlasticKinematic;
+  static constexpr const char* name = "plastic kinematic";
+
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
+  static std::vector<double> constants(const model::Material& material);
+
+  template <class Pack>
+  struct Update : PlaneStressPlasticity<Pack, LinearHardening<RealOf<Pack>>> {
+    using Real = RealOf<Pack>;
+    using Hardening = LinearHardening<Real>;
+
+    // constants: E, nu, sigma_0, isotropic modulus, kinematic modulus, C, p
+    CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
+        : PlaneStressPlasticity<Pack, Hardening>(
+              task.constants[0], task.constants[1], task.constants[4],
+              Hardening{static_cast<Real>(task.constants[2]), static_cast<Real>(task.constants[3])},
+              CowperSymonds<Real>(task.constants[5], task.constants[6], task.step)) {}
+  };
+};
+
+}  // namespace crumple::materials
