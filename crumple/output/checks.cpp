@@ -109,7 +109,7 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
                  0.05, w179, 0.05));
   if (!view.domain.contacts.empty()) {
     checks.push_back(make_check("negative contact energy / internal energy",
-                                -std::min(0.0, ratio_of(energy.contact, energy.internal, scale)), 0.01,
+                                std::max(0.0, -ratio_of(energy.contact, energy.internal, scale)), 0.01,
                                 "practice: not negative", 0.0));
     checks.push_back(make_check("contact energy without friction / internal energy",
                                 ratio_of(energy.contact, energy.internal, scale), 0.10, "practice", 0.10));

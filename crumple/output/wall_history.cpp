@@ -18,7 +18,7 @@ class WallHistory : public History {
       const auto& n = view.model.rigid_walls[i].normal;
       math::Vec3 force;
       if (time > time_) force = (1.0 / (time - time_)) * (wall.impulse - impulse_[i]);
-      const double normal = -math::dot(force, {n[0], n[1], n[2]});
+      const double normal = 0.0 - math::dot(force, {n[0], n[1], n[2]});
       table.add_row(time, wall.id, normal, force.x, force.y, force.z);
       if (time > time_) impulse_[i] = wall.impulse;
     }
