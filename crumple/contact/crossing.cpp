@@ -14,6 +14,9 @@ constexpr int halvings = 40;
 /// node went through the segment and not round its edge.
 constexpr double touching = 1e-3;
 
+/// Distance at the start of the step, over that at its end, below which the node starts on the mid-surface.
+constexpr double on_surface = 1e-9;
+
 struct Place {
   double distance = 0;
   int side = 0;
@@ -37,7 +40,8 @@ Place place_at(const SurfaceAt& now, Index node, Index segment, double back) {
 int crossed_from(const SurfaceAt& now, Index node, Index segment, double step) {
   const Place start = place_at(now, node, segment, step);
   const Place end = place_at(now, node, segment, 0);
-  if (start.side == end.side) return 0;
+  // A node that starts on the mid-surface comes from no side.
+  if (start.side == end.side || start.distance <= on_surface * end.distance) return 0;
   double before = 0;
   double after = 1;
   Place last = end;

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/intersections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "cellsearch/search.hpp"
+#include "contact/segment_shape.hpp"
+
+namespace crumple::contact {
+namespace {
+
+double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return dot(b - a, cross(c - a, d - a));
+}
+
+/// Distance from the plane of a triangle, over the length of the line, below which an end of the line counts
+/// as lying in the plane.
+constexpr double in_plane = 1e-9;
+
+/// True if the line from a to b goes through the triangle, its rim included; not if it only touches.
+bool pierces(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t) {
+  const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+  const double above_a = dot(a - t[0], normal);
+  const double above_b = dot(b - t[0], normal);
+  const double smallest = in_plane * norm(normal) * norm(b - a);
+  if (std::min(std::fabs(above_a), std::fabs(above_b)) <= smallest || (above_a > 0) == (above_b > 0))
+    return false;
+  const double v0 = volume(a, b, t[0], t[1]);
+  const double v1 = volume(a, b, t[1], t[2]);
+  const double v2 = volume(a, b, t[2], t[0]);
+  return (v0 >= 0 && v1 >= 0 && v2 >= 0) || (v0 <= 0 && v1 <= 0 && v2 <= 0);
+}
+
+bool pierces_segment(const Vec3& a, const Vec3& b, const SegmentShape& shape) {
+  if (shape.triangle) return pierces(a, b, {shape.corner[0], shape.corner[1], shape.corner[2]});
+  for (int k = 0; k < 4; ++k)
+    if (pierces(a, b, {shape.corner[k], shape.corner[(k + 1) % 4], shape.centre})) return true;
+  return false;
+}
+
+/// True if a line of segment `one` goes through segment `other`.
+bool cuts(const Surface& surface, const Configuration& x, Index one, Index other) {
+  const Index* nodes = surface.segment(one);
+  const SegmentShape shape = shape_of(surface, x, one);
+  const SegmentShape target = shape_of(surface, x, other);
+  for (int k = 0; k < 4; ++k) {
+    if (surface.owns(other, nodes[k])) continue;
+    const int next = (k + 1) % 4;
+    if (has_edge(nodes, k) && !surface.owns(other, nodes[next]) &&
+        pierces_segment(shape.corner[k], shape.corner[next], target))
+      return true;
+    if (!shape.triangle && pierces_segment(shape.corner[k], shape.centre, target)) return true;
+  }
+  return false;
+}
+
+double radius(const SegmentShape& shape) {
+  double largest = 0;
+  for (const Vec3& corner : shape.corner) largest = std::max(largest, norm(corner - shape.centre));
+  return largest;
+}
+
+}  // namespace
+
+std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
+                                                        const AlignedArray<Vec3>& position, int threads) {
+  const Configuration x{position.data(), nullptr, 0};
+  // Two segments can cut only where the centre of one is in the box of the other, expanded by its radius.
+  std::vector<double> points;
+  points.reserve(3 * (position.size() + surface.segment_id.size()));
+  const auto append = [&](const Vec3& a) { points.insert(points.end(), {a.x, a.y, a.z}); };
+  for (const Vec3& a : position) append(a);
+  double largest_radius = 0;
+  for (Index s = 0; s < surface.segments(); ++s) {
+    const SegmentShape shape = shape_of(surface, x, s);
+    append(shape.centre);
+    largest_radius = std::max(largest_radius, radius(shape));
+  }
+  std::vector<Index> centres(surface.segments());
+  std::iota(centres.begin(), centres.end(), static_cast<Index>(position.size()));
+
+  cellsearch::Scene scene;
+  scene.positions = cellsearch::Positions(points);
+  scene.segments = cellsearch::Segments(surface.connectivity);
+  scene.expansion = largest_radius;
+  scene.nodes = std::span<const cellsearch::Index>(centres);
+  cellsearch::Settings settings;
+  settings.threads = threads;
+  cellsearch::Search search(settings);
+  const cellsearch::Candidates& near = search.find(scene);
+
+  std::vector<std::array<Index, 2>> found;
+  for (Index s = 0; s < near.segments(); ++s)
+    for (const Index centre : near.of(s)) {
+      const Index other = centre - centres.front();
+      if (other > s && (cuts(surface, x, s, other) || cuts(surface, x, other, s)))
+        found.push_back({s, other});
+    }
+  return found;
+}
+
+PenetrationSummary summarise(std::span<const Penetration> penetrations) {
+  PenetrationSummary summary;
+  std::vector<double> ratios;
+  for (const Penetration& found : penetrations) {
+    const double ratio = found.reach > 0 ? found.depth / found.reach : 1.0;
+    ratios.push_back(ratio);
+    if (ratio >= 1) ++summary.beyond;
+    if (ratio <= summary.largest) continue;
+    summary.largest = ratio;
+    summary.worst_node = found.node;
+    summary.worst_segment = found.segment;
+  }
+  summary.pairs = static_cast<Index>(ratios.size());
+  if (ratios.empty()) return summary;
+  std::sort(ratios.begin(), ratios.end());
+  const auto rank = static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(ratios.size())));
+  summary.percentile_99 = ratios[std::max<std::size_t>(rank, 1) - 1];
+  return summary;
+}
+
+}  // namespace crumple::contact

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/aligned_array.hpp"
+#include "base/index.hpp"
+#include "contact/statistics.hpp"
+#include "contact/surface.hpp"
+
+namespace crumple::contact {
+
+/// The pairs of segments (lower first, ascending) whose mid-surfaces cut through each other: an edge of a
+/// sub-triangle of one goes through a sub-triangle of the other. Edges that start at a node of the other
+/// segment do not count, so that neighbours are found only where they really cut. `position` holds all domain
+/// nodes. A check of results, not part of the contact; O(N) for elements of similar size.
+std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
+                                                        const AlignedArray<Vec3>& position, int threads);
+
+/// How deep the contacts are, over the depth at which a node reaches the mid-surface [-].
+struct PenetrationSummary {
+  Index pairs = 0;
+  Index beyond = 0;  ///< pairs whose node is on or beyond the mid-surface
+  double largest = 0;
+  double percentile_99 = 0;  ///< 99 % of the pairs are at most this deep (nearest rank)
+  UserId worst_node = 0;
+  UserId worst_segment = 0;  ///< shell
+};
+
+PenetrationSummary summarise(std::span<const Penetration> penetrations);
+
+}  // namespace crumple::contact

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contact/single_surface.hpp"
+#include "domain/build.hpp"
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::test {
+
+using math::Vec3;
+
+/// Builds models of shells for contact tests: one part, elastic, with masses set by hand.
+class Bodies {
+ public:
+  explicit Bodies(double thickness = 0.1) {
+    model.shell_sections.resize(1);
+    model.shell_sections[0].thickness = {thickness, thickness, thickness, thickness};
+    model.materials.resize(1);
+    model.materials[0].density = 1;
+    model.materials[0].law = model::Elastic{1000.0, 0.25};
+    model.parts.resize(1);
+    model.parts[0].id = 1;
+    model.parts[0].section = 0;
+    model.parts[0].material = 0;
+    contact.id = 7;
+    contact.parts = {0};
+  }
+
+  Index node(const Vec3& x) {
+    model.nodes.id.push_back(1000 + model.nodes.count());
+    model.nodes.position.push_back({x.x, x.y, x.z});
+    return model.nodes.count() - 1;
+  }
+
+  Index shell(Index a, Index b, Index c, Index d) {
+    const auto place = static_cast<Index>(model.shells.size());
+    model.shells.push_back({5000 + place, 0, {a, b, c, d}, {}});
+    return place;
+  }
+
+  /// A strip of nx by ny quadrilaterals: node (i, j) at `at(i / nx, j / ny)`. Returns its first node; node
+  /// (i, j) is first + i (ny + 1) + j.
+  template <class At>
+  Index sheet(int nx, int ny, const At& at) {
+    const Index first = model.nodes.count();
+    for (int i = 0; i <= nx; ++i)
+      for (int j = 0; j <= ny; ++j) node(at(static_cast<double>(i) / nx, static_cast<double>(j) / ny));
+    for (int i = 0; i < nx; ++i)
+      for (int j = 0; j < ny; ++j) {
+        const Index corner = first + i * (ny + 1) + j;
+        shell(corner, corner + ny + 1, corner + ny + 2, corner + 1);
+      }
+    return first;
+  }
+
+  /// The domain, with the same mass at every node.
+  domain::Domain build(double mass = 1.0, int threads = 1) const {
+    domain::Execution execution;
+    execution.threads = threads;
+    domain::Domain made = domain::build(model, execution);
+    made.nodes.mass.assign(made.nodes.mass.size(), mass);
+    made.contacts.resize(1);
+    return made;
+  }
+
+  contact::SingleSurface attach(const domain::Domain& made) const {
+    return contact::SingleSurface(model, made, contact, 0);
+  }
+
+  model::Model model;
+  model::SingleSurfaceContact contact;
+};
+
+/// Index in the domain of a node of the model.
+inline Index at(const domain::Domain& made, Index model_node) {
+  return made.nodes.domain_node[model_node];
+}
+
+inline void clear_forces(domain::Domain& made) {
+  for (domain::NodeForce& force : made.nodes.force) force = domain::NodeForce{};
+  for (Vec3& force : made.contact_force) force = Vec3{};
+}
+
+/// Forces at the present positions.
+inline void add_forces(contact::SingleSurface& touching, domain::Domain& made) {
+  clear_forces(made);
+  touching.add_forces(made);
+}
+
+/// Moves all nodes to new positions in one step, with the velocities that this takes, and adds the forces.
+inline void move_to(contact::SingleSurface& touching, domain::Domain& made, const std::vector<Vec3>& x,
+                    double step) {
+  for (Index i = 0; i < made.nodes.count(); ++i) {
+    made.nodes.velocity[i] = (1.0 / step) * (x[i] - made.nodes.position[i]);
+    made.nodes.position[i] = x[i];
+  }
+  made.clock.step = step;
+  made.clock.time += step;
+  ++made.clock.cycle;
+  add_forces(touching, made);
+}
+
+/// One step of central differences under contact forces alone: velocities from the forces at time n, then
+/// positions and forces at n+1. Nodes in `held` keep their velocity.
+inline void integrate(contact::SingleSurface& touching, domain::Domain& made, double step,
+                      const std::vector<Index>& held = {}) {
+  std::vector<char> fixed(made.nodes.count(), 0);
+  for (const Index node : held) fixed[node] = 1;
+  for (Index i = 0; i < made.nodes.count(); ++i) {
+    const double* force = made.nodes.force[i].force;
+    // The first kick is half a step, so that x(0) and v(-1/2) start from the same time.
+    const double kick = made.clock.cycle == 0 ? 0.5 * step : step;
+    if (fixed[i] == 0)
+      made.nodes.velocity[i] += (kick / made.nodes.mass[i]) * Vec3{force[0], force[1], force[2]};
+    made.nodes.position[i] += step * made.nodes.velocity[i];
+  }
+  made.clock.step = step;
+  made.clock.time += step;
+  ++made.clock.cycle;
+  add_forces(touching, made);
+}
+
+inline Vec3 total_force(const domain::Domain& made) {
+  Vec3 sum;
+  for (const Vec3& force : made.contact_force) sum += force;
+  return sum;
+}
+
+inline Vec3 total_moment(const domain::Domain& made) {
+  Vec3 sum;
+  for (Index i = 0; i < made.nodes.count(); ++i) sum += cross(made.nodes.position[i], made.contact_force[i]);
+  return sum;
+}
+
+}  // namespace crumple::test

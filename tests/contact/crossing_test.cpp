@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "contact/bodies.hpp"
+
+namespace crumple {
+namespace {
+
+using test::at;
+using test::Bodies;
+using test::Vec3;
+
+constexpr double thickness = 0.1;
+
+/// A sheet of 4 x 4 unit squares in z = 0 and a triangle standing on its tip.
+struct TipOverSheet {
+  explicit TipOverSheet(const Vec3& x) : bodies(thickness) {
+    sheet = bodies.sheet(4, 4, [](double u, double v) { return Vec3{4 * u, 4 * v, 0}; });
+    tip = bodies.node(x);
+    const Index b = bodies.node(x + Vec3{2, 0.3, 3});
+    const Index c = bodies.node(x + Vec3{2, -0.3, 3});
+    bodies.shell(tip, b, c, c);
+  }
+  std::vector<Vec3> moved(const domain::Domain& made, const Vec3& to) const {
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    const Vec3 shift = to - x[at(made, tip)];
+    for (Index n = tip; n < tip + 3; ++n) x[at(made, n)] += shift;
+    return x;
+  }
+  Bodies bodies;
+  Index sheet = 0;
+  Index tip = 0;
+};
+
+// In one step from outside the contact distance to beyond the mid-surface, to within the contact distance of
+// the other side or far beyond it: pushed back to where it came from.
+TEST(Crossing, FastNodeIsReturnedToItsSide) {
+  for (const double side : {1.0, -1.0})
+    for (const double depth : {0.03, 0.09, 0.25}) {
+      TipOverSheet scene({1.4, 1.3, side * 0.3});
+      domain::Domain made = scene.bodies.build();
+      contact::SingleSurface touching = scene.bodies.attach(made);
+      test::add_forces(touching, made);
+      test::move_to(touching, made, scene.moved(made, {1.45, 1.3, -side * depth}), 1e-4);
+      EXPECT_GT(side * made.contact_force[at(made, scene.tip)].z, 0.0);
+      EXPECT_NEAR(made.contacts[0].penetration, thickness + depth, 1e-12);
+      EXPECT_EQ(touching.statistics().nodes_astray, 1);
+      // It stays remembered while it slides on to a neighbour on the wrong side, and until it is back.
+      test::move_to(touching, made, scene.moved(made, {2.3, 2.4, -side * depth}), 1e-4);
+      EXPECT_GT(side * made.contact_force[at(made, scene.tip)].z, 0.0);
+      EXPECT_NEAR(made.contacts[0].penetration, thickness + depth, 1e-12);
+      test::move_to(touching, made, scene.moved(made, {2.3, 2.4, side * 0.05}), 1e-4);
+      EXPECT_GT(side * made.contact_force[at(made, scene.tip)].z, 0.0);
+      EXPECT_EQ(touching.statistics().nodes_astray, 0);
+    }
+}
+
+// Through the plane of the sheet, but beyond its free edge: no crossing.
+TEST(Crossing, PassingBesideTheFreeEdgeIsNoCrossing) {
+  TipOverSheet scene({-0.3, 1.3, 0.2});
+  domain::Domain made = scene.bodies.build();
+  contact::SingleSurface touching = scene.bodies.attach(made);
+  test::add_forces(touching, made);
+  test::move_to(touching, made, scene.moved(made, {-0.12, 1.3, -0.25}), 1e-4);
+  EXPECT_EQ(made.contacts[0].active_pairs, 0);
+  test::move_to(touching, made, scene.moved(made, {0.3, 1.3, -0.25}), 1e-4);
+  EXPECT_EQ(made.contacts[0].active_pairs, 0);
+  test::move_to(touching, made, scene.moved(made, {0.3, 1.3, -0.06}), 1e-4);
+  EXPECT_LT(made.contact_force[at(made, scene.tip)].z, 0.0);
+}
+
+// A sheet that moves through a node at rest is the same thing.
+TEST(Crossing, OnlyRelativeMotionCounts) {
+  TipOverSheet scene({1.4, 1.3, 0.3});
+  domain::Domain made = scene.bodies.build();
+  contact::SingleSurface touching = scene.bodies.attach(made);
+  test::add_forces(touching, made);
+  std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+  for (Index n = 0; n < scene.tip; ++n) x[at(made, n)].z += 0.34;
+  test::move_to(touching, made, x, 1e-4);
+  EXPECT_GT(made.contact_force[at(made, scene.tip)].z, 0.0);
+  EXPECT_NEAR(made.contacts[0].penetration, thickness + 0.04, 1e-12);
+}
+
+// Shot at a sheet so fast that it is beyond the mid-surface within a step, a node comes back by itself.
+TEST(Crossing, ShotNodeComesBack) {
+  TipOverSheet scene({1.4, 1.3, 0.15});
+  scene.bodies.model.control.contact_stiffness_scale = 1e5;  // stability sets the stiffness
+  domain::Domain made = scene.bodies.build(1.0);
+  contact::SingleSurface touching = scene.bodies.attach(made);
+  const double step = 1e-3;
+  made.clock.element_limit = step;
+  for (Index n = scene.tip; n < scene.tip + 3; ++n) made.nodes.velocity[at(made, n)] = {0, 0, -120};
+  std::vector<Index> held;
+  for (Index n = 0; n < scene.tip; ++n) held.push_back(at(made, n));
+  test::add_forces(touching, made);
+  bool beyond = false;
+  for (int i = 0; i < 400; ++i) {
+    test::integrate(touching, made, step, held);
+    beyond = beyond || made.nodes.position[at(made, scene.tip)].z < 0;
+  }
+  EXPECT_TRUE(beyond);
+  EXPECT_GT(made.nodes.velocity[at(made, scene.tip)].z, 0.0);
+}
+
+}  // namespace
+}  // namespace crumple

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "contact/bodies.hpp"
+#include "contact/penalty.hpp"
+
+namespace crumple {
+namespace {
+
+using test::at;
+using test::Bodies;
+using test::Vec3;
+
+// Law: linear to half of the reach, potential by construction: the work over a path is that of the slope.
+TEST(Penalty, ForceIsContinuousAndItsSlopeIsLimited) {
+  contact::PenaltyLaw law{100.0, 600.0, 0.2};
+  EXPECT_DOUBLE_EQ(law.force(0.05), 5.0);
+  EXPECT_DOUBLE_EQ(law.force(-0.05), 0.0);
+  const double h = 1e-6;
+  double last_slope = 100;
+  for (double d = 0; d < 0.4; d += 1e-3) {
+    const double slope = (law.force(d + 1.5 * h) - law.force(d + 0.5 * h)) / h;
+    EXPECT_LE(slope, 600 * (1 + 1e-6));
+    EXPECT_GE(slope, last_slope - 1e-3);
+    last_slope = slope;
+  }
+  EXPECT_NEAR(last_slope, 600, 1e-3);
+  law.limit = 1e9;  // unlimited: ten times the stiffness from the mid-surface on
+  EXPECT_NEAR((law.force(0.3) - law.force(0.25)) / 0.05, 1000, 1e-6);
+  // 100 * 0.2 and the integral of the growing slope, 900 over 0.1: 1/2 * 900 * 0.1.
+  EXPECT_NEAR(law.force(0.2), 20 + 45, 1e-10);
+  law.limit = 30;
+  EXPECT_DOUBLE_EQ(law.force(0.15), 4.5);
+}
+
+TEST(Penalty, DecayIsTheExponentialFunction) {
+  for (double x = 0; x < 690; x += 0.37) EXPECT_NEAR(contact::decay(x) / std::exp(-x), 1.0, 5e-13);
+  EXPECT_EQ(contact::decay(1e6), 0.0);
+}
+
+struct Balance {
+  double kinetic = 0;
+  Vec3 momentum;
+  Vec3 spin;
+};
+
+/// Kinetic energy at time n from the velocities before and after the kick, and momenta.
+Balance balance(const domain::Domain& made, double step) {
+  Balance sum;
+  for (Index i = 0; i < made.nodes.count(); ++i) {
+    const double mass = made.nodes.mass[i];
+    const double* force = made.nodes.force[i].force;
+    const Vec3 kick = (step / mass) * Vec3{force[0], force[1], force[2]};
+    const Vec3 before = made.nodes.velocity[i];
+    sum.kinetic += 0.5 * mass * dot(before, before + kick);
+    sum.momentum += mass * before;
+    sum.spin += cross(made.nodes.position[i], mass * before);
+  }
+  return sum;
+}
+
+/// Two plates of loose masses, elements not aligned, that fly at each other at an angle.
+Bodies two_plates() {
+  Bodies bodies(0.1);
+  bodies.sheet(5, 4, [](double u, double v) { return Vec3{5 * u, 4 * v, 0}; });
+  bodies.sheet(4, 4, [](double u, double v) { return Vec3{3.7 * u + 0.33, 3.5 * v + 0.21, 0.13}; });
+  return bodies;
+}
+
+void throw_plates(domain::Domain& made, const Vec3& velocity) {
+  for (Index i = 0; i < made.nodes.count(); ++i)
+    made.nodes.velocity[i] = (made.nodes.reference[i].z > 0.05 ? 1.0 : -1.0) * velocity;
+}
+
+TEST(Energy, CollisionKeepsMomentumAndEnergy) {
+  const Bodies bodies = two_plates();
+  domain::Domain made = bodies.build(1.0);
+  throw_plates(made, {0.0, 0.0, -0.4});
+  contact::SingleSurface touching = bodies.attach(made);
+  test::add_forces(touching, made);
+  const double step = 1e-3;
+  const Balance start = balance(made, step);
+  double largest_stored = 0;
+  double worst = 0;
+  for (int i = 0; i < 3000; ++i) {
+    test::integrate(touching, made, step);
+    const Balance now = balance(made, step);
+    const double stored = made.contacts[0].energy;
+    largest_stored = std::max(largest_stored, stored);
+    worst = std::max(worst, std::fabs(now.kinetic + stored - start.kinetic));
+    ASSERT_LT(norm(now.momentum - start.momentum), 1e-12);
+    ASSERT_LT(norm(now.spin - start.spin), 1e-11);
+  }
+  EXPECT_GT(largest_stored, 0.3 * start.kinetic);
+  EXPECT_LT(worst, 1e-3 * start.kinetic);
+  EXPECT_EQ(made.contacts[0].active_pairs, 0);
+  // All that was stored has come back.
+  EXPECT_LT(std::fabs(made.contacts[0].energy), 1e-3 * start.kinetic);
+  EXPECT_EQ(made.contacts[0].friction_energy, 0);
+}
+
+TEST(Energy, FrictionAndDampingTakeEnergyOut) {
+  Bodies bodies = two_plates();
+  bodies.contact.static_friction = 0.4;
+  bodies.contact.dynamic_friction = 0.3;
+  bodies.contact.viscous_damping = 0.2;
+  domain::Domain made = bodies.build(1.0);
+  throw_plates(made, {0.2, 0.1, -0.4});
+  contact::SingleSurface touching = bodies.attach(made);
+  test::add_forces(touching, made);
+  const double step = 1e-3;
+  const Balance start = balance(made, step);
+  for (int i = 0; i < 3000; ++i) {
+    test::integrate(touching, made, step);
+    const Balance now = balance(made, step);
+    const double taken = made.contacts[0].energy + made.contacts[0].friction_energy;
+    ASSERT_NEAR(now.kinetic + taken, start.kinetic, 1e-3 * start.kinetic);
+    ASSERT_LT(norm(now.momentum - start.momentum), 1e-12);
+  }
+  EXPECT_GT(made.contacts[0].friction_energy, 0.01 * start.kinetic);
+  EXPECT_GT(made.contacts[0].energy, 0.01 * start.kinetic);
+}
+
+// Twelve nodes on one segment, each against all: the stiffness that stability leaves keeps the run bounded.
+TEST(Energy, ManyNodesOnOneSegmentStayStable) {
+  Bodies bodies(0.1);
+  bodies.model.control.contact_stiffness_scale = 1e6;
+  bodies.sheet(1, 1, [](double u, double v) { return Vec3{4 * u, 4 * v, 0}; });
+  bodies.sheet(6, 6, [](double u, double v) { return Vec3{3.5 * u + 0.2, 3.5 * v + 0.2, 0.12}; });
+  domain::Domain made = bodies.build(1.0);
+  for (Vec3& v : made.nodes.velocity) v = {};
+  for (Index i = 0; i < made.nodes.count(); ++i)
+    if (made.nodes.reference[i].z > 0.05) made.nodes.velocity[i].z = -1.0;
+  contact::SingleSurface touching = bodies.attach(made);
+  const double step = 1e-3;
+  made.clock.element_limit = step / 0.9;
+  test::add_forces(touching, made);
+  const double start = balance(made, step).kinetic;
+  Index limited = 0;
+  for (int i = 0; i < 400; ++i) {
+    test::integrate(touching, made, step);
+    limited = std::max(limited, touching.statistics().limited_pairs);
+    ASSERT_LT(balance(made, step).kinetic, 1.3 * start);
+  }
+  EXPECT_GT(limited, 10);
+  EXPECT_EQ(touching.statistics().most_limited_pairs, limited);
+}
+
+}  // namespace
+}  // namespace crumple

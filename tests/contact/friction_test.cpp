@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "contact/bodies.hpp"
+
+namespace crumple {
+namespace {
+
+using test::at;
+using test::Bodies;
+using test::Vec3;
+
+constexpr double thickness = 0.1;
+constexpr double depth = 0.02;
+
+/// A tip held at a constant depth on a sheet of unit squares; stiffness and normal force in closed form.
+struct Slider {
+  Slider(double static_friction, double dynamic_friction, double friction_decay) : bodies(thickness) {
+    bodies.contact.static_friction = static_friction;
+    bodies.contact.dynamic_friction = dynamic_friction;
+    bodies.contact.friction_decay = friction_decay;
+    sheet = bodies.sheet(4, 4, [](double u, double v) { return Vec3{4 * u, 4 * v, 0}; });
+    tip = bodies.node({0.3, 1.3, 0.2});
+    const Index b = bodies.node({0.3, 2.3, 2.2});
+    const Index c = bodies.node({0.3, 0.3, 2.2});
+    bodies.shell(tip, b, c, c);
+  }
+  static double stiffness() { return 0.1 * (1000.0 / 1.5) / std::sqrt(2.0); }
+  static double normal_force() { return stiffness() * depth; }
+
+  /// Moves the tip and its triangle by `shift` in one step.
+  static void shift(contact::SingleSurface& touching, domain::Domain& made, Index tip, const Vec3& by,
+                    double step) {
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    for (Index n = tip; n < tip + 3; ++n) x[at(made, n)] += by;
+    test::move_to(touching, made, x, step);
+  }
+  Bodies bodies;
+  Index sheet = 0;
+  Index tip = 0;
+};
+
+// Dragged at constant speed across elements: f = k s until mu N, then mu N; the energy is the area below.
+TEST(Friction, SticksThenSlips) {
+  const double mu = 0.3;
+  Slider slider(mu, mu, 0);
+  domain::Domain made = slider.bodies.build();
+  contact::SingleSurface touching = slider.bodies.attach(made);
+  test::add_forces(touching, made);
+  Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
+  const double pace = 2.5e-4;
+  const double limit = mu * Slider::normal_force();
+  const double slip_starts = limit / Slider::stiffness();
+  double work = 0;
+  double before = 0;
+  for (int i = 1; i <= 6000; ++i) {
+    Slider::shift(touching, made, slider.tip, {pace, 0, 0}, 1e-3);
+    const double distance = pace * i;
+    const double expected = distance < slip_starts ? Slider::stiffness() * distance : limit;
+    const Vec3 force = made.contact_force[at(made, slider.tip)];
+    ASSERT_NEAR(force.x, -expected, 1e-9 * limit) << "distance " << distance;
+    ASSERT_NEAR(force.z, Slider::normal_force(), 1e-9);
+    work += 0.5 * (before + expected) * pace;
+    before = expected;
+  }
+  EXPECT_NEAR(made.contacts[0].friction_energy, work, 1e-9 * work);
+  EXPECT_LT(norm(test::total_force(made)), 1e-13);
+  // Back again: the spring lets go over twice its stretch, then slips the other way.
+  const int turn = static_cast<int>(2 * slip_starts / pace) + 2;
+  for (int i = 1; i <= turn; ++i) Slider::shift(touching, made, slider.tip, {-pace, 0, 0}, 1e-3);
+  EXPECT_NEAR(made.contact_force[at(made, slider.tip)].x, limit, 1e-9 * limit);
+}
+
+// mu = FD + (FS - FD) exp(-DC v).
+TEST(Friction, DecaysWithSpeed) {
+  for (const double speed : {0.25, 2.5, 10.0}) {
+    Slider slider(0.5, 0.1, 0.8);
+    domain::Domain made = slider.bodies.build();
+    contact::SingleSurface touching = slider.bodies.attach(made);
+    test::add_forces(touching, made);
+    Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
+    for (int i = 0; i < 100; ++i) Slider::shift(touching, made, slider.tip, {0, 4e-3, 0}, 4e-3 / speed);
+    const double mu = 0.1 + 0.4 * std::exp(-0.8 * speed);
+    EXPECT_NEAR(made.contact_force[at(made, slider.tip)].y, -mu * Slider::normal_force(), 1e-9);
+  }
+}
+
+// A rigid rotation of both bodies together is no slip, and the friction force turns with them.
+TEST(Friction, RigidRotationIsNoSlip) {
+  Slider slider(0.6, 0.6, 0);
+  domain::Domain made = slider.bodies.build();
+  contact::SingleSurface touching = slider.bodies.attach(made);
+  test::add_forces(touching, made);
+  Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
+  Slider::shift(touching, made, slider.tip, {0.005, 0.002, 0}, 1e-3);
+  const Vec3 start = made.contact_force[at(made, slider.tip)];
+  ASSERT_LT(start.x, -0.1);
+  const std::vector<Vec3> x0(made.nodes.position.begin(), made.nodes.position.end());
+  const int steps = 500;
+  for (int i = 1; i <= steps; ++i) {
+    // 120 degrees about (1, 1, 1): x -> y -> z -> x at the end.
+    const double a = 2.0943951023931953 * i / steps;
+    const Vec3 axis = normalised(Vec3{1, 1, 1});
+    std::vector<Vec3> x;
+    for (const Vec3& r : x0)
+      x.push_back(std::cos(a) * r + std::sin(a) * cross(axis, r) + (1 - std::cos(a)) * dot(axis, r) * axis);
+    test::move_to(touching, made, x, 1e-3);
+  }
+  const Vec3 end = made.contact_force[at(made, slider.tip)];
+  EXPECT_NEAR(end.y, start.x, 1e-9);
+  EXPECT_NEAR(end.z, start.y, 1e-9);
+  EXPECT_NEAR(end.x, start.z, 1e-9);
+}
+
+// A block of one node thrown along a fixed sheet stops after v^2 / (2 mu N / m).
+TEST(Friction, SlidesToRest) {
+  Slider slider(0.2, 0.2, 0);
+  domain::Domain made = slider.bodies.build(1.0);
+  contact::SingleSurface touching = slider.bodies.attach(made);
+  test::add_forces(touching, made);
+  Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
+  const Index tip = at(made, slider.tip);
+  const double speed = 0.5;
+  const double step = 1e-3;
+  const double force = 0.2 * Slider::normal_force();
+  const double start = made.nodes.position[tip].x;
+  made.nodes.velocity[tip] = {speed, 0, 0};
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    // The mass slides along x; its height is held, so that the normal force is constant.
+    const double v = made.nodes.velocity[tip].x + step * made.contact_force[tip].x;
+    for (Index n = slider.tip; n < slider.tip + 3; ++n) x[at(made, n)].x += step * v;
+    test::move_to(touching, made, x, step);
+  }
+  const double travelled = made.nodes.position[tip].x - start;
+  const double expected = speed * speed / (2 * force);
+  // It ends in a swing on the friction spring, within the stretch at which that gives way.
+  EXPECT_NEAR(travelled, expected, 0.005 * expected + 0.2 * depth);
+}
+
+}  // namespace
+}  // namespace crumple

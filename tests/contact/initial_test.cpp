@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "contact/bodies.hpp"
+
+namespace crumple {
+namespace {
+
+using test::at;
+using test::Bodies;
+using test::Vec3;
+
+constexpr double thickness = 0.1;
+
+/// A tip that starts at the height z above a sheet.
+struct TipAt {
+  explicit TipAt(double z) : bodies(thickness) {
+    bodies.sheet(2, 2, [](double u, double v) { return Vec3{2 * u, 2 * v, 0}; });
+    tip = bodies.node({0.4, 0.3, z});
+    const Index b = bodies.node({0.4, 1.3, z + 2});
+    const Index c = bodies.node({0.4, -0.7, z + 2});
+    bodies.shell(tip, b, c, c);
+  }
+  void lift(contact::SingleSurface& touching, domain::Domain& made, const Vec3& by) const {
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    for (Index n = tip; n < tip + 3; ++n) x[at(made, n)] += by;
+    test::move_to(touching, made, x, 1e-3);
+  }
+  Bodies bodies;
+  Index tip = 0;
+};
+
+TEST(InitialPenetration, GivesNoForceAndIsReported) {
+  const TipAt scene(0.07);
+  domain::Domain made = scene.bodies.build();
+  contact::SingleSurface touching = scene.bodies.attach(made);
+  test::add_forces(touching, made);
+  EXPECT_EQ(norm(made.contact_force[at(made, scene.tip)]), 0.0);
+  EXPECT_EQ(made.contacts[0].energy, 0.0);
+  EXPECT_EQ(touching.statistics().initial_penetrations, 1);
+  EXPECT_NEAR(touching.statistics().worst_initial, 0.03, 1e-15);
+  EXPECT_EQ(touching.statistics().worst_initial_node, scene.bodies.model.nodes.id[scene.tip]);
+}
+
+TEST(InitialPenetration, ClosingFurtherPushesAndOpeningRecovers) {
+  const TipAt scene(0.07);
+  domain::Domain made = scene.bodies.build();
+  contact::SingleSurface touching = scene.bodies.attach(made);
+  test::add_forces(touching, made);
+  const double modulus = 1000.0 / 1.5;
+  const double stiffness = 0.1 * modulus / std::sqrt(2.0);
+  const auto force = [&] { return made.contact_force[at(made, scene.tip)].z; };
+  scene.lift(touching, made, {0, 0, -0.01});
+  EXPECT_NEAR(force(), stiffness * 0.01, 1e-10);
+  // Also after sliding on to the next segment.
+  for (int i = 0; i < 10; ++i) scene.lift(touching, made, {0.1, 0, 0});
+  EXPECT_NEAR(force(), stiffness * 0.01, 1e-10);
+  // Opened to 0.09, the contact distance is 0.09 from then on.
+  scene.lift(touching, made, {0, 0, 0.03});
+  EXPECT_EQ(force(), 0.0);
+  scene.lift(touching, made, {0, 0, -0.02});
+  EXPECT_NEAR(force(), stiffness * 0.02, 1e-10);
+  // Opened fully, it is the true one.
+  scene.lift(touching, made, {0, 0, 0.04});
+  EXPECT_EQ(force(), 0.0);
+  scene.lift(touching, made, {0, 0, -0.02});
+  EXPECT_NEAR(force(), stiffness * 0.01, 1e-10);
+}
+
+// Coincident surfaces: neither side is known, nothing pushes, and the side is taken where the node goes.
+TEST(InitialPenetration, NodeOnTheMidSurfaceLeavesFreely) {
+  for (const double side : {1.0, -1.0}) {
+    const TipAt scene(0.0);
+    domain::Domain made = scene.bodies.build();
+    contact::SingleSurface touching = scene.bodies.attach(made);
+    test::add_forces(touching, made);
+    const auto force = [&] { return made.contact_force[at(made, scene.tip)].z; };
+    EXPECT_EQ(force(), 0.0);
+    scene.lift(touching, made, {0, 0, side * 0.05});
+    EXPECT_EQ(force(), 0.0);
+    scene.lift(touching, made, {0, 0, -side * 0.01});
+    EXPECT_GT(side * force(), 0.0);
+  }
+}
+
+TEST(BirthAndDeath, ContactActsOnlyInBetween) {
+  TipAt scene(0.2);
+  scene.bodies.contact.birth_time = 0.0015;
+  scene.bodies.contact.death_time = 0.0045;
+  domain::Domain made = scene.bodies.build();
+  contact::SingleSurface touching = scene.bodies.attach(made);
+  test::add_forces(touching, made);
+  scene.lift(touching, made, {0, 0, -0.12});  // t = 1: not yet born
+  EXPECT_EQ(made.contacts[0].active_pairs, 0);
+  scene.lift(touching, made, {0, 0, 0});  // t = 2: found overlapping, which it tracks
+  EXPECT_EQ(touching.statistics().initial_penetrations, 1);
+  scene.lift(touching, made, {0, 0, -0.01});
+  EXPECT_EQ(made.contacts[0].active_pairs, 1);
+  scene.lift(touching, made, {0, 0, -0.01});
+  EXPECT_EQ(made.contacts[0].active_pairs, 1);
+  scene.lift(touching, made, {0, 0, -0.01});  // t = 5: dead
+  EXPECT_EQ(made.contacts[0].active_pairs, 0);
+  EXPECT_EQ(norm(made.contact_force[at(made, scene.tip)]), 0.0);
+}
+
+}  // namespace
+}  // namespace crumple
