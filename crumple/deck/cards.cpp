@@ -88,7 +88,8 @@ Card Cards::next(Layout layout) {
   for (std::size_t i = 0; i < layout.size(); ++i) {
     if (absent) card.values_[i].good = false;
     card.values_[i].real = layout[i].fallback;
-    card.values_[i].integer = static_cast<std::int64_t>(layout[i].fallback);
+    if (layout[i].type == FieldType::Integer)
+      card.values_[i].integer = static_cast<std::int64_t>(layout[i].fallback);
     if (!absent) parse(i, card);
   }
   if (!rest_.empty() && !absent) report_rest(card);
