@@ -35,7 +35,7 @@ test:
 	@$(use_ccache) tools/test
 
 test-full:
-	@tools/setup build test check
+	@tools/setup build test check picture
 	@$(use_ccache) tools/test_full
 
 nightly:

@@ -4,7 +4,7 @@
 #   Golden   stored state hashes, which hold for the golden compiler (g++ 12) only
 #   Slow     left out under the sanitizers
 function(crumple_discover_tests program prefix)
-  set(common TEST_PREFIX "${prefix}." DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST
+  set(common TEST_PREFIX "${prefix}." DISCOVERY_TIMEOUT 60 DISCOVERY_MODE PRE_TEST NO_PRETTY_VALUES
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   gtest_discover_tests(${program} ${common} TEST_LIST ${program}_quick
     TEST_FILTER "*-*Nightly*:*Golden*:*Slow*")
