@@ -23,13 +23,6 @@ std::string list_of_names(Layout layout) {
   return names;
 }
 
-std::string list_of_values(const Check& check) {
-  std::string values;
-  for (std::size_t i = 0; i < check.count; ++i)
-    values += fmt::format("{}{}", i == 0 ? "" : (i + 1 == check.count ? " or " : ", "), check.values[i]);
-  return values;
-}
-
 std::size_t advance_tab(std::size_t column) {
   constexpr std::size_t tab_stop = 8;
   return (column / tab_stop + 1) * tab_stop;
@@ -180,86 +173,54 @@ void Cards::parse(std::size_t index, Card& card) {
   Card::Value& value = card.values_[index];
   value.text = slots_[index];
   if (field.type == FieldType::Text) return;
-  if (!value.text.empty()) {
-    std::string substituted;
-    std::string_view text = value.text;
-    std::string hint = place_of(index, card.layout_);
-    if (Parameters::is_reference(text)) {
-      std::optional<std::string> found = parameters_->substitute(text);
-      if (!found) {
-        value.good = false;
-        report_->field_error(card.where_, {field.name, std::string(text), "a parameter that is defined",
-                                           "define it with *PARAMETER before this line", "parameter"});
-        return;
-      }
-      substituted = std::move(*found);
-      hint += fmt::format(", where {} is \"{}\"", text, substituted);
-      text = substituted;
-    }
-    const bool whole = field.type == FieldType::Integer;
-    const std::optional<std::int64_t> integer = whole ? parse_integer(text) : std::nullopt;
-    const std::optional<double> real = integer ? static_cast<double>(*integer) : parse_real(text);
-    if (!real || (whole && !integer)) {
-      value.good = false;
-      report_->field_error(card.where_, {field.name, std::string(value.text),
-                                         whole ? "a whole number" : "a number", hint, "number"});
-      return;
-    }
-    const bool takes_default = field.zero_is_default && *real == 0;
-    if (!takes_default) {
-      value.real = *real;
-      value.integer = whole ? *integer : 0;
-    }
+  if (!value.text.empty() && !read_number(index, card)) {
+    value.good = false;
+    return;
   }
-  value.good = check(field, value, card);
-  if (!value.good && field.check.kind == Check::Kind::Only) value.real = field.fallback;
+  const CheckResult result = check_field(field, value.real, value.text);
+  if (!result.fault) return;
+  value.good = result.is_harmless;
+  if (result.is_harmless) {
+    report_->field_warning(card.where_, *result.fault);
+  } else if (result.is_unsupported) {
+    FieldFault fault = *result.fault;
+    if (report_->allow_unsupported()) fault.hint += fmt::format("; {} is used", field.fallback);
+    report_->field_unsupported(card.where_, fault);
+    value.real = field.fallback;
+  } else {
+    report_->field_error(card.where_, *result.fault);
+  }
 }
 
-bool Cards::check(const Field& field, const Card::Value& value, const Card& card) {
-  const Check& check = field.check;
-  const auto among = [&] {
-    const auto end = check.values.begin() + static_cast<std::ptrdiff_t>(check.count);
-    return std::find(check.values.begin(), end, value.real) != end;
-  };
-  FieldFault fault{field.name, std::string(value.text), {}, {}, "value"};
-  switch (check.kind) {
-    case Check::Kind::None:
-      return true;
-    case Check::Kind::AboveZero:
-      if (value.real > 0) return true;
-      fault.expected = field.type == FieldType::Integer ? "a whole number above zero" : "a number above zero";
-      break;
-    case Check::Kind::NotNegative:
-      if (value.real >= 0) return true;
-      fault.expected = "a number that is not negative";
-      break;
-    case Check::Kind::Between:
-      if (value.real > check.values[0] && value.real < check.values[1]) return true;
-      fault.expected = fmt::format("a number above {} and below {}", check.values[0], check.values[1]);
-      fault.hint = check.text;
-      break;
-    case Check::Kind::Within:
-      if (value.real >= check.values[0] && value.real <= check.values[1]) return true;
-      fault.expected = fmt::format("a number from {} to {}", check.values[0], check.values[1]);
-      fault.hint = check.text;
-      break;
-    case Check::Kind::Only:
-      if (among()) return true;
-      fault.expected =
-          fmt::format("{}, the only value{} supported", list_of_values(check), check.count > 1 ? "s" : "");
-      fault.hint = check.text;
-      if (report_->allow_unsupported()) fault.hint += fmt::format("; {} is used", field.fallback);
-      report_->field_unsupported(card.where_, fault);
+bool Cards::read_number(std::size_t index, Card& card) {
+  const Field& field = card.layout_[index];
+  Card::Value& value = card.values_[index];
+  std::string_view text = value.text;
+  std::optional<std::string> substituted;
+  if (Parameters::is_reference(text)) {
+    substituted = parameters_->substitute(text);
+    if (!substituted) {
+      report_->field_error(card.where_, {field.name, std::string(text), "a parameter that is defined",
+                                         "define it with *PARAMETER before this line", "parameter"});
       return false;
-    case Check::Kind::Harmless:
-      if (among()) return true;
-      fault.expected = list_of_values(check);
-      fault.hint = check.text;
-      report_->field_warning(card.where_, fault);
-      return true;
+    }
+    text = *substituted;
   }
-  report_->field_error(card.where_, fault);
-  return false;
+  const bool whole = field.type == FieldType::Integer;
+  const std::optional<std::int64_t> integer = whole ? parse_integer(text) : std::nullopt;
+  const std::optional<double> real = whole ? std::nullopt : parse_real(text);
+  if (!integer && !real) {
+    std::string hint = place_of(index, card.layout_);
+    if (substituted) hint += fmt::format(", where {} is \"{}\"", value.text, *substituted);
+    report_->field_error(card.where_, {field.name, std::string(value.text),
+                                       whole ? "a whole number" : "a number", hint, "number"});
+    return false;
+  }
+  const double number = integer ? static_cast<double>(*integer) : *real;
+  if (number == 0 && field.zero_is_default) return true;
+  value.real = number;
+  value.integer = integer.value_or(0);
+  return true;
 }
 
 void Cards::report_rest(const Card& card) {

@@ -89,7 +89,7 @@ class Cards {
   int width_of(const Field& field) const;
   std::string place_of(std::size_t field, Layout layout) const;
   void parse(std::size_t index, Card& card);
-  bool check(const Field& field, const Card::Value& value, const Card& card);
+  bool read_number(std::size_t index, Card& card);
   void report_rest(const Card& card);
 
   const Block* block_;

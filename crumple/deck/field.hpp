@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
-#include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
+
+#include "deck/report.hpp"
 
 namespace crumple::deck {
 
@@ -42,6 +44,16 @@ struct Field {
   bool zero_is_default = false;  ///< a zero means the default as well
   int width = 10;                ///< columns in the standard format
 };
+
+/// What a check finds.
+struct CheckResult {
+  std::optional<FieldFault> fault;  ///< absent if the value is fine
+  bool is_unsupported = false;      ///< right in LS-DYNA, not supported here
+  bool is_harmless = false;         ///< the value may be left out
+};
+
+/// Checks a value that was read from `text`, or is the default of a blank field.
+CheckResult check_field(const Field& field, double value, std::string_view text);
 
 /// The fields of a card, from the first column on.
 using Layout = std::span<const Field>;
