@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cellsearch/method.hpp>
+#include <cmath>
+#include <functional>
 #include <sstream>
 
 #include "app/foreign_arguments.hpp"
@@ -44,6 +46,17 @@ std::vector<std::string> isa_names() {
   return names;
 }
 
+/// CLI11's own checks let "nan" pass. `fits` says what the number must be in words if it is not that.
+CLI::Validator number_that(const std::string& words, const std::function<bool(double)>& fits) {
+  return CLI::Validator(
+      [words, fits](const std::string& text) {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && fits(value);
+        return good ? std::string() : text + " is not " + words;
+      },
+      "");
+}
+
 /// Options of both commands.
 void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
   command.add_option("deck", options.deck, "LS-DYNA keyword deck")->required();
@@ -71,10 +84,11 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_option("--verify-search", options.verify_search,
                  "Compare the contact search with brute force every so many cycles; stop on a difference")
       ->check(CLI::NonNegativeNumber);
-  run.add_option("--end", options.end_time, "End time, instead of the deck's")->check(CLI::PositiveNumber);
+  run.add_option("--end", options.end_time, "End time, instead of the deck's")
+      ->check(number_that("a positive number", [](double value) { return value > 0; }));
   run.add_option("--perturb", options.perturbation,
                  "Move all nodes at random by up to this fraction of the model's size, to see the scatter")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_that("a number from 0 to 1", [](double value) { return value >= 0 && value <= 1; }));
   run.add_option("--seed", options.seed, "Which of the random perturbations [1]");
   run.add_flag("-q,--quiet", options.quiet, "Print warnings, errors and the kind of termination only");
 }

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <csignal>
+#include <thread>
+
+#include "app/program_fixture.hpp"
+
+namespace crumple::app {
+namespace {
+
+class RunTest : public ProgramTest {};
+
+constexpr const char* normal_termination = " N o r m a l    t e r m i n a t i o n";
+
+TEST_F(RunTest, APlateFallsOnAWall) {
+  const std::string deck = write("plate.k", falling_plate());
+  const Result result = run({"run", deck, "-o", path("out")});
+  ASSERT_EQ(result.code, ExitCode::Normal) << result.err;
+  EXPECT_NE(result.out.find(normal_termination), std::string::npos);
+  EXPECT_NE(result.out.find(" *** termination time reached ***"), std::string::npos);
+  for (const char* word : {"plate falls on a wall", "4 (0 of them triangles)", "contact search (global)",
+                           "energy ratio", "PASS", "out/plate.pvd"})
+    EXPECT_NE(result.out.find(word), std::string::npos) << word;
+  for (const char* name : {"out/plate.pvd", "out/vtu/plate_000000.vtu", "out/vtu/plate_000100.vtu",
+                           "out/glstat.csv", "out/matsum.csv", "out/rwforc.csv", "out/run.json"})
+    EXPECT_TRUE(exists(name)) << name;
+
+  const auto json = record("out");
+  EXPECT_EQ(json["termination"], "normal");
+  EXPECT_GE(json["end_time"], 1.0);
+  EXPECT_EQ(json["elements"]["shells"], 4);
+  EXPECT_LT(json["energy"]["error"], 1e-3);
+}
+
+TEST_F(RunTest, HistoriesAgreeWithThePhysicsAndEndWithTheRun) {
+  ASSERT_EQ(run({"run", write("plate.k", falling_plate()), "-o", path("out"), "-q"}).code, ExitCode::Normal);
+  const double end = record("out")["end_time"];
+  const auto energy = table("out/glstat.csv");
+  EXPECT_EQ(std::stod(energy.back()[0]), end);
+  // The plate is 20 x 20 x 1, a little warped: its mass is a little more than that of the square.
+  const auto parts = table("out/matsum.csv");
+  const double mass = std::stod(parts[1][8]);
+  EXPECT_NEAR(mass, 7.83e-6 * 400, 1e-3 * mass);
+  EXPECT_NEAR(std::stod(energy[1][2]), 0.5 * mass, 1e-12 * mass) << "kinetic energy at the start";
+  // The wall's impulse is the change of momentum.
+  double impulse = 0;
+  const auto wall = table("out/rwforc.csv");
+  EXPECT_EQ(wall[1][1], "12");
+  for (std::size_t i = 2; i < wall.size(); ++i)
+    impulse += std::stod(wall[i][5]) * (std::stod(wall[i][0]) - std::stod(wall[i - 1][0]));
+  const double change = mass * (std::stod(parts.back()[7]) - std::stod(parts[1][7]));
+  EXPECT_NEAR(-impulse, change, 1e-12 * mass);
+  EXPECT_GT(change, 0.5 * mass) << "it did bounce or stop";
+}
+
+TEST_F(RunTest, TheResultIsTheSameForAnyNumberOfThreads) {
+  const std::string deck = write("plate.k", falling_plate());
+  std::string hash;
+  for (const char* threads : {"1", "2", "3"}) {
+    ASSERT_EQ(run({"run", deck, "-o", path(threads), "-t", threads, "-q"}).code, ExitCode::Normal);
+    const auto json = record(threads);
+    EXPECT_EQ(json["threads"], std::stoi(threads));
+    if (hash.empty()) hash = json["state_hash"];
+    EXPECT_EQ(json["state_hash"], hash);
+    EXPECT_EQ(read(std::string(threads) + "/glstat.csv"), read("1/glstat.csv"));
+  }
+}
+
+TEST_F(RunTest, LsDynaSpellingRunsToo) {
+  const std::string deck = write("plate.k", falling_plate());
+  const Result result = run({"i=" + deck, "ncpu=2", "memory=200m", "-o", path("out")});
+  EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+  EXPECT_NE(result.err.find("memory=200m"), std::string::npos);
+  EXPECT_EQ(record("out")["threads"], 2);
+}
+
+TEST_F(RunTest, QuietSaysLittleAndStillHowItEnded) {
+  const Result result = run({"run", write("plate.k", falling_plate()), "-o", path("out"), "--quiet"});
+  EXPECT_NE(result.out.find(normal_termination), std::string::npos);
+  EXPECT_LT(result.out.size(), 120U) << result.out;
+}
+
+TEST_F(RunTest, EndTimeOfTheCommandLineComesFirst) {
+  ASSERT_EQ(run({"run", write("plate.k", falling_plate()), "-o", path("out"), "-q", "--end", "0.25"}).code,
+            ExitCode::Normal);
+  EXPECT_NEAR(record("out")["end_time"].get<double>(), 0.25, 0.002);
+}
+
+TEST_F(RunTest, ABadDeckGivesItsPlaceAndWritesNothing) {
+  std::string text = falling_plate();
+  text.replace(text.find("     207.0"), 10, "     2o7.0");
+  const Result result = run({"run", write("plate.k", text), "-o", path("out")});
+  EXPECT_EQ(result.code, ExitCode::Input);
+  EXPECT_NE(result.err.find("plate.k:28: error: *MAT_ELASTIC"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find(" E r r o r    t e r m i n a t i o n"), std::string::npos);
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(RunTest, AMissingDeckIsAnInputError) {
+  const Result result = run({"run", path("absent.k"), "-o", path("out")});
+  EXPECT_EQ(result.code, ExitCode::Input);
+  EXPECT_NE(result.err.find("absent.k"), std::string::npos);
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(RunTest, AFolderThatCannotBeMadeIsAnOutputError) {
+  write("file", "in the way");
+  const Result result = run({"run", write("plate.k", falling_plate()), "-o", path("file"), "-q"});
+  EXPECT_EQ(result.code, ExitCode::Output);
+  EXPECT_NE(result.err.find("Cannot make the folder"), std::string::npos) << result.err;
+  EXPECT_EQ(read("file"), "in the way");
+}
+
+TEST_F(RunTest, ARunThatGoesWrongEndsWithAnErrorAndKeepsWhatWasGood) {
+  // A corner that leaves at 1e30 mm/ms: the elements at it cannot follow.
+  std::string text = falling_plate();
+  text.replace(text.find("*END"), 4,
+               "*INITIAL_VELOCITY_NODE\n         9     -1e30     -1e30       0.0\n*END");
+  const Result result = run({"run", write("plate.k", text), "-o", path("out")});
+  EXPECT_EQ(result.code, ExitCode::Numerical) << result.out;
+  EXPECT_NE(result.out.find(" E r r o r    t e r m i n a t i o n"), std::string::npos);
+  EXPECT_EQ(result.out.find(normal_termination), std::string::npos);
+  const auto json = record("out");
+  EXPECT_EQ(json["termination"], "error");
+  EXPECT_NE(result.err.find(json["reason"].get<std::string>()), std::string::npos) << json["reason"];
+  EXPECT_TRUE(exists("out/vtu/plate_000000.vtu"));
+  EXPECT_EQ(table("out/glstat.csv")[1][0], "0");
+}
+
+TEST_F(RunTest, AnEnergyRatioOutOfBoundsEndsTheRun) {
+  const std::string control =
+      "*CONTROL_TERMINATION\n"
+      "       1.0         0       0.0     1e-9\n"
+      "*CONTROL_TIMESTEP\n       0.0       0.9\n";
+  const Result result = run({"run", write("plate.k", falling_plate(control)), "-o", path("out"), "-q"});
+  EXPECT_EQ(result.code, ExitCode::Numerical) << result.err;
+  EXPECT_NE(record("out")["reason"].get<std::string>().find("ENDENG"), std::string::npos);
+}
+
+TEST_F(RunTest, AnEarlierRunInTheSameFolderLeavesNoTrace) {
+  const std::string deck = write("plate.k", falling_plate());
+  ASSERT_EQ(run({"run", deck, "-o", path("out"), "-q"}).code, ExitCode::Normal);
+  ASSERT_TRUE(exists("out/vtu/plate_000100.vtu"));
+  const std::string few = "*CONTROL_TERMINATION\n       1.0\n*DATABASE_BINARY_D3PLOT\n       0.5\n";
+  write("plate.k", falling_plate(few));
+  ASSERT_EQ(run({"run", deck, "-o", path("out"), "-q"}).code, ExitCode::Normal);
+  EXPECT_FALSE(exists("out/vtu/plate_000100.vtu"));
+  EXPECT_TRUE(exists("out/vtu/plate_000002.vtu"));
+}
+
+TEST_F(RunTest, PerturbationChangesTheResultAndItsSeedRepeatsIt) {
+  const std::string deck = write("plate.k", falling_plate());
+  const auto hash = [&](const char* name, const char* size, const char* seed) {
+    EXPECT_EQ(run({"run", deck, "-o", path(name), "-q", "--perturb", size, "--seed", seed}).code,
+              ExitCode::Normal);
+    return record(name)["state_hash"].get<std::string>();
+  };
+  EXPECT_EQ(hash("a", "1e-9", "1"), hash("b", "1e-9", "1"));
+  EXPECT_NE(hash("c", "1e-9", "2"), hash("a", "1e-9", "1"));
+  EXPECT_NE(hash("d", "0", "1"), hash("a", "1e-9", "1"));
+}
+
+/// Runs that would last for hours, ended from outside once they write.
+class StopTest : public ProgramTest {
+ protected:
+  /// Starts the run and calls `stop` as soon as the run has its files.
+  template <class Stop>
+  Result run_until(const Stop& stop) {
+    const std::string deck = write("plate.k", falling_plate());
+    std::thread user([&] {
+      while (!exists("out/plate.pvd")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      stop();
+    });
+    const Result result = run({"run", deck, "-o", path("out"), "--end", "1e6"});
+    user.join();
+    return result;
+  }
+  /// The last state is in the frames and histories, and run.json knows of it.
+  void expect_complete(const std::string& reason) {
+    const auto json = record("out");
+    EXPECT_EQ(json["termination"], "interrupted");
+    EXPECT_NE(json["reason"].get<std::string>().find(reason), std::string::npos) << json["reason"];
+    const double end = json["end_time"];
+    EXPECT_EQ(std::stod(table("out/glstat.csv").back()[0]), end);
+    const std::string collection = read("out/plate.pvd");
+    const std::size_t last = collection.rfind("timestep=\"") + 10;
+    EXPECT_EQ(std::stod(collection.substr(last)), end);
+  }
+};
+
+TEST_F(StopTest, CtrlC) {
+  const Result result = run_until([] { kill(getpid(), SIGINT); });
+  EXPECT_EQ(result.code, ExitCode::Interrupt);
+  expect_complete("SIGINT");
+}
+
+TEST_F(StopTest, Sigterm) {
+  const Result result = run_until([] { kill(getpid(), SIGTERM); });
+  EXPECT_EQ(result.code, ExitCode::Terminate);
+  expect_complete("SIGTERM");
+}
+
+TEST_F(StopTest, SwitchOne) {
+  const Result result = run_until([this] { write("out/d3kil", "sw1"); });
+  EXPECT_EQ(result.code, ExitCode::Stopped);
+  expect_complete("sw1");
+  EXPECT_FALSE(exists("out/d3kil"));
+}
+
+TEST_F(StopTest, SwitchFourWritesAFrameAndTheRunGoesOn) {
+  const auto frames = [this] {
+    return std::distance(std::filesystem::directory_iterator(folder_ / "out/vtu"),
+                         std::filesystem::directory_iterator());
+  };
+  long before = 0;
+  long after = 0;
+  run_until([&] {
+    before = frames();
+    write("out/d3kil", "sw4");
+    while (exists("out/d3kil")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    after = frames();
+    kill(getpid(), SIGINT);
+  });
+  EXPECT_EQ(before, 1) << "frames are 1e4 apart: only the first is due";
+  EXPECT_EQ(after, 2);
+}
+
+class CheckTest : public ProgramTest {};
+
+TEST_F(CheckTest, TellsWhatAGoodDeckHoldsAndWritesNothing) {
+  const Result result = run({"check", write("plate.k", falling_plate())});
+  EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+  for (const char* word : {"kg, mm, ms", "nodes                 9", "Belytschko-Tsay", "first step",
+                           "controlled by shell", "The deck can be run"})
+    EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
+  EXPECT_EQ(
+      std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()), 1);
+}
+
+TEST_F(CheckTest, ABadDeckFails) {
+  std::string text = falling_plate();
+  text.replace(text.find("*MAT_ELASTIC"), 12, "*MAT_ELASTIK");
+  const Result result = run({"check", write("plate.k", text)});
+  EXPECT_EQ(result.code, ExitCode::Input);
+  EXPECT_NE(result.err.find("*MAT_ELASTIK"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("cannot be run"), std::string::npos);
+}
+
+TEST_F(CheckTest, AMistakeOnTheCommandLineIsTwo) {
+  EXPECT_EQ(run({"chek", "deck.k"}).code, ExitCode::Usage);
+  EXPECT_EQ(run({"--help"}).code, ExitCode::Normal);
+}
+
+}  // namespace
+}  // namespace crumple::app
