@@ -22,11 +22,11 @@ class SingleSurface {
   SingleSurface(SingleSurface&&) noexcept;
   SingleSurface& operator=(SingleSurface&&) noexcept;
 
-  /// Adds the contact forces at time n to nodes.force and domain.contact_force. On entry nodes.position is
-  /// x(n), nodes.velocity is v(n-1/2) and clock.step the step between them (zero before the first). Searches
-  /// again when a node may have moved further than the candidate list allows; works off pairs in the order
-  /// (node, segment), so that the sums are bitwise the same for any number of threads. Updates the report's
-  /// energies by the trapezoidal rule, and the stage times.
+  /// Adds the contact forces at time n to nodes.force and domain.contact_force, which the caller clears. On
+  /// entry nodes.position is x(n), nodes.velocity is v(n-1/2) and clock.step the step between them (zero
+  /// before the first). Searches again when a node may have moved further than the candidate list allows;
+  /// works off pairs in the order (node, segment), so that the sums are bitwise the same for any number of
+  /// threads. Updates the report's energies by the trapezoidal rule, and the stage times.
   void add_forces(domain::Domain& domain);
 
   /// Declares what the contact remembers from step to step.
