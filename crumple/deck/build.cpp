@@ -74,7 +74,7 @@ Index Build::find(Item item, const Reference& reference) {
   const ItemWords& word = words(item);
   FieldFault fault{reference.field,
                    std::to_string(reference.id),
-                   fmt::format("the id of a {}", word.name),
+                   fmt::format("the id of {} {}", word.name.starts_with('h') ? "an" : "a", word.name),
                    {},
                    "reference"};
   if (item == Item::Part && is_dropped(reference.id)) {

@@ -103,16 +103,19 @@ void warn_of_mixed_velocities(Build& build) {
 
 void warn_of_nodes_behind(const model::RigidWall& wall, const Where& where, Build& build) {
   const auto& positions = build.model.nodes.position;
-  std::size_t behind = 0;
-  double size = 0;
+  std::vector<double> distances;
+  distances.reserve(wall.nodes.size());
+  double farthest = 0;
   for (const Index node : wall.nodes) {
     const Vector& x = positions[static_cast<std::size_t>(node)];
     double distance = 0;
     for (std::size_t i = 0; i < 3; ++i) distance += (x[i] - wall.point[i]) * wall.normal[i];
-    size = std::max(size, std::fabs(distance));
-    constexpr double on_the_wall = 1e-6;
-    if (distance < -on_the_wall * size) ++behind;
+    distances.push_back(distance);
+    farthest = std::max(farthest, std::fabs(distance));
   }
+  constexpr double on_the_wall = 1e-6;
+  const auto behind = std::count_if(distances.begin(), distances.end(),
+                                    [&](double distance) { return distance < -on_the_wall * farthest; });
   if (behind > 0)
     build.report.warning(
         where, "behind",

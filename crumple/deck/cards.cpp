@@ -237,6 +237,20 @@ void Cards::report_rest(const Card& card) {
     report_->warning(card.where_, "rest", message);
 }
 
+void Cards::report_unread() {
+  for (; has_line(); ++next_) {
+    const Line& line = block_->lines[next_];
+    if (line.text.find_first_not_of("0.,+-eEdD \t") == std::string_view::npos) continue;
+    Where where = block_->where;
+    where.line = line.number;
+    report_->unsupported(where, "unread",
+                         fmt::format("read \"{}\" behind the last card that is known; remove the line",
+                                     line.text.substr(0, 80)));
+    skip_rest();
+    return;
+  }
+}
+
 Heading Cards::heading() {
   Heading result;
   if (heading_ == HeadingKind::None) return result;

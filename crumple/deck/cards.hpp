@@ -74,6 +74,10 @@ class Cards {
   Card next_filled(Layout layout);
   /// The heading that goes before an item; empty where the keyword's form has none.
   Heading heading();
+  /// Leaves the rest of the block alone, because it has no influence on the run.
+  void skip_rest() { next_ = block_->lines.size(); }
+  /// Reports lines that nobody has read, unless they are blank or hold zeros only.
+  void report_unread();
   /// The next line as text, blanks at the ends removed.
   std::string text_line(std::string_view what);
 

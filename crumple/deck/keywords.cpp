@@ -75,6 +75,7 @@ constexpr std::string_view is_definition = "a definition that nothing supported 
 
 constexpr IgnoredRow ignored[] = {
     {"COMMENT", false, "a remark"},
+    {"KEYWORD_", true, "it names LS-DYNA's files"},
     {"DATABASE_", true, is_output},
     {"CONTROL_OUTPUT", false, "it is about LS-DYNA's listings"},
     {"CONTROL_PARALLEL", false, "threads are chosen on the command line"},

@@ -105,7 +105,13 @@ constexpr Field contact_card_d[] = {
     unused("TIEDID"), harmless("SHLEDG", {0}, "free edges of shells are rounded"),
 };
 
-/// Headings and data of one contact. Further optional cards (E and on) are for other kinds of contact.
+// Rounding and friction of segment-based and mortar contact.
+constexpr Field contact_card_e[] = {unused("SHAREC"), unused("CPARM8"), unused("IPBACK"), unused("SRNDE"),
+                                    unused("FRICSF"), unused("ICOR"),   unused("FTORQ"),  unused("REGION")};
+
+constexpr Field contact_card_f[] = {unused("PSTIFF"), unused("IGNROFF"), unused("-"),     unused("FSTOL"),
+                                    unused("2DBINR"), unused("SSFTYP"),  unused("SWTPR"), unused("TETFAC")};
+
 RawContact::Target target_of(const Card& card) {
   const auto kind = static_cast<int>(card.real("SSTYP"));
   if (kind == 5 || card.integer("SSID") == 0) return RawContact::Target::All;
@@ -148,8 +154,8 @@ void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck) {
   const Card first = cards.next(contact_card_1);
   const Card second = cards.next(contact_card_2);
   const Card third = cards.next(contact_card_3);
-  for (const Layout layout :
-       {Layout(contact_card_a), Layout(contact_card_b), Layout(contact_card_c), Layout(contact_card_d)})
+  for (const Layout layout : {Layout(contact_card_a), Layout(contact_card_b), Layout(contact_card_c),
+                              Layout(contact_card_d), Layout(contact_card_e), Layout(contact_card_f)})
     if (cards.has_line()) cards.next(layout);
 
   RawContact raw;

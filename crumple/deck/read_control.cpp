@@ -70,6 +70,7 @@ void read_title(Cards& cards, RawDeck& deck) {
   // Included files have titles of their own; the run's is the first one.
   std::string title = cards.text_line("the title of the run");
   if (deck.title.empty()) deck.title = std::move(title);
+  cards.skip_rest();
 }
 
 void read_control_termination(Cards& cards, RawDeck& deck) {

@@ -85,7 +85,7 @@ void read_database_binary_d3plot(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(state_card);
   deck.output.state_interval = card.real("DT");
   deck.state_count = card.good("NPLTC") ? card.integer("NPLTC") : 0;
-  // Further cards choose what LS-DYNA's own file holds.
+  cards.skip_rest();  // further cards choose what LS-DYNA's own file holds
 }
 
 }  // namespace crumple::deck

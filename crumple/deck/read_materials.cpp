@@ -12,8 +12,6 @@ using namespace row;
 
 constexpr Check poisson = between(-1, 0.5, "Poisson's ratio of an elastic solid");
 
-constexpr std::string_view rate_effect = "the Cowper-Symonds factor scales the yield stress (VP=0)";
-
 constexpr Field elastic_card[] = {
     id("MID"),
     real("RO", 0, above_zero),
@@ -35,10 +33,8 @@ constexpr Field plastic_kinematic_card[] = {
 };
 
 constexpr Field plastic_kinematic_rate_card[] = {
-    real("SRC", 0, not_negative),
-    real("SRP", 0, not_negative),
-    real("FS", 0, not_negative),
-    only("VP", {0}, rate_effect),
+    real("SRC", 0, not_negative), real("SRP", 0, not_negative), real("FS", 0, not_negative),
+    real("VP"),  // only with a rate effect
 };
 
 constexpr Field piecewise_card[] = {
@@ -57,7 +53,7 @@ constexpr Field piecewise_rate_card[] = {
     real("P", 0, not_negative),
     reference("LCSS"),
     only("LCSR", {0}, "use C and P for the effect of the strain rate"),
-    only("VP", {0}, rate_effect),
+    real("VP"),  // only with a rate effect
 };
 
 constexpr Field strain_card[] = {real("EPS1", 0, not_negative), real("EPS2", 0, not_negative),
@@ -90,6 +86,10 @@ void check_rate(const Card& card, std::string_view rate, std::string_view expone
     report.field_error(card.where(),
                        {exponent, std::string(card.text(exponent)), "a number above zero",
                         fmt::format("{} switches the rate effect on, and it needs both", rate), "rate"});
+  if (card.real(rate) > 0 && card.real("VP") != 0)
+    report.field_unsupported(card.where(),
+                             {"VP", std::string(card.text("VP")), "0, the only value supported",
+                              "the Cowper-Symonds factor scales the yield stress", "viscoplastic"});
 }
 
 void check_tangent(const Card& card, Report& report) {

@@ -409,6 +409,21 @@ TEST(Unsupported, HarmlessKeywordsAreListed) {
   EXPECT_FALSE(result.ignored_keywords[0].changes_physics);
 }
 
+TEST(Unsupported, CardsBehindTheLastKnownOne) {
+  EXPECT_TRUE(messages_with("*CONTROL_TIMESTEP\n0.0,0.9\n\n0,0.0,0,0.0E+00\n").empty());
+  const auto messages = messages_with("*CONTROL_HOURGLASS\n1,0.1\n2.5,1\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0],
+            "deck.k:24: error: *CONTROL_HOURGLASS: read \"2.5,1\" behind the last card that is known; remove "
+            "the line");
+}
+
+TEST(Unsupported, ViscoplasticRateOnlyWithARate) {
+  const std::string start = "*MAT_003\n2,7.83E-6,207,0.3,0.2\n";
+  EXPECT_TRUE(messages_with(start + "0,0,0,1\n").empty());
+  ASSERT_EQ(messages_with(start + "40,5,0,1\n").size(), 1U);
+}
+
 TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
   SmallDeck deck;
   deck.more = "*LOAD_BODY_Z\n1,9810\n*CONTROL_SHELL\n20,0,-1,4\n";
