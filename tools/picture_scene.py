@@ -100,13 +100,18 @@ def colour_table(low, high):
     return table
 
 
-def part_table(low, high):
-    count = int(high - low) + 1
+def part_table(grids):
+    """A colour for every part id that occurs."""
+    ids = set()
+    for grid in grids:
+        array = field_of(grid, "part")[1]
+        ids.update(int(array.GetValue(i)) for i in range(array.GetNumberOfValues()))
     table = vtkLookupTable()
-    table.SetNumberOfTableValues(count)
-    for i in range(count):
-        table.SetTableValue(i, *colour(PART_COLOURS[i % len(PART_COLOURS)]), 1)
-    table.SetRange(low - 0.5, high + 0.5)
+    table.IndexedLookupOn()
+    table.SetNumberOfTableValues(len(ids))
+    for number, part in enumerate(sorted(ids)):
+        table.SetTableValue(number, *colour(PART_COLOURS[number % len(PART_COLOURS)]), 1)
+        table.SetAnnotation(part, str(part))
     return table
 
 
@@ -160,24 +165,21 @@ def wall_actor(bounds, axis, place):
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(0.72, 0.72, 0.74)
     actor.GetProperty().SetOpacity(0.45)
-    actor.GetProperty().SetAmbient(0.5)
+    actor.GetProperty().LightingOff()
     return actor
 
 
-def colour_bar(table, title, height, parts):
+def colour_bar(table, height, parts):
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
-    bar.SetTitle(title + "\n ")
-    bar.SetNumberOfLabels(len(PART_COLOURS) if parts else 6)
+    bar.SetNumberOfLabels(6)
+    if parts:
+        bar.DrawTickLabelsOff()
+        bar.SetAnnotationLeaderPadding(8)
     bar.SetLabelFormat("%-#.3g")
     bar.UnconstrainedFontSizeOn()
-    for text, size in ((bar.GetTitleTextProperty(), 0.024), (bar.GetLabelTextProperty(), 0.021)):
-        text.SetColor(0.1, 0.1, 0.1)
-        text.SetFontFamilyToArial()
-        text.SetFontSize(int(size * height))
-        text.BoldOff()
-        text.ItalicOff()
-        text.ShadowOff()
+    style(bar.GetLabelTextProperty(), 0.021 * height)
+    style(bar.GetAnnotationTextProperty(), 0.021 * height)
     bar.SetBarRatio(0.2)
     bar.SetPosition(0.885, 0.2)
     bar.SetWidth(0.1)
@@ -185,15 +187,23 @@ def colour_bar(table, title, height, parts):
     return bar
 
 
-def time_label(time, height):
-    label = vtkTextActor()
-    label.SetInput(f"t = {time:.4g}")
-    text = label.GetTextProperty()
+def style(text, size):
     text.SetColor(0.1, 0.1, 0.1)
     text.SetFontFamilyToArial()
-    text.SetFontSize(int(0.028 * height))
-    label.SetPosition(0.03 * height, 0.03 * height)
-    return label
+    text.SetFontSize(max(9, int(size)))
+    text.BoldOff()
+    text.ItalicOff()
+    text.ShadowOff()
+
+
+def label(words, size, place, to_the_left=False):
+    actor = vtkTextActor()
+    actor.SetInput(words)
+    style(actor.GetTextProperty(), size)
+    if to_the_left:
+        actor.GetTextProperty().SetJustificationToRight()
+    actor.SetPosition(*place)
+    return actor
 
 
 def direction_of(view):
@@ -264,12 +274,14 @@ def draw(collection, arguments):
         renderer = vtkRenderer()
         renderer.SetBackground(1, 1, 1)
         parts = arguments.field == "part"
-        table = part_table(low, high) if parts else colour_table(low, high)
+        table = part_table(grids) if parts else colour_table(low, high)
         renderer.AddActor(mesh_actor(grid, arguments.field, table, not arguments.no_edges))
         if arguments.wall:
             renderer.AddActor(wall_actor(bounds, *axis_and_place(arguments.wall)))
-        renderer.AddActor2D(colour_bar(table, TITLES.get(arguments.field, arguments.field.replace("_", " ")), height, parts))
-        renderer.AddActor2D(time_label(time, height))
+        renderer.AddActor2D(colour_bar(table, height, parts))
+        title = TITLES.get(arguments.field, arguments.field.replace("_", " "))
+        renderer.AddActor2D(label(title, 0.024 * height, (0.985 * width, 0.825 * height), to_the_left=True))
+        renderer.AddActor2D(label(f"t = {time:.4g}", 0.028 * height, (0.03 * height, 0.03 * height)))
         lights = vtkLightKit()
         lights.AddLightsToRenderer(renderer)
         output = arguments.output or collection.with_name(f"{collection.stem}_{arguments.field}.png")

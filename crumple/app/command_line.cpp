@@ -71,9 +71,7 @@ void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
 
 void add_run_options(CLI::App& run, Options& options) {
   run.add_option("-o,--output", options.folder, "Folder of the results [the deck's name with .out, here]");
-  run.add_option(
-         "-t,--threads", options.threads,
-         "Threads; results are bitwise the same for any number [one per 2048 shells, at most the cores]")
+  run.add_option("-t,--threads", options.threads, "Threads; results are bitwise the same for any number [1]")
       ->check(CLI::Range(1, 1024));
   run.add_option("--precision", options.precision, "Arithmetic of elements and contact [double]")
       ->check(CLI::IsMember({"mixed", "double"}));

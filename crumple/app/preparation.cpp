@@ -3,10 +3,8 @@
 
 #include <fmt/ostream.h>
 
-#include <algorithm>
 #include <cellsearch/method.hpp>
 #include <ostream>
-#include <thread>
 
 #include "app/perturbation.hpp"
 #include "base/error.hpp"
@@ -14,9 +12,6 @@
 namespace crumple::app {
 
 namespace {
-
-/// Shells that make a thread worth its start and its share of the joins of every cycle.
-constexpr Index shells_per_thread = 2048;
 
 void apply_options(const Options& options, model::Model& model) {
   if (options.end_time) model.control.end_time = *options.end_time;
@@ -45,10 +40,6 @@ deck::ReadResult read_with_options(const Options& options, const Console& consol
   return deck;
 }
 
-int sensible_threads(Index shells, int cores) {
-  return std::clamp(shells / shells_per_thread, 1, std::max(cores, 1));
-}
-
 domain::Execution choose_execution(const Options& options, const model::Model& model) {
   domain::Execution execution;
   const std::string precision =
@@ -57,8 +48,9 @@ domain::Execution choose_execution(const Options& options, const model::Model& m
     throw Error(fmt::format("Precision \"{}\" does not exist: mixed and double do.", precision));
   execution.precision = precision == "mixed" ? Precision::Mixed : Precision::Double;
   execution.isa = options.isa ? parse_isa(*options.isa) : default_isa();
-  execution.threads = options.threads.value_or(sensible_threads(
-      static_cast<Index>(model.shells.size()), static_cast<int>(std::thread::hardware_concurrency())));
+  // Not all cores: threads that wait for each other every cycle are slower than one where the machine has
+  // other work too, so whoever has it for himself says so.
+  execution.threads = options.threads.value_or(1);
   return execution;
 }
 

@@ -18,7 +18,4 @@ deck::ReadResult read_with_options(const Options& options, const Console& consol
 /// of the deck that does not exist.
 domain::Execution choose_execution(const Options& options, const model::Model& model);
 
-/// Threads that pay for so many shells on so many cores.
-int sensible_threads(Index shells, int cores);
-
 }  // namespace crumple::app

@@ -19,17 +19,11 @@ model::Model plate() {
   return model;
 }
 
-TEST(Preparation, ThreadsGrowWithTheModelUpToTheCores) {
-  EXPECT_EQ(sensible_threads(756, 16), 1);
-  EXPECT_EQ(sensible_threads(20000, 4), 4);
-  EXPECT_EQ(sensible_threads(5000, 16), 2);
-  EXPECT_EQ(sensible_threads(100000, 0), 1) << "cores unknown";
-}
-
 TEST(Preparation, TheCommandLineComesBeforeTheDeckBeforeTheDefault) {
   model::Model model = plate();
   Options options;
   EXPECT_EQ(choose_execution(options, model).precision, Precision::Double);
+  EXPECT_EQ(choose_execution(options, model).threads, 1);
   model.run.precision = "mixed";
   EXPECT_EQ(choose_execution(options, model).precision, Precision::Mixed);
   options.precision = "double";
