@@ -11,6 +11,7 @@ struct BelytschkoTsay {
   static constexpr model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay;
   static constexpr const char* name = "Belytschko-Tsay";
   static constexpr bool has_fibres = false;
+  static constexpr bool own_areas = false;
 
   static constexpr int row_r31 = 0;
   static constexpr int row_r42 = 3;
@@ -24,25 +25,6 @@ struct BelytschkoTsay {
   template <class Pack>
   static ShellForces<Pack> forces(const ShellPlace<RealOf<Pack>>& place);
 };
-
-/// Gradients of a nodal field at the centre, B1.f and B2.f, from its differences over the diagonals.
-template <class Pack>
-struct CentreGradient {
-  Pack x, y;
-};
-template <class Pack>
-CRUMPLE_INLINE CentreGradient<Pack> gradient(const LaminaGeometry<Pack>& g, const Pack& f31,
-                                             const Pack& f42) {
-  return {g.inverse_twice_area * multiply_add(g.y42, f31, Pack(-(g.y31 * f42))),
-          g.inverse_twice_area * multiply_add(g.x31, f42, Pack(-(g.x42 * f31)))};
-}
-
-/// gamma.f, the hourglass part of a field: its pattern less what the centre gradients explain.
-template <class Pack>
-CRUMPLE_INLINE Pack hourglass_part(const LaminaGeometry<Pack>& g, const Pack& f_mode,
-                                   const CentreGradient<Pack>& gradient) {
-  return multiply_add(Pack(-g.x_mode), gradient.x, multiply_add(Pack(-g.y_mode), gradient.y, f_mode));
-}
 
 // Everything here is evaluated at the geometry of the middle of the step (Hughes & Winget 1980): only there
 // is a rigid rotation a velocity field without strain.
@@ -94,14 +76,7 @@ CRUMPLE_INLINE void BelytschkoTsay::strains(const ShellPlace<RealOf<Pack>>& plac
   keep_vec(place, row_r31, n.r31);
   keep_vec(place, row_r42, n.r42);
   keep_vec(place, row_mode, n.r_mode);
-  // A warped element turning as a rigid body moves its hourglass pattern: the turn of the normal, vz, times
-  // the warp takes that out again.
-  keep(place, row_rates, multiply_add(g.z_mode, vz.x, hourglass_part(g, math::dot(n.v_mode, frame.e1), vx)));
-  keep(place, row_rates + 1,
-       multiply_add(g.z_mode, vz.y, hourglass_part(g, math::dot(n.v_mode, frame.e2), vy)));
-  keep(place, row_rates + 2, hourglass_part(g, math::dot(n.v_mode, frame.e3), vz));
-  keep(place, row_rates + 3, hourglass_part(g, math::dot(n.w_mode, frame.e1), wx));
-  keep(place, row_rates + 4, hourglass_part(g, math::dot(n.w_mode, frame.e2), wy));
+  keep_modes(place, row_rates, hourglass_rates(frame, g, n, VelocityGradients<Pack>{vx, vy, vz, wx, wy}));
   keep(place, row_area, g.area);
 }
 
@@ -154,22 +129,10 @@ CRUMPLE_INLINE NodeShare<Pack> node_share(const Resultants<Pack>& r, const Pack&
           multiply_add(b1, r.bend_xx, Pack(b2 * r.bend_xy))};
 }
 
-/// New thickness where it may change; returns the mean over the step.
-template <class Pack>
-CRUMPLE_INLINE Pack update_thickness(const ShellPlace<RealOf<Pack>>& place) {
-  using Real = RealOf<Pack>;
-  const Pack old = own_state<Pack>(place, element_state::thickness);
-  if (!place.task.constants.thickness_change) return old;
-  const Pack change = old * load<Pack>(place.rows + scratch_row::thickness_strain * tile_lanes);
-  store(place.state + (place.task.constants.own + element_state::thickness) * lanes, Pack(old + change));
-  return multiply_add(Pack(Real(0.5)), change, old);
-}
-
 template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> BelytschkoTsay::forces(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
-  const ShellConstants<Real>& constants = place.task.constants;
   const Vec r31 = kept_vec<Pack>(place, row_r31);
   const Vec r42 = kept_vec<Pack>(place, row_r42);
   const Vec r_mode = kept_vec<Pack>(place, row_mode);
@@ -184,14 +147,7 @@ CRUMPLE_INLINE ShellForces<Pack> BelytschkoTsay::forces(const ShellPlace<RealOf<
   store(place.rows + scratch_row::internal_energy * tile_lanes,
         Pack(energy * (active * (mean_thickness * kept<Pack>(place, row_area)))));
 
-  const HourglassModes<Pack> old = hourglass_state<Pack>(place);
-  const HourglassModes<Pack> rate{kept<Pack>(place, row_rates), kept<Pack>(place, row_rates + 1),
-                                  kept<Pack>(place, row_rates + 2), kept<Pack>(place, row_rates + 3),
-                                  kept<Pack>(place, row_rates + 4)};
-  const Pack step(place.task.step);
-  const auto q = hourglass_stress(constants, hourglass_moduli(constants, g, thickness), step, old, rate);
-  set_hourglass_state(place, q);
-  store(place.rows + scratch_row::hourglass_energy * tile_lanes, hourglass_work(step, old, q, rate));
+  const auto q = update_hourglass(place, g, thickness, kept_modes<Pack>(place, row_rates));
 
   // What the warp takes out of the membrane rates, the forces take out of the moments.
   const Pack lift = (g.inverse_twice_area + g.inverse_twice_area) * g.z_mode;
@@ -219,26 +175,19 @@ CRUMPLE_INLINE ShellForces<Pack> BelytschkoTsay::forces(const ShellPlace<RealOf<
   const Vec moment_s = global2(-(quarter_area * r.yz), quarter_area * r.zx);
   const Vec moment_q = global2(q.bending_x, q.bending_y);
 
-  const Pack inverse_area = g.inverse_twice_area + g.inverse_twice_area;
-  const Pack gamma_a = inverse_area * multiply_add(g.x_mode, a1, Pack(g.y_mode * a2));
-  const Pack gamma_b = inverse_area * multiply_add(g.x_mode, b1, Pack(g.y_mode * b2));
-  const Pack one(Real(1));
-  const Pack gamma[4] = {one - gamma_a, -(one + gamma_b), one + gamma_a, gamma_b - one};
+  const Pack minus(Real(-1));
+  const HourglassVector<Pack> gamma = hourglass_vector(g);
   ShellForces<Pack> out;
-  out.force[0] = math::multiply_add(gamma[0], force_q, force_a);
-  out.force[1] = math::multiply_add(gamma[1], force_q, force_b);
-  out.force[2] = math::multiply_add(gamma[2], force_q, Pack(-one) * force_a);
-  out.force[3] = math::multiply_add(gamma[3], force_q, Pack(-one) * force_b);
-  out.moment[0] = math::multiply_add(gamma[0], moment_q, moment_s + moment_a);
-  out.moment[1] = math::multiply_add(gamma[1], moment_q, moment_s + moment_b);
-  out.moment[2] = math::multiply_add(gamma[2], moment_q, moment_s - moment_a);
-  out.moment[3] = math::multiply_add(gamma[3], moment_q, moment_s - moment_b);
+  out.force[0] = math::multiply_add(gamma.node[0], force_q, force_a);
+  out.force[1] = math::multiply_add(gamma.node[1], force_q, force_b);
+  out.force[2] = math::multiply_add(gamma.node[2], force_q, minus * force_a);
+  out.force[3] = math::multiply_add(gamma.node[3], force_q, minus * force_b);
+  out.moment[0] = math::multiply_add(gamma.node[0], moment_q, moment_s + moment_a);
+  out.moment[1] = math::multiply_add(gamma.node[1], moment_q, moment_s + moment_b);
+  out.moment[2] = math::multiply_add(gamma.node[2], moment_q, moment_s - moment_a);
+  out.moment[3] = math::multiply_add(gamma.node[3], moment_q, moment_s - moment_b);
 
-  const Pack limit =
-      stable_step(g.area, r31, r42, r_mode,
-                  Pack(own_state<Pack>(place, element_state::step_scale) * Pack(constants.slowness)));
-  store(place.rows + scratch_row::shortest_step * tile_lanes,
-        select<Pack>(active > Pack(Real(0)), limit, Pack(Real(1e30))));
+  limit_step(place, g, r31, r42, r_mode);
   return out;
 }
 

@@ -5,6 +5,7 @@
 //   static constexpr model::ShellFormulation formulation, const char* name
 //   static constexpr int rows            numbers per element kept from strains() to forces()
 //   static constexpr bool has_fibres     the state ends with element_state::fibre
+//   static constexpr bool own_areas      strains() leaves the area of each layer in ShellPlace::area
 //   template <class Pack> static void strains(const ShellPlace<Real>&)
 //   template <class Pack> static ShellForces<Pack> forces(const ShellPlace<Real>&)
 // strains() gathers the nodes and leaves the strain increments of all points, forces() makes nodal forces of
@@ -38,6 +39,7 @@ struct ShellPlace {
   Real* state;        ///< [component][lanes]
   Real* strain;       ///< [point][5][tile_lanes]
   Real* rows;         ///< [row][tile_lanes]
+  Real* area;         ///< [point][tile_lanes]
 };
 
 template <class Pack>
@@ -84,6 +86,65 @@ CRUMPLE_INLINE void set_hourglass_state(const ShellPlace<RealOf<Pack>>& place,
 }
 
 template <class Pack>
+CRUMPLE_INLINE void keep_modes(const ShellPlace<RealOf<Pack>>& place, int row,
+                               const HourglassModes<Pack>& modes) {
+  keep(place, row, modes.x);
+  keep(place, row + 1, modes.y);
+  keep(place, row + 2, modes.z);
+  keep(place, row + 3, modes.bending_x);
+  keep(place, row + 4, modes.bending_y);
+}
+template <class Pack>
+CRUMPLE_INLINE HourglassModes<Pack> kept_modes(const ShellPlace<RealOf<Pack>>& place, int row) {
+  return {kept<Pack>(place, row), kept<Pack>(place, row + 1), kept<Pack>(place, row + 2),
+          kept<Pack>(place, row + 3), kept<Pack>(place, row + 4)};
+}
+
+/// Centre gradients of the velocities and of the in-plane angular velocities.
+template <class Pack>
+struct VelocityGradients {
+  CentreGradient<Pack> vx, vy, vz, wx, wy;
+};
+
+/// The hourglass part of the nodes' motion. A warped element that turns as a rigid body moves its pattern of
+/// positions: the turn of the normal, the gradient of vz, times the warp takes that out again.
+template <class Pack>
+CRUMPLE_INLINE HourglassModes<Pack> hourglass_rates(const LaminaFrame<Pack>& frame,
+                                                    const LaminaGeometry<Pack>& g, const ShellNodes<Pack>& n,
+                                                    const VelocityGradients<Pack>& d) {
+  return {multiply_add(g.z_mode, d.vz.x, hourglass_part(g, math::dot(n.v_mode, frame.e1), d.vx)),
+          multiply_add(g.z_mode, d.vz.y, hourglass_part(g, math::dot(n.v_mode, frame.e2), d.vy)),
+          hourglass_part(g, math::dot(n.v_mode, frame.e3), d.vz),
+          hourglass_part(g, math::dot(n.w_mode, frame.e1), d.wx),
+          hourglass_part(g, math::dot(n.w_mode, frame.e2), d.wy)};
+}
+
+/// Brings the hourglass stresses in the state up to date and leaves the energy for the driver.
+template <class Pack>
+CRUMPLE_INLINE HourglassModes<Pack> update_hourglass(const ShellPlace<RealOf<Pack>>& place,
+                                                     const LaminaGeometry<Pack>& g, const Pack& thickness,
+                                                     const HourglassModes<Pack>& rate) {
+  const Pack step(place.task.step);
+  const HourglassModes<Pack> old = hourglass_state<Pack>(place);
+  const auto moduli = hourglass_moduli(place.task.constants, g, thickness);
+  const auto now = hourglass_stress(place.task.constants, moduli, step, old, rate);
+  set_hourglass_state(place, now);
+  store(place.rows + scratch_row::hourglass_energy * tile_lanes, hourglass_work(step, old, now, rate));
+  return now;
+}
+
+/// New thickness where it may change; returns the mean over the step.
+template <class Pack>
+CRUMPLE_INLINE Pack update_thickness(const ShellPlace<RealOf<Pack>>& place) {
+  using Real = RealOf<Pack>;
+  const Pack old = own_state<Pack>(place, element_state::thickness);
+  if (!place.task.constants.thickness_change) return old;
+  const Pack change = old * load<Pack>(place.rows + scratch_row::thickness_strain * tile_lanes);
+  store(place.state + (place.task.constants.own + element_state::thickness) * lanes, Pack(old + change));
+  return multiply_add(Pack(Real(0.5)), change, old);
+}
+
+template <class Pack>
 CRUMPLE_INLINE LaminaGeometry<Pack> lamina_geometry(const LaminaFrame<Pack>& frame,
                                                     const math::PackVec3<Pack>& r31,
                                                     const math::PackVec3<Pack>& r42,
@@ -115,6 +176,19 @@ CRUMPLE_INLINE Pack stable_step(const Pack& area, const math::PackVec3<Pack>& r3
   const Pack longest = larger(larger(math::dot(r21, r21), math::dot(r32, r32)),
                               larger(math::dot(r43, r43), math::dot(r41, r41)));
   return area * scaled_slowness / square_root(longest);
+}
+
+/// Leaves the stable step for the driver.
+template <class Pack>
+CRUMPLE_INLINE void limit_step(const ShellPlace<RealOf<Pack>>& place, const LaminaGeometry<Pack>& g,
+                               const math::PackVec3<Pack>& r31, const math::PackVec3<Pack>& r42,
+                               const math::PackVec3<Pack>& r_mode) {
+  using Real = RealOf<Pack>;
+  const Pack slowness =
+      own_state<Pack>(place, element_state::step_scale) * Pack(place.task.constants.slowness);
+  const auto active = own_state<Pack>(place, element_state::active) > Pack(Real(0));
+  const Pack limit = stable_step(g.area, r31, r42, r_mode, slowness);
+  store(place.rows + scratch_row::shortest_step * tile_lanes, select<Pack>(active, limit, Pack(Real(1e30))));
 }
 
 }  // namespace crumple::elements

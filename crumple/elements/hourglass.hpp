@@ -15,11 +15,44 @@ struct LaminaGeometry {
   Pack inverse_twice_area;
 };
 
+/// Gradients of a nodal field at the centre, B1.f and B2.f, from its differences over the diagonals
+/// (Belytschko, Lin & Tsay 1984).
+template <class Pack>
+struct CentreGradient {
+  Pack x, y;
+};
+template <class Pack>
+CRUMPLE_INLINE CentreGradient<Pack> gradient(const LaminaGeometry<Pack>& g, const Pack& f31,
+                                             const Pack& f42) {
+  return {g.inverse_twice_area * multiply_add(g.y42, f31, Pack(-(g.y31 * f42))),
+          g.inverse_twice_area * multiply_add(g.x31, f42, Pack(-(g.x42 * f31)))};
+}
+
 /// Generalised hourglass rates or stresses: membrane x and y, warping z, bending x and y.
 template <class Pack>
 struct HourglassModes {
   Pack x, y, z, bending_x, bending_y;
 };
+
+/// gamma.f, the hourglass part of a field: its pattern less what the centre gradients explain.
+template <class Pack>
+CRUMPLE_INLINE Pack hourglass_part(const LaminaGeometry<Pack>& g, const Pack& f_mode,
+                                   const CentreGradient<Pack>& gradient) {
+  return multiply_add(Pack(-g.x_mode), gradient.x, multiply_add(Pack(-g.y_mode), gradient.y, f_mode));
+}
+
+/// gamma at the four nodes (Flanagan & Belytschko 1981).
+template <class Pack>
+struct HourglassVector {
+  Pack node[4];
+};
+template <class Pack>
+CRUMPLE_INLINE HourglassVector<Pack> hourglass_vector(const LaminaGeometry<Pack>& g) {
+  const Pack one(RealOf<Pack>(1));
+  const Pack a = g.inverse_twice_area * multiply_add(g.y_mode, g.x42, Pack(-(g.x_mode * g.y42)));
+  const Pack b = g.inverse_twice_area * multiply_add(g.x_mode, g.y31, Pack(-(g.y_mode * g.x31)));
+  return {{one - a, -(one + b), one + a, b - one}};
+}
 
 /// Coefficients of this element: stress per rate (viscous) or per displacement (stiffness), forces in all.
 template <class Pack>

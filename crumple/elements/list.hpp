@@ -2,6 +2,7 @@
 #pragma once
 
 #include "elements/belytschko_tsay.hpp"
+#include "elements/hughes_liu.hpp"
 
 namespace crumple::elements {
 
@@ -12,6 +13,7 @@ struct FormulationList {
 
 /// Every shell formulation, one line each. What one must have is written in formulation.hpp.
 using ShellFormulations = FormulationList<  //
-    BelytschkoTsay>;
+    BelytschkoTsay,                         //
+    HughesLiu>;
 
 }  // namespace crumple::elements

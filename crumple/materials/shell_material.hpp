@@ -36,10 +36,11 @@ struct MaterialTask {
   Index history = 0;                  ///< first component of the material's own items
   const Real* strain = nullptr;       ///< increments [point][5][tile_lanes]
   const Real* weight = nullptr;       ///< [point], summing to 1
+  const Real* area = nullptr;         ///< [point][tile_lanes] factor on the energy; nullptr is 1
   const double* constants = nullptr;  ///< ShellBlock::material_constants
   Real step = 0;                      ///< the step that the increments belong to [time]; may be 0
-  Real* energy = nullptr;             ///< out: mean over the thickness of 1/2 (old + new stress) : strain
-  Real* thickness_strain = nullptr;   ///< out: mean increment of the strain zz over the thickness
+  Real* energy = nullptr;  ///< out: mean over the thickness of area * 1/2 (old + new stress) : strain
+  Real* thickness_strain = nullptr;  ///< out: mean increment of the strain zz over the thickness
 };
 
 template <class Real>

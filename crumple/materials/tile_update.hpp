@@ -69,7 +69,9 @@ CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>
     const Pack weight(task.weight[p]);
     const auto old = load_five<Stress>(stress_state + p * components * lanes, lanes);
     const auto strain = load_five<Strain>(strains + p * components * tile_lanes, tile_lanes);
-    energy = multiply_add(weight, mean_work(old, stress[p], strain), energy);
+    Pack share = weight;
+    if (task.area != nullptr) share = weight * load<Pack>(task.area + p * tile_lanes + group * lanes + lane);
+    energy = multiply_add(share, mean_work(old, stress[p], strain), energy);
     const Pack sum = (stress[p].xx - old.xx) + (stress[p].yy - old.yy);
     Pack zz = -(Pack(law.elasticity.lateral) * sum);
     if constexpr (Law::can_yield) zz = zz + trial[p].plastic_zz;
