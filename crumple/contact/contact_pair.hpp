@@ -19,9 +19,10 @@ struct RememberedPair {
   std::int32_t wrong = 0;    ///< 1 while the node is on the other side
   std::array<double, 4> weight{};  ///< of the segment's nodes, at the contact point
   double offset = 0;               ///< by which the contact distance is reduced [length]
+  double depth = 0;                ///< penetration, offset deducted [length]
   Vec3 friction;                   ///< on the node, in the segment's frame [force]
 };
-static_assert(sizeof(RememberedPair) == 80);
+static_assert(sizeof(RememberedPair) == 88);
 
 /// A node in contact with a segment, now.
 struct ContactPair {

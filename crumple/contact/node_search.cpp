@@ -106,12 +106,23 @@ int NodeSearch::side_of(Index segment, const RememberedPair* memory, double dist
   return present;
 }
 
-double NodeSearch::inherited_offset(Index segment, const RememberedPair* memory) const {
+/// By how much the contact distance of a pair is reduced when the node is at `gap`. A contact cannot begin
+/// deeper than the node was in the connected ones it comes from, plus its approach in the step: the rest was
+/// no approach (meshes that overlap from the start, a place of the surface that only now became the nearest),
+/// and pushing it out would make energy from nothing.
+double NodeSearch::offset_of(Index segment, const RememberedPair* memory, double full, double gap) const {
   if (memory != nullptr) return memory->offset;
-  double offset = 0;
-  for (const RememberedPair& other : remembered_)
-    if (other.offset > offset && connected(surface_, segment, other.segment)) offset = other.offset;
-  return offset;
+  double inherited = 0;
+  double depth = 0;
+  for (const RememberedPair& other : remembered_) {
+    if (!connected(surface_, segment, other.segment)) continue;
+    inherited = std::max(inherited, other.offset);
+    depth = std::max(depth, other.depth);
+  }
+  SurfaceAt before = view_.now;
+  before.x.back = view_.step;
+  const double distance = std::sqrt(nearest_point(before.shape(segment), before.x[node_]).distance_squared);
+  return std::max(inherited, full - std::max(distance, gap) - depth);
 }
 
 void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
@@ -144,9 +155,10 @@ void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
   else if (!round)
     pair.normal = (side < 0 ? -1.0 : 1.0) * normal;
   const double full = contact_distance(segment);
-  pair.offset = view_.tracking ? full - pair.gap : inherited_offset(segment, memory);
+  const double overlap = std::max(0.0, full - pair.gap);
   // What has opened stays open: the allowance only shrinks.
-  pair.offset = std::clamp(pair.offset, 0.0, std::max(0.0, full - pair.gap));
+  pair.offset =
+      view_.tracking ? overlap : std::clamp(offset_of(segment, memory, full, pair.gap), 0.0, overlap);
   pair.reach = full - pair.offset;
   if (pair.penetration() > 0 || pair.offset > 0) found.push_back(pair);
 }

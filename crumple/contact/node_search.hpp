@@ -32,7 +32,7 @@ class NodeSearch {
   bool worth_looking(Index segment, const RememberedPair* memory) const;
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
   double contact_distance(Index segment) const;
-  double inherited_offset(Index segment, const RememberedPair* memory) const;
+  double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
   void carry_friction(ContactPair& pair, std::span<const ContactPair> present) const;
   bool still_near(Index segment) const;

@@ -51,6 +51,7 @@ struct SingleSurface::Implementation {
       memory.wrong = pair.wrong;
       memory.weight = pair.weight;
       memory.offset = pair.offset;
+      memory.depth = std::max(0.0, pair.penetration());
       if (dot(pair.friction, pair.friction) > 0)
         memory.friction = frame_of(shape_of(surface, x, pair.segment)).to_local(pair.friction);
       remembered.push_back(memory);
