@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Large motion: rigid rotations, forces in equilibrium, energy and work.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "shell_harness.hpp"
+
+namespace crumple::elements::testing {
+namespace {
+
+constexpr double dt = 1e-7;
+
+/// A warped, distorted patch: no element is flat or a parallelogram.
+model::Model warped_plate(model::ShellFormulation formulation, model::HourglassForm form,
+                          const model::Material& material = elastic()) {
+  model::Model model = plate(formulation, 3, 0.2, 3, material);
+  model.control.hourglass.form = form;
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  place(model, [&](const Vec3& x) {
+    return Vec3{x.x - 7, x.y - 7, 0.05 * x.x * x.y / 5 + 0.4 * uniform(generator)};
+  });
+  return model;
+}
+
+void turn(Driven& body, const Vec3& axis, double angle) {
+  // Hughes and Winget's rotation by `angle` has the vector 2 tan(angle/2).
+  const Vec3 spin = 2 * std::tan(0.5 * angle) * axis;
+  body.step(
+      dt, [&](const Vec3& x) { return rotated(x, axis, angle); }, [&](const Vec3&) { return spin; });
+}
+
+struct Turning {
+  double stress = 0;     ///< largest over Young's modulus
+  double hourglass = 0;  ///< largest hourglass stress over E t^2
+};
+
+Turning turned_a_hundred_times(const Kind& kind, const domain::Execution& execution, const Vec3& axis) {
+  const model::Model model = warped_plate(kind.formulation, model::HourglassForm::Stiffness);
+  Driven body(model, execution);
+  // Not a whole number of steps per turn: round-off must not repeat itself.
+  constexpr double increment = 0.0513;
+  for (double angle = 0; angle < 200 * std::numbers::pi; angle += increment) turn(body, axis, increment);
+  Turning worst;
+  worst.stress = body.largest_stress() / youngs_modulus;
+  for (Index e = 0; e < body.block().elements; ++e)
+    for (Index c = 0; c < 5; ++c)
+      worst.hourglass = std::max(worst.hourglass, std::fabs(body.item("hourglass", e, c)) /
+                                                      (youngs_modulus * thickness * thickness));
+  return worst;
+}
+
+TEST(RigidRotation, AHundredTurnsLeaveNoStress) {
+  double mixed = 0;
+  for (const Kind& kind : kinds)
+    for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, math::normalised(Vec3{1, -2, 3})}) {
+      const Turning exact =
+          turned_a_hundred_times(kind, {Precision::Double, available_isas().back(), 1}, axis);
+      EXPECT_LT(exact.stress, 1e-11) << kind.name;
+      EXPECT_LT(exact.hourglass, 1e-11) << kind.name;
+      const Turning rounded =
+          turned_a_hundred_times(kind, {Precision::Mixed, available_isas().back(), 1}, axis);
+      // Each step rounds relative displacements of the size of its angle to 24 bits. In the body's own axes
+      // they are much the same from step to step, so that the errors may all have one sign.
+      EXPECT_LT(rounded.stress, 200 * std::numbers::pi * 0x1p-24) << kind.name;
+      mixed = std::max({mixed, rounded.stress, rounded.hourglass});
+      std::printf("%s: stress over E after 100 turns: double %.1e (hourglass %.1e), mixed %.1e (%.1e)\n",
+                  kind.name, exact.stress, exact.hourglass, rounded.stress, rounded.hourglass);
+    }
+}
+
+/// A stressed body that turns keeps its stress in its own axes, and its forces turn with it.
+TEST(RigidRotation, StressTurnsWithTheBody) {
+  for (const Kind& kind : kinds)
+    for (const auto& execution : all_executions()) {
+      const model::Model model = warped_plate(kind.formulation, model::HourglassForm::Stiffness);
+      Driven body(model, execution);
+      body.step(
+          dt,
+          [](const Vec3& x) {
+            return Vec3{x.x * 1.001 + 0.0004 * x.y, x.y * 0.9995, x.z * 1.001};
+          },
+          [](const Vec3& x) {
+            return Vec3{1e-4 * x.y, -2e-4 * x.x, 0};
+          });
+      std::vector<Vec3> force;
+      std::vector<Vec3> moment;
+      for (Index i = 0; i < body.domain.nodes.count(); ++i) {
+        force.push_back(body.force(i));
+        moment.push_back(body.moment(i));
+      }
+      double stress[9];
+      for (Index e = 0; e < 9; ++e) stress[e] = body.stress(e, 2, 0);
+      const Vec3 axis = math::normalised({1, -2, 3});
+      for (int i = 0; i < 50; ++i) turn(body, axis, 0.05);
+      const double tolerance = 50 * 20 * round_off(execution);
+      for (Index i = 0; i < body.domain.nodes.count(); ++i) {
+        EXPECT_LT(norm(body.force(i) - rotated(force[i], axis, 2.5)), 100 * tolerance * norm(force[4]))
+            << kind.name << ' ' << name_of(execution);
+        EXPECT_LT(norm(body.moment(i) - rotated(moment[i], axis, 2.5)), 200 * tolerance * norm(force[4]));
+      }
+      for (Index e = 0; e < 9; ++e) EXPECT_NEAR(body.stress(e, 2, 0), stress[e], youngs_modulus * tolerance);
+    }
+}
+
+TEST(RigidTranslation, LeavesNoStress) {
+  for (const Kind& kind : kinds)
+    for (const auto& execution : all_executions()) {
+      Driven body(warped_plate(kind.formulation, model::HourglassForm::Stiffness), execution);
+      for (int i = 0; i < 10; ++i)
+        body.step(
+            dt,
+            [](const Vec3& x) {
+              return x + Vec3{0.25, -0.5, 0.125};
+            },
+            [](const Vec3&) { return Vec3{}; });
+      EXPECT_LT(body.largest_stress(), 1e-9 * youngs_modulus) << kind.name << ' ' << name_of(execution);
+    }
+}
+
+/// Whatever the state, internal forces and moments have no resultant: linear and angular momentum are kept.
+TEST(NodalForces, AreInEquilibrium) {
+  for (const Kind& kind : kinds)
+    for (const auto form : {model::HourglassForm::Viscous, model::HourglassForm::Stiffness})
+      for (const auto& execution : all_executions()) {
+        Driven body(warped_plate(kind.formulation, form, plastic()), execution);
+        std::mt19937 generator(3);
+        std::uniform_real_distribution<double> uniform(-1, 1);
+        for (int i = 0; i < 10; ++i) {
+          std::vector<Vec3> u;
+          std::vector<Vec3> r;
+          for (Index n = 0; n < body.domain.nodes.count(); ++n) {
+            u.push_back(0.02 * Vec3{uniform(generator), uniform(generator), uniform(generator)});
+            r.push_back(0.01 * Vec3{uniform(generator), uniform(generator), uniform(generator)});
+          }
+          body.step(dt, u, r);
+        }
+        Vec3 force;
+        Vec3 moment;
+        double size = 0;
+        for (Index n = 0; n < body.domain.nodes.count(); ++n) {
+          force += body.force(n);
+          moment += cross(body.domain.nodes.position[n], body.force(n)) + body.moment(n);
+          size += norm(body.force(n));
+        }
+        EXPECT_GT(size, 100);
+        EXPECT_LT(norm(force), 20 * round_off(execution) * size) << kind.name;
+        EXPECT_LT(norm(moment), 200 * round_off(execution) * size) << kind.name << ' ' << name_of(execution);
+      }
+}
+
+/// Internal and hourglass energy are the work of the nodal forces, with second order in the step.
+double energy_defect(const Kind& kind, model::HourglassForm form, int steps, bool thickness_change) {
+  model::Model model = warped_plate(kind.formulation, form, plastic(0.4, 21000));
+  model.control.thickness_change = thickness_change;
+  Driven body(model, {Precision::Double, available_isas().back(), 1});
+  const Index count = body.domain.nodes.count();
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Vec3> u;
+  std::vector<Vec3> r;
+  for (Index n = 0; n < count; ++n) {
+    u.push_back({0.05 * uniform(generator) + 0.004 * body.domain.nodes.position[n].x,
+                 0.05 * uniform(generator), 0.1 * uniform(generator)});
+    r.push_back({0.03 * uniform(generator), 0.03 * uniform(generator), 0.01 * uniform(generator)});
+  }
+  double work = 0;
+  std::vector<Vec3> force(count);
+  std::vector<Vec3> moment(count);
+  for (int i = 0; i < steps; ++i) {
+    std::vector<Vec3> du;
+    std::vector<Vec3> dr;
+    const auto phase = [&](double t) { return std::sin(t) + 0.3 * t; };
+    const double share = phase(2.0 * (i + 1) / steps) - phase(2.0 * i / steps);
+    for (Index n = 0; n < count; ++n) {
+      du.push_back(share * u[n]);
+      dr.push_back(share * r[n]);
+    }
+    // Viscous forces depend on the rate: keep the duration of the whole.
+    body.step(1e-3 / steps, du, dr);
+    for (Index n = 0; n < count; ++n) {
+      // The element's forces on the nodes do negative work on what stores the energy.
+      if (i > 0 || form == model::HourglassForm::Stiffness)
+        work -= 0.5 * (dot(force[n] + body.force(n), du[n]) + dot(moment[n] + body.moment(n), dr[n]));
+      else
+        work -= 0.5 * (dot(body.force(n), du[n]) + dot(body.moment(n), dr[n]));
+      force[n] = body.force(n);
+      moment[n] = body.moment(n);
+    }
+  }
+  const double energy = body.block().internal_energy + body.block().hourglass_energy;
+  return std::fabs(energy - work) / energy;
+}
+
+TEST(Energy, IsTheWorkOfTheNodalForces) {
+  for (const Kind& kind : kinds)
+    for (const auto form : {model::HourglassForm::Viscous, model::HourglassForm::Stiffness})
+      for (const bool thickness_change : {false, true}) {
+        const double coarse = energy_defect(kind, form, 100, thickness_change);
+        const double fine = energy_defect(kind, form, 200, thickness_change);
+        EXPECT_LT(coarse, 2e-3) << kind.name;
+        // The thickness itself follows with first order.
+        EXPECT_LT(fine, (thickness_change ? 0.6 : 0.3) * coarse) << kind.name;
+        std::printf("%s %s%s: energy less work %.1e, half the step %.1e\n", kind.name,
+                    form == model::HourglassForm::Viscous ? "viscous" : "stiffness",
+                    thickness_change ? " thickness change" : "", coarse, fine);
+      }
+}
+
+/// Simple shear to gamma = 3 in 600 steps: the frame turns by the polar rotation, so that the stress is that
+/// of the Green-Naghdi rate (J.K. Dienes, Acta Mechanica 32 (1979) 217-232).
+TEST(Frame, SimpleShearGivesTheGreenNaghdiRate) {
+  const double shear_modulus = 0.5 * youngs_modulus / (1 + poissons_ratio);
+  for (const Kind& kind : kinds) {
+    model::Model model = plate(kind.formulation, 1, 0, 1);
+    place(model, [](const Vec3& x) { return Vec3{x.x, 0.5 * x.y, x.z}; });
+    Driven body(model, {Precision::Double, available_isas().back(), 1});
+    constexpr int steps = 600;
+    const double increment = 3.0 / steps;
+    for (int i = 0; i < steps; ++i)
+      body.step(
+          dt,
+          [&](const Vec3& x) {
+            return Vec3{x.x + increment * x.y, x.y, 0};
+          },
+          [](const Vec3&) { return Vec3{}; });
+    const double beta = std::atan(1.5);
+    const double sxx = 4 * shear_modulus *
+                       (std::cos(2 * beta) * std::log(std::cos(beta)) + beta * std::sin(2 * beta) -
+                        std::sin(beta) * std::sin(beta));
+    const double sxy = 2 * shear_modulus * std::cos(2 * beta) *
+                       (2 * beta - 2 * std::tan(2 * beta) * std::log(std::cos(beta)) - std::tan(beta));
+    // From the frame, turned by -beta, to fixed axes.
+    const double c = std::cos(beta);
+    const double s = -std::sin(beta);
+    const double lxx = body.stress(0, 0, 0);
+    const double lyy = body.stress(0, 0, 1);
+    const double lxy = body.stress(0, 0, 2);
+    EXPECT_NEAR(c * c * lxx + s * s * lyy - 2 * c * s * lxy, sxx, 1e-5 * shear_modulus) << kind.name;
+    EXPECT_NEAR(s * s * lxx + c * c * lyy + 2 * c * s * lxy, -sxx, 1e-5 * shear_modulus);
+    EXPECT_NEAR(c * s * (lxx - lyy) + (c * c - s * s) * lxy, sxy, 1e-5 * shear_modulus);
+  }
+}
+
+/// The same element with another node first gives the same forces, also after much shear and kinematic
+/// hardening.
+TEST(Frame, DoesNotDependOnTheFirstNode) {
+  for (const Kind& kind : kinds) {
+    std::vector<Vec3> reference;
+    for (std::size_t first = 0; first < 4; ++first) {
+      model::Model model = warped_plate(kind.formulation, model::HourglassForm::Viscous, plastic(0));
+      for (auto& shell : model.shells) {
+        const auto node = shell.node;
+        for (std::size_t k = 0; k < 4; ++k) shell.node[k] = node[(k + first) % 4];
+      }
+      Driven body(model, {Precision::Double, available_isas().back(), 1});
+      for (int i = 0; i < 200; ++i)
+        body.step(
+            dt,
+            [](const Vec3& x) {
+              return Vec3{x.x + 0.004 * x.y, x.y, x.z + 0.001 * x.x};
+            },
+            [](const Vec3& x) {
+              return Vec3{0, 1e-4 * x.x, 1e-4};
+            });
+      std::vector<Vec3> force(body.domain.nodes.count());
+      for (Index i = 0; i < body.domain.nodes.count(); ++i)
+        force[body.domain.nodes.model_node[i]] = body.force(i);
+      if (first == 0) reference = force;
+      for (std::size_t i = 0; i < force.size(); ++i)
+        EXPECT_LT(norm(force[i] - reference[i]), 1e-9 * norm(reference[0])) << kind.name << " node " << first;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace crumple::elements::testing

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "base/error.hpp"
+#include "shell_harness.hpp"
+
+namespace crumple::elements::testing {
+namespace {
+
+using model::ShellFormulation;
+
+double total_mass(const Driven& body) {
+  return std::accumulate(body.domain.nodes.mass.begin(), body.domain.nodes.mass.end(), 0.0);
+}
+
+TEST(Preparation, MassIsThatOfThePlate) {
+  for (const Kind& kind : kinds) {
+    const Driven body(plate(kind.formulation, 4, 0), {});
+    EXPECT_NEAR(total_mass(body), density * thickness * 400, 1e-12 * density * 600);
+    for (Index i = 0; i < body.domain.nodes.count(); ++i)
+      EXPECT_GE(body.domain.nodes.inertia[i], body.domain.nodes.mass[i] * 25 / 8 * (1 - 1e-12));
+  }
+}
+
+TEST(Preparation, ATriangleGivesEachCornerAThird) {
+  model::Model model = test::one_part(elastic(), test::shell_section(thickness, 2));
+  model.nodes.id = {1, 2, 3};
+  model.nodes.position = {{0, 0, 0}, {6, 0, 0}, {0, 4, 0}};
+  model.shells.push_back({.id = 1, .part = 0, .node = {0, 1, 2, 2}});
+  Driven body(model, {});
+  for (Index i = 0; i < 3; ++i)
+    EXPECT_NEAR(body.domain.nodes.mass[i], density * thickness * 4, 1e-12 * density * 6);
+  // Twice the area over the longest side: the height.
+  const double speed = std::sqrt(youngs_modulus / (density * (1 - poissons_ratio * poissons_ratio)));
+  EXPECT_NEAR(stable_step(body.domain, body.block()), 24 / std::sqrt(52.0) / speed, 1e-12 / speed);
+}
+
+TEST(Preparation, StepIsAreaOverLongestSide) {
+  for (const Kind& kind : kinds)
+    for (const auto& execution : all_executions()) {
+      model::Model model = plate(kind.formulation, 3, 0.2);
+      Driven body(model, execution);
+      body.update(0);
+      double shortest = 1e30;
+      UserId slowest = 0;
+      const double speed = std::sqrt(youngs_modulus / (density * (1 - poissons_ratio * poissons_ratio)));
+      for (const auto& shell : model.shells) {
+        const auto at = [&](std::size_t k) {
+          const auto& p = model.nodes.position[shell.node[k % 4]];
+          return Vec3{p[0], p[1], p[2]};
+        };
+        double side = 0;
+        for (std::size_t k = 0; k < 4; ++k) side = std::max(side, norm(at(k + 1) - at(k)));
+        const double step = 0.5 * norm(cross(at(2) - at(0), at(3) - at(1))) / side / speed;
+        if (step < shortest) {
+          shortest = step;
+          slowest = shell.id;
+        }
+      }
+      const double tolerance = 10 * round_off(execution) * shortest;
+      EXPECT_NEAR(body.domain.clock.element_limit, shortest, tolerance) << name_of(execution);
+      EXPECT_NEAR(stable_step(body.domain, body.block()), shortest, tolerance);
+      EXPECT_EQ(controlling_element(model, body.domain).element, slowest);
+      EXPECT_EQ(controlling_element(model, body.domain).part, 1);
+    }
+}
+
+/// A negative DT2MS lifts the short steps to its size and leaves the others alone; a positive one makes all
+/// steps equal.
+TEST(Preparation, MassScaling) {
+  model::Model model = plate(ShellFormulation::BelytschkoTsay, 3, 0.2);
+  const Driven plain(model, {});
+  const double shortest = stable_step(plain.domain, plain.block());
+  model.control.mass_scaling_step = -1.05 * shortest;
+  Driven scaled(model, {});
+  EXPECT_NEAR(stable_step(scaled.domain, scaled.block()), 1.05 * shortest, 1e-12 * shortest);
+  EXPECT_GT(scaled.domain.added_mass, 0);
+  EXPECT_NEAR(total_mass(scaled) - total_mass(plain), scaled.domain.added_mass, 1e-12 * total_mass(plain));
+  scaled.update(0);
+  EXPECT_NEAR(scaled.domain.clock.element_limit, 1.05 * shortest, 1e-12 * shortest);
+  model.control.mass_scaling_step = 3 * shortest;
+  Driven uniform(model, {});
+  double square = 0;
+  for (Index e = 0; e < uniform.block().elements; ++e) square += uniform.item("step_scale", e);
+  EXPECT_NEAR(stable_step(uniform.domain, uniform.block()), 3 * shortest, 1e-12 * shortest);
+  EXPECT_GT(square, 9 * 1.5);
+}
+
+TEST(Preparation, ErrorsNameThePartOrTheShell) {
+  const auto message = [](const model::Model& model) -> std::string {
+    try {
+      Driven body(model, {});
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  model::Model model = plate(ShellFormulation::HughesLiu, 2, 0, 11);
+  EXPECT_NE(message(model).find("Part 1: 11 integration points"), std::string::npos) << message(model);
+  model = plate(ShellFormulation::BelytschkoTsay, 2, 0, 1);
+  model.shell_sections[0].thickness_rule = model::ThicknessRule::Lobatto;
+  EXPECT_NE(message(model).find("Part 1"), std::string::npos);
+  model = plate(ShellFormulation::BelytschkoTsay, 2, 0);
+  model.nodes.position[4] = model.nodes.position[0];
+  model.nodes.position[1] = model.nodes.position[0];
+  model.nodes.position[3] = model.nodes.position[0];
+  EXPECT_NE(message(model).find("has no area"), std::string::npos) << message(model);
+}
+
+/// Before the first step there is no strain, whatever the velocities.
+TEST(Preparation, AStepOfZeroMakesNoStress) {
+  for (const Kind& kind : kinds)
+    for (const auto& execution : all_executions()) {
+      Driven body(plate(kind.formulation, 3, 0.1), execution);
+      for (Index i = 0; i < body.domain.nodes.count(); ++i) {
+        body.domain.nodes.velocity[i] = {100.0 * i, -3, 2};
+        body.domain.nodes.angular_velocity[i] = {1, 2.0 * i, 3};
+      }
+      body.update(0);
+      EXPECT_EQ(body.largest_stress(), 0);
+      EXPECT_EQ(body.block().internal_energy, 0);
+      EXPECT_EQ(body.block().hourglass_energy, 0);
+    }
+}
+
+/// Stretching thins the shell: elastic by nu / (1 - nu) of the biaxial strain, logarithmic in large strain.
+TEST(Preparation, ThicknessFollowsTheStretchIfAsked) {
+  for (const Kind& kind : kinds) {
+    model::Model model = plate(kind.formulation, 2, 0.1);
+    model.control.thickness_change = true;
+    Driven body(model, {Precision::Double, available_isas().back(), 1});
+    const double factor = std::exp(1e-4);
+    for (int i = 0; i < 1000; ++i)
+      body.step(
+          1e-7,
+          [&](const Vec3& x) {
+            return Vec3{factor * x.x, factor * x.y, 0};
+          },
+          [](const Vec3&) { return Vec3{}; });
+    // ln(t / t0) = -2 nu / (1 - nu) * 0.1; one Euler step of thickness errs by half its square.
+    const double expected = thickness * std::exp(-2 * poissons_ratio / (1 - poissons_ratio) * 0.1);
+    EXPECT_NEAR(body.item("thickness", 0), expected, 1e-5 * thickness) << kind.name;
+    model.control.thickness_change = false;
+    Driven rigid(model, {Precision::Double, available_isas().back(), 1});
+    rigid.step(
+        1e-7,
+        [&](const Vec3& x) {
+          return Vec3{1.01 * x.x, x.y, 0};
+        },
+        [](const Vec3&) { return Vec3{}; });
+    EXPECT_EQ(rigid.item("thickness", 0), thickness);
+  }
+}
+
+}  // namespace
+}  // namespace crumple::elements::testing
