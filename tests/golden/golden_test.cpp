@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"BelytschkoTsayMixed", model::ShellFormulation::BelytschkoTsay, Precision::Mixed},
                       Case{"HughesLiuDouble", model::ShellFormulation::HughesLiu, Precision::Double},
                       Case{"HughesLiuMixed", model::ShellFormulation::HughesLiu, Precision::Mixed}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& which) { return which.param.name; });
 
 }  // namespace
 }  // namespace crumple
