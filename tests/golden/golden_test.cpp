@@ -61,7 +61,7 @@ model::Model crushed_tube(model::ShellFormulation formulation) {
   model.contacts.push_back(
       {.id = 1, .title = "self", .parts = {0}, .static_friction = 0.2, .dynamic_friction = 0.1});
   model.control.end_time = 1.0;
-  model.control.end_cycle = 600;
+  model.control.end_cycle = 400;
   return model;
 }
 
@@ -123,9 +123,10 @@ TEST_P(Golden, CrushedTube) {
   std::map<std::string, std::uint64_t> by_family;
   for (const Isa isa : available_isas()) {
     const std::uint64_t one = hash_after_run(model, {GetParam().precision, isa, 1});
-    for (const int threads : {2, 3, 4})
-      ASSERT_EQ(hash_after_run(model, {GetParam().precision, isa, threads}), one)
-          << isa_name(isa) << ", " << threads << " threads";
+    if (isa == default_isa())
+      for (const int threads : {2, 3, 4})
+        ASSERT_EQ(hash_after_run(model, {GetParam().precision, isa, threads}), one)
+            << isa_name(isa) << ", " << threads << " threads";
     const auto [entry, first] = by_family.emplace(family(isa), one);
     ASSERT_TRUE(first || entry->second == one) << isa_name(isa) << " differs from its family " << family(isa);
   }
