@@ -9,6 +9,10 @@
 #include <cmath>
 #include <experimental/simd>
 
+#if defined(__FMA__) && defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #include "base/index.hpp"
 
 #if defined(__GNUC__)
@@ -77,6 +81,36 @@ CRUMPLE_INLINE void store(RealOf<Pack>* to, const Pack& value) {
     value.copy_to(to, simd::vector_aligned);
 }
 
+#if defined(__FMA__) && defined(__x86_64__)
+namespace detail {
+
+// The library's own fma of packs is a call that GCC does not inline.
+template <class Vector, class Pack>
+CRUMPLE_INLINE Vector raw(const Pack& pack) {
+  return __builtin_bit_cast(Vector, pack);
+}
+
+template <class Pack>
+CRUMPLE_INLINE Pack fused(const Pack& a, const Pack& b, const Pack& c) {
+  constexpr bool is_float = sizeof(typename Pack::value_type) == sizeof(float);
+#if defined(__AVX512F__)
+  if constexpr (sizeof(Pack) == 64 && is_float)
+    return __builtin_bit_cast(Pack, _mm512_fmadd_ps(raw<__m512>(a), raw<__m512>(b), raw<__m512>(c)));
+  else if constexpr (sizeof(Pack) == 64)
+    return __builtin_bit_cast(Pack, _mm512_fmadd_pd(raw<__m512d>(a), raw<__m512d>(b), raw<__m512d>(c)));
+  else
+#endif
+      if constexpr (sizeof(Pack) == 32 && is_float)
+    return __builtin_bit_cast(Pack, _mm256_fmadd_ps(raw<__m256>(a), raw<__m256>(b), raw<__m256>(c)));
+  else if constexpr (sizeof(Pack) == 32)
+    return __builtin_bit_cast(Pack, _mm256_fmadd_pd(raw<__m256d>(a), raw<__m256d>(b), raw<__m256d>(c)));
+  else
+    return simd::fma(a, b, c);
+}
+
+}  // namespace detail
+#endif
+
 /// a b + c: rounded once where the instruction set has FMA (AVX2, AVX-512), twice where it has not. The two
 /// families differ in the last bits and have golden hashes of their own (docs/determinism.md).
 template <class Pack>
@@ -85,7 +119,7 @@ CRUMPLE_INLINE Pack multiply_add(const Pack& a, const Pack& b, const Pack& c) {
   if constexpr (width_of<Pack> == 1)
     return std::fma(a, b, c);
   else
-    return simd::fma(a, b, c);
+    return detail::fused(a, b, c);
 #else
   return a * b + c;
 #endif
