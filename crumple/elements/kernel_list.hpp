@@ -11,7 +11,7 @@ using ShellKernel = void (*)(const ShellTask<Real>& task, ShellSums& sums);
 
 /// The kernel of the formulation at place `kind` of the list. Defined in kernels/shell_formulations.cpp,
 /// which is compiled once per instruction set.
-template <Isa isa, class Real>
+template <Isa Variant, class Real>
 ShellKernel<Real> shell_formulation_kernel(int kind);
 
 template <>

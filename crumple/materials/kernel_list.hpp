@@ -8,7 +8,7 @@ namespace crumple::materials {
 
 /// The update of the law at place `kind` of the list. Defined in kernels/shell_laws.cpp, which is compiled
 /// once per instruction set.
-template <Isa isa, class Real>
+template <Isa Variant, class Real>
 MaterialUpdate<Real> shell_law_kernel(int kind);
 
 template <>
