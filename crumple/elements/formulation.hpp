@@ -14,6 +14,7 @@
 #include "elements/gather.hpp"
 #include "elements/hourglass.hpp"
 #include "elements/lamina_frame.hpp"
+#include "elements/scatter.hpp"
 #include "elements/shell_task.hpp"
 #include "materials/plane_stress.hpp"
 

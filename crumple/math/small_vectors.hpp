@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "base/pack.hpp"
+
+namespace crumple::math {
+
+// Vectors of four or eight numbers that hold one item each (a force, a velocity), for the way between the
+// nodes' records and the packs, which hold one number of many items. GNU vector types: any target splits
+// what its registers cannot hold.
+
+using Float4 = float __attribute__((vector_size(16)));
+using Float8 = float __attribute__((vector_size(32)));
+using Double4 = double __attribute__((vector_size(32)));
+
+/// Reads a vector from any address.
+template <class Vector>
+CRUMPLE_INLINE Vector read(const void* from) {
+  Vector to;
+  __builtin_memcpy(&to, from, sizeof(Vector));
+  return to;
+}
+template <class Vector>
+CRUMPLE_INLINE void write(void* to, const Vector& from) {
+  __builtin_memcpy(to, &from, sizeof(Vector));
+}
+
+/// Rows become columns: out[c] holds number c of the four inputs.
+template <class Vector>
+struct Four {
+  Vector row[4];
+};
+
+CRUMPLE_INLINE Four<Float4> transposed(const Float4& a, const Float4& b, const Float4& c, const Float4& d) {
+  const Float4 ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+  const Float4 cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+  const Float4 ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Float4 cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  return {{__builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5),
+           __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7),
+           __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5),
+           __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7)}};
+}
+
+CRUMPLE_INLINE Four<Double4> transposed(const Double4& a, const Double4& b, const Double4& c,
+                                        const Double4& d) {
+  const Double4 ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Double4 cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Double4 ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Double4 cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return {{__builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5),
+           __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5),
+           __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7),
+           __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7)}};
+}
+
+/// The same in both halves at once.
+CRUMPLE_INLINE Four<Float8> transposed(const Float8& a, const Float8& b, const Float8& c, const Float8& d) {
+  const Float8 ab_low = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Float8 cd_low = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Float8 ab_high = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Float8 cd_high = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+  return {{__builtin_shufflevector(ab_low, cd_low, 0, 1, 8, 9, 4, 5, 12, 13),
+           __builtin_shufflevector(ab_low, cd_low, 2, 3, 10, 11, 6, 7, 14, 15),
+           __builtin_shufflevector(ab_high, cd_high, 0, 1, 8, 9, 4, 5, 12, 13),
+           __builtin_shufflevector(ab_high, cd_high, 2, 3, 10, 11, 6, 7, 14, 15)}};
+}
+
+}  // namespace crumple::math
