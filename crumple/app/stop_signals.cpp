@@ -6,6 +6,7 @@ namespace crumple::app {
 namespace {
 
 /// The one global of the program: a signal handler has no other way to leave word.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 volatile std::sig_atomic_t signal_received = 0;
 
 extern "C" void remember_signal(int number) {

@@ -18,6 +18,12 @@
 namespace crumple::app {
 
 class ProgramTest : public ::testing::Test {
+ public:
+  ~ProgramTest() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
  protected:
   struct Result {
     ExitCode code = ExitCode::Normal;
@@ -31,10 +37,6 @@ class ProgramTest : public ::testing::Test {
                  ::testing::UnitTest::GetInstance()->current_test_info()->name() + "_" +
                  std::to_string(getpid()))) {
     std::filesystem::create_directories(folder_);
-  }
-  ~ProgramTest() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
   }
 
   static Result run(const std::vector<std::string>& arguments) {

@@ -171,7 +171,7 @@ class StopTest : public ProgramTest {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
       stop();
     });
-    const Result result = run({"run", deck, "-o", path("out"), "--end", "1e6"});
+    Result result = run({"run", deck, "-o", path("out"), "--end", "1e6"});
     user.join();
     return result;
   }

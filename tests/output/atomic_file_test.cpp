@@ -14,6 +14,9 @@ namespace crumple::output {
 namespace {
 
 class AtomicFileTest : public ::testing::Test {
+ public:
+  ~AtomicFileTest() override { std::filesystem::remove_all(folder_); }
+
  protected:
   AtomicFileTest()
       : folder_(std::filesystem::path(::testing::TempDir()) /
@@ -23,7 +26,6 @@ class AtomicFileTest : public ::testing::Test {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
-  ~AtomicFileTest() override { std::filesystem::remove_all(folder_); }
 
   static std::string read(const std::filesystem::path& path) {
     std::ostringstream text;

@@ -44,6 +44,12 @@ inline void add_state(domain::ShellBlock& block) {
 }
 
 class SampleTest : public ::testing::Test {
+ public:
+  ~SampleTest() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
  protected:
   SampleTest() : SampleTest(sample_model()) {}
   explicit SampleTest(model::Model model)
@@ -55,10 +61,6 @@ class SampleTest : public ::testing::Test {
                                                        "_" + test->name() + "_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
-  }
-  ~SampleTest() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
   }
 
   View view() const { return {model_, domain_, 0.001}; }
