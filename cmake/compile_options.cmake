@@ -19,9 +19,9 @@ endif()
 
 set(CRUMPLE_WARNINGS -Wall -Wextra -Wpedantic -Werror -Wshadow -Wconversion -Wno-sign-conversion
   -Wdouble-promotion -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-align -Wunused -Wold-style-cast
-  -Wimplicit-fallthrough -Wextra-semi)
+  -Wimplicit-fallthrough -Wextra-semi -Wno-psabi)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  list(APPEND CRUMPLE_WARNINGS -Wduplicated-cond -Wlogical-op -Wuseless-cast -Wno-psabi)
+  list(APPEND CRUMPLE_WARNINGS -Wduplicated-cond -Wlogical-op -Wuseless-cast)
 endif()
 
 set(CRUMPLE_SANITIZE "" CACHE STRING "address,undefined or thread")
