@@ -85,25 +85,25 @@ double NodeSearch::contact_distance(Index segment) const {
   return std::min(full, std::sqrt(nearest_point(view_.reference.shape(segment), origin).distance_squared));
 }
 
-/// True if the node's nearest place of the surface is still on that segment, so that it has not passed on to
-/// a neighbour.
-bool NodeSearch::still_near(Index segment) const {
-  return nearest_around(view_.now, node_, segment, nearest_point(view_.now.shape(segment), p_));
+/// True if the node was in contact with that segment of the same surface and now is nearer to another one.
+bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
+  return other.side != 0 && other.segment != segment && same_sides(surface_, segment, other.segment) &&
+         !nearest_around(view_.now, node_, other.segment, nearest_point(view_.now.shape(other.segment), p_));
 }
 
-/// The side on which the node belongs: as remembered; or as on a connected segment whose wrong side it was on
-/// and which it has left; or where it was before a crossing in this step; or where it is.
+/// The side on which the node belongs: as remembered; or as on the segment from which it came, if it was on
+/// the wrong side of that or went through it in this step; or where it was before it went through this one;
+/// or where it is.
 int NodeSearch::side_of(Index segment, const RememberedPair* memory, double distance, int present) const {
   if (memory != nullptr && memory->side != 0) return memory->side;
-  if (astray_)
-    for (const RememberedPair& other : remembered_)
-      if (other.wrong != 0 && same_sides(surface_, segment, other.segment) && !still_near(other.segment))
-        return other.side;
-  if (view_.step > 0 && distance <= relative_motion(view_.now, node_, segment, view_.step)) {
-    const int from = crossed_from(view_.now, node_, segment, view_.step);
-    if (from != 0) return from;
-  }
-  return present;
+  const bool may_cross = view_.step > 0 && distance <= relative_motion(view_.now, node_, segment, view_.step);
+  if (!astray_ && !may_cross) return present;
+  for (const RememberedPair& other : remembered_)
+    if (came_from(other, segment) &&
+        (other.wrong != 0 || crossed_from(view_.now, node_, other.segment, view_.step) != 0))
+      return other.side;
+  const int from = may_cross ? crossed_from(view_.now, node_, segment, view_.step) : 0;
+  return from != 0 ? from : present;
 }
 
 /// By how much the contact distance of a pair is reduced when the node is at `gap`. A contact cannot begin

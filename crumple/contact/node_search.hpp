@@ -35,7 +35,7 @@ class NodeSearch {
   double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
   void carry_friction(ContactPair& pair, std::span<const ContactPair> present) const;
-  bool still_near(Index segment) const;
+  bool came_from(const RememberedPair& other, Index segment) const;
   const RememberedPair* memory_of(Index segment) const;
 
   const StepView& view_;
