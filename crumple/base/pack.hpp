@@ -144,7 +144,17 @@ CRUMPLE_INLINE Pack absolute(const Pack& a) {
 /// Where `mask` holds `a`, elsewhere `b`, lane by lane.
 template <class Pack>
 CRUMPLE_INLINE Pack select(const MaskOf<Pack>& mask, const Pack& a, const Pack& b) {
-  if constexpr (width_of<Pack> == 1) {
+#if defined(__AVX512F__)
+  // The library's masked assignment is wrong when clang compiles it for AVX-512.
+  if constexpr (sizeof(Pack) == 64 && width_of<Pack> == 16)
+    return __builtin_bit_cast(Pack, _mm512_mask_blend_ps(__builtin_bit_cast(__mmask16, mask),
+                                                         detail::raw<__m512>(b), detail::raw<__m512>(a)));
+  else if constexpr (sizeof(Pack) == 64)
+    return __builtin_bit_cast(Pack, _mm512_mask_blend_pd(__builtin_bit_cast(__mmask8, mask),
+                                                         detail::raw<__m512d>(b), detail::raw<__m512d>(a)));
+  else
+#endif
+      if constexpr (width_of<Pack> == 1) {
     return mask ? a : b;
   } else {
     Pack chosen = b;

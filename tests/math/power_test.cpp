@@ -13,8 +13,9 @@ namespace {
 template <class Real>
 double ulps(Real found, long double expected, long double floor = 0) {
   const auto magnitude = static_cast<Real>(std::max(std::fabs(expected), floor));
-  const long double ulp = std::nextafter(magnitude, std::numeric_limits<Real>::infinity()) - magnitude;
-  return static_cast<double>(std::fabs(found - expected) / ulp);
+  const Real ulp = std::nextafter(magnitude, std::numeric_limits<Real>::infinity()) - magnitude;
+  return static_cast<double>(std::fabs(static_cast<long double>(found) - expected) /
+                             static_cast<long double>(ulp));
 }
 
 template <class Real>
