@@ -28,6 +28,8 @@ TANGENT_MODULUS = 1.0e9
 PLATE_THICKNESS = 0.006
 WALL_FRICTION = 0.3
 CONTACT_FRICTION = 0.1
+HOURGLASS_COEFFICIENT = 0.03  # stiffness form
+EXPANSION = 0.003  # territory expansion c: the fastest of the values tried
 TRIGGER_DEPTH = 0.0002  # one face pushed in, its neighbour out: the folding mode of a square tube
 TRIGGER_CENTRE = 0.025  # distance from the wall
 TRIGGER_LENGTH = 0.035  # about one full fold, 2 H, of Wierzbicki & Abramowicz, J. Appl. Mech. 50 (1983)
@@ -113,18 +115,20 @@ def id_cards(numbers):
         yield "".join(f"{number:10d}" for number in numbers[at:at + 8])
 
 
-def deck(mesh, formulation, points):
+def deck(mesh, formulation, points, cells_across):
     on_y = [n for n, (x, y, z) in enumerate(mesh.nodes, 1) if abs(y) < 1e-9]
     on_z = [n for n, (x, y, z) in enumerate(mesh.nodes, 1) if abs(z) < 1e-9]
     corner = mesh.number_of[(mesh.cells, mesh.cells)]
-    cells = 8 * mesh.cells // 6
+    cells = cells_across * mesh.cells // 6
+    reach = cells_across * HALF_WIDTH / 6
     yield f"""*KEYWORD
 $ Written by make_box_beam.py. Units: m, kg, s.
 *TITLE
 Box beam onto a rigid wall (Wang, Cheng & Yao 2000, example 1)
-$ The paper's cells: 60 x 8 x 8 of 5 mm over [0, 0.30] x [0, 0.04]^2.
+$ Cells of the size of the shells; the paper's are 60 x 8 x 8 over [0, 0.30] x [0, 0.04]^2.
 $crumple cells={mesh.along},{cells},{cells}
-$crumple domain=0,0.30,0,0.04,0,0.04
+$crumple domain=0,0.30,0,{reach:g},0,{reach:g}
+$crumple expansion={EXPANSION:g}
 *PARAMETER
 I elform  {formulation:10d}
 I points  {points:10d}
@@ -137,6 +141,9 @@ $   dtinit    tssfac
 *CONTROL_ENERGY
 $     hgen      rwen    slnten
          2         2         2
+*CONTROL_HOURGLASS
+$      ihq        qh
+         4{HOURGLASS_COEFFICIENT:10g}
 *DATABASE_GLSTAT
    1.0E-05
 *DATABASE_MATSUM
@@ -215,11 +222,13 @@ def main():
     parser.add_argument("--formulation", type=int, default=2, choices=(1, 2),
                         help="1 Hughes-Liu, as the paper; 2 Belytschko-Tsay (default)")
     parser.add_argument("--points", type=int, default=5, help="integration points through the thickness (default 5)")
+    parser.add_argument("--cells-across", type=int, default=8,
+                        help="cells of 5 mm in y and z (default 8, as the paper; the folds reach the tenth)")
     options = parser.parse_args()
     cells = round(HALF_WIDTH / options.element_size)
     if cells < 1 or abs(cells * options.element_size - HALF_WIDTH) > 1e-9:
         parser.error(f"the element size must divide {HALF_WIDTH} m")
-    print("\n".join(deck(Mesh(cells), options.formulation, options.points)))
+    print("\n".join(deck(Mesh(cells), options.formulation, options.points, options.cells_across)))
 
 
 if __name__ == "__main__":
