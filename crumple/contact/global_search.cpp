@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -36,8 +37,7 @@ struct Range {
       high[axis] = std::max(high[axis], a[axis]);
     }
   }
-  double extent(int axis) const { return high[axis] - low[axis]; }
-  double largest_extent() const { return std::max({extent(0), extent(1), extent(2)}); }
+  Vec3 extent() const { return {high[0] - low[0], high[1] - low[1], high[2] - low[2]}; }
 };
 
 /// Range of value(place) over all places. Smallest and largest do not depend on the order.
@@ -120,28 +120,28 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
 
 void GlobalSearch::update(const domain::Domain& domain) {
   if (!searched_.empty()) {
-    const double before = consumed_;
-    const double now = motion_since_search(domain);
+    const Vec3 motion = motion_since_search(domain);
     // Between two steps no pair comes nearer than at the worse of the two.
-    consumed_ = std::max(before, now);
-    if (now < statistics_.margin) return;
+    consumed_ = std::max(consumed_, norm(motion));
+    if (std::max({motion.x, motion.y, motion.z}) < statistics_.margin) return;
   }
   search(domain);
-  consumed_ = step_motion(domain);
+  consumed_ = norm(step_motion(domain));
 }
 
-double GlobalSearch::motion_since_search(const domain::Domain& domain) const {
+/// Largest relative displacement of any two nodes since the last search, along each axis.
+Vec3 GlobalSearch::motion_since_search(const domain::Domain& domain) const {
   const auto& x = domain.nodes.position;
   return range_of(surface_->node_count(), threads_,
                   [&](Index i) { return x[surface_->nodes[i]] - searched_[i]; })
-      .largest_extent();
+      .extent();
 }
 
-double GlobalSearch::step_motion(const domain::Domain& domain) const {
+/// The same for the step that led to now.
+Vec3 GlobalSearch::step_motion(const domain::Domain& domain) const {
   const auto& v = domain.nodes.velocity;
-  return range_of(surface_->node_count(), threads_,
-                  [&](Index i) { return domain.clock.step * v[surface_->nodes[i]]; })
-      .largest_extent();
+  return domain.clock.step *
+         range_of(surface_->node_count(), threads_, [&](Index i) { return v[surface_->nodes[i]]; }).extent();
 }
 
 void GlobalSearch::search(const domain::Domain& domain) {
@@ -165,12 +165,10 @@ void GlobalSearch::search(const domain::Domain& domain) {
   ++statistics_.searches;
   statistics_.candidates += static_cast<long>(segment_.size());
 
-  const auto& v = domain.nodes.velocity;
-  const Range speed =
-      range_of(surface_->node_count(), threads_, [&](Index i) { return v[surface_->nodes[i]]; });
+  const double step = domain.clock.step;
+  const double speed = step > 0 ? norm(step_motion(domain)) / step : 0.0;
   statistics_.predicted_interval = cellsearch::search_interval(
-      statistics_.expansion, statistics_.expansion - statistics_.margin,
-      norm(Vec3{speed.extent(0), speed.extent(1), speed.extent(2)}), domain.clock.step, longest_interval);
+      statistics_.expansion, statistics_.expansion - statistics_.margin, speed, step, longest_interval);
 }
 
 void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
@@ -187,14 +185,15 @@ void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
 
 void GlobalSearch::measure_slack(const domain::Domain& domain) {
   const Index places = surface_->node_count();
+  const SurfaceAt at{surface_, {domain.nodes.position.data(), domain.nodes.velocity.data(), 0}};
   slack_.resize(segment_.size());
   node_slack_.resize(places);
   parallel_for(pieces(places, piece), threads_, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
       double smallest = std::numeric_limits<double>::max();
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
-        slack_[pair] = box_gap(*surface_, domain.nodes.position, segment_[pair], searched_[i]) -
-                       surface_->contact_distance(i, segment_[pair]);
+        const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), searched_[i]);
+        slack_[pair] = std::sqrt(nearest.distance_squared) - surface_->contact_distance(i, segment_[pair]);
         smallest = std::min(smallest, slack_[pair]);
       }
       node_slack_[i] = smallest;

@@ -35,7 +35,8 @@ class GlobalSearch {
   double slack(std::int64_t pair) const { return slack_[pair]; }
   /// Smallest slack of a node's pairs.
   double node_slack(Index place) const { return node_slack_[place]; }
-  /// Relative motion since the search, or in the step before it if there was one just now [length].
+  /// Bound on the relative motion of any two nodes since the search, or in the step before it if there was
+  /// one just now [length].
   double consumed() const { return consumed_; }
 
   /// Every pair closer than its contact distance must be a candidate: throws Error naming the first that is
@@ -52,8 +53,8 @@ class GlobalSearch {
   void search(const domain::Domain& domain);
   void sort_by_node(const cellsearch::Candidates& found);
   void measure_slack(const domain::Domain& domain);
-  double motion_since_search(const domain::Domain& domain) const;
-  double step_motion(const domain::Domain& domain) const;
+  Vec3 motion_since_search(const domain::Domain& domain) const;
+  Vec3 step_motion(const domain::Domain& domain) const;
   bool listed(Index place, Index segment) const;
 
   const Surface* surface_;

@@ -57,25 +57,6 @@ const RememberedPair* NodeSearch::memory_of(Index segment) const {
   return nullptr;
 }
 
-/// A cheap look at the bounding box; a node that is astray looks at everything.
-bool NodeSearch::worth_looking(Index segment, const RememberedPair* memory) const {
-  if (astray_ || memory != nullptr) return true;
-  const Index* nodes = surface_.segment(segment);
-  double gap = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    double low = view_.now.x[nodes[0]][axis];
-    double high = low;
-    for (int k = 1; k < 4; ++k) {
-      const double x = view_.now.x[nodes[k]][axis];
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-    gap = std::max({gap, low - p_[axis], p_[axis] - high});
-  }
-  return gap < surface_.contact_distance(place_, segment) ||
-         gap <= relative_motion(view_.now, node_, segment, view_.step);
-}
-
 /// A node and its next neighbours may touch by thickness alone: their contact distance is at most what the
 /// undeformed mesh leaves between them.
 double NodeSearch::contact_distance(Index segment) const {
@@ -127,10 +108,14 @@ double NodeSearch::offset_of(Index segment, const RememberedPair* memory, double
 
 void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
   const RememberedPair* memory = memory_of(segment);
-  if (!worth_looking(segment, memory)) return;
-  const NearestPoint nearest = nearest_point(view_.now.shape(segment), p_);
+  const SegmentShape shape = view_.now.shape(segment);
+  const double touching = surface_.contact_distance(place_, segment);
+  // A node that is astray looks at everything; so does one that may have gone through the segment.
+  const bool look = astray_ || may_be_near(shape, p_, touching);
+  if (!look && !may_be_near(shape, p_, relative_motion(view_.now, node_, segment, view_.step))) return;
+  const NearestPoint nearest = nearest_point(shape, p_);
   const double distance = std::sqrt(nearest.distance_squared);
-  const bool near = distance < surface_.contact_distance(place_, segment);
+  const bool near = distance < touching;
   if (!near && !astray_ && distance > relative_motion(view_.now, node_, segment, view_.step)) return;
   if (!nearest_around(view_.now, node_, segment, nearest)) return;
 

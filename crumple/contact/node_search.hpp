@@ -29,7 +29,6 @@ class NodeSearch {
 
  private:
   void examine(Index segment, std::vector<ContactPair>& found);
-  bool worth_looking(Index segment, const RememberedPair* memory) const;
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
   double contact_distance(Index segment) const;
   double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;

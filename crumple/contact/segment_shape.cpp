@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/segment_shape.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace crumple::contact {
 namespace {
 
@@ -116,6 +119,25 @@ NearestPoint nearest_point(const SegmentShape& shape, const Vec3& p) {
     if (w.c == 0) name_rim(best, k, w.a, w.b);
   }
   return best;
+}
+
+bool may_be_near(const SegmentShape& shape, const Vec3& p, double reach) {
+  const auto& corner = shape.corner;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low =
+        std::min(std::min(corner[0][axis], corner[1][axis]), std::min(corner[2][axis], corner[3][axis]));
+    const double high =
+        std::max(std::max(corner[0][axis], corner[1][axis]), std::max(corner[2][axis], corner[3][axis]));
+    if (low - p[axis] > reach || p[axis] - high > reach) return false;
+  }
+  // Both diagonals are perpendicular to this normal: opposite corners are equally far from the plane.
+  const Vec3 normal = area_normal(shape);
+  const double size = norm(normal);
+  const double warp = std::max(std::fabs(dot(corner[0] - shape.centre, normal)),
+                               std::fabs(dot(corner[1] - shape.centre, normal)));
+  const double height = std::fabs(dot(p - shape.centre, normal));
+  // A little more than the reach, so that no rounding decides.
+  return height - warp <= 1.000001 * reach * size;
 }
 
 Frame frame_of(const SegmentShape& shape) {

@@ -57,6 +57,10 @@ inline Vec3 area_normal(const SegmentShape& shape) {
   return cross(shape.corner[2] - shape.corner[0], shape.corner[3] - shape.corner[1]);
 }
 
+/// False only if every point of the segment is further than `reach` from `p`. Cheap: compares with the
+/// bounding box and with the slab around the segment's plane that its warp fills.
+bool may_be_near(const SegmentShape& shape, const Vec3& p, double reach);
+
 /// Axes that turn with the segment: the first along edge 0, the third along the normal.
 struct Frame {
   Vec3 first;

@@ -10,6 +10,7 @@
 #include "base/stopwatch.hpp"
 #include "contact/forces.hpp"
 #include "contact/global_search.hpp"
+#include "contact/intersections.hpp"
 #include "contact/local_search.hpp"
 #include "contact/surface.hpp"
 
@@ -74,6 +75,8 @@ struct SingleSurface::Implementation {
       entry.worst_penetration = found.depth;
       entry.worst_node = found.node;
     }
+    entry.initial_penetrations = statistics.initial_penetrations;
+    entry.worst_initial = statistics.worst_initial;
     statistics.search = search.statistics();
     statistics.limited_pairs = forces.limited();
     statistics.most_limited_pairs = std::max(statistics.most_limited_pairs, forces.limited());
@@ -133,6 +136,20 @@ void SingleSurface::declare(domain::StateList& list) {
 
 void SingleSurface::verify_search_every(long cycles) {
   implementation_->verify_cycles = cycles;
+}
+
+void SingleSurface::inspect(domain::Domain& domain) const {
+  const Implementation& own = *implementation_;
+  const auto cut = intersecting_segments(own.surface, domain.nodes.position, domain.execution.threads);
+  const PenetrationSummary depth = summarise(own.penetrations);
+  domain::ContactInspection& seen = domain.contacts[own.report].inspection;
+  seen.made = true;
+  seen.intersections = static_cast<Index>(cut.size());
+  seen.first_shell = cut.empty() ? 0 : own.surface.segment_id[cut.front()[0]];
+  seen.second_shell = cut.empty() ? 0 : own.surface.segment_id[cut.front()[1]];
+  seen.nodes_beyond = depth.beyond;
+  seen.largest_depth = depth.largest;
+  seen.percentile_99 = depth.percentile_99;
 }
 
 const ContactStatistics& SingleSurface::statistics() const {

@@ -36,6 +36,10 @@ class SingleSurface {
   /// first pair that was missed. 0 switches it off.
   void verify_search_every(long cycles);
 
+  /// Looks for mid-surfaces that cut through each other and sums up the penetrations; fills the report's
+  /// inspection.
+  void inspect(domain::Domain& domain) const;
+
   /// What happened so far, for warnings and summaries.
   const ContactStatistics& statistics() const;
   /// The pairs with a force at time n; holds until the next call of add_forces.
