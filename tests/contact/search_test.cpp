@@ -50,7 +50,7 @@ TEST(Search, NoContactIsMissedDuringRandomMotion) {
     touching.verify_search_every(1);
     ASSERT_NO_THROW(test::add_forces(touching, made));
     Index most = 0;
-    for (int cycle = 1; cycle <= 300; ++cycle) {
+    for (int cycle = 1; cycle <= 150; ++cycle) {
       ASSERT_NO_THROW(test::move_to(touching, made, swing(made, cycle), 0.02)) << "cycle " << cycle;
       most = std::max(most, made.contacts[0].active_pairs);
     }
@@ -61,6 +61,37 @@ TEST(Search, NoContactIsMissedDuringRandomMotion) {
       EXPECT_LT(made.contacts[0].searches, 100);
     }
   }
+}
+
+// How far the territories reach, and so when a search is made, changes no bit of the forces.
+TEST(Search, ExpansionDoesNotChangeTheForces) {
+  std::vector<std::vector<Vec3>> forces;
+  for (const double expansion : {0.0, 0.065, 0.3, 3.0}) {
+    Bodies bodies = stack();
+    bodies.model.search.expansion = expansion;
+    bodies.model.control.contact_stiffness_scale = 5;  // stiff enough that no node goes through
+    bodies.contact.static_friction = bodies.contact.dynamic_friction = 0.2;
+    domain::Domain made = bodies.build();
+    for (Index i = 0; i < made.nodes.count(); ++i)
+      made.nodes.velocity[i] = {0.3 * std::sin(20.0 * i), made.nodes.reference[i].z, -0.4 * (i % 3)};
+    contact::SingleSurface touching = bodies.attach(made);
+    test::add_forces(touching, made);
+    forces.emplace_back();
+    Index most = 0;
+    for (int cycle = 0; cycle < 200; ++cycle) {
+      test::integrate(touching, made, 2e-3);
+      forces.back().insert(forces.back().end(), made.contact_force.begin(), made.contact_force.end());
+      most = std::max(most, made.contacts[0].active_pairs);
+      ASSERT_EQ(touching.statistics().nodes_astray, 0);
+    }
+    EXPECT_GT(most, 50);
+  }
+  for (const auto& other : forces)
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      ASSERT_EQ(other[i].x, forces[0][i].x);
+      ASSERT_EQ(other[i].y, forces[0][i].y);
+      ASSERT_EQ(other[i].z, forces[0][i].z);
+    }
 }
 
 // The common rigid motion of all nodes uses up nothing.
@@ -135,7 +166,7 @@ TEST(Search, ThreadsDoNotChangeABit) {
     contact::SingleSurface touching = bodies.attach(made);
     test::add_forces(touching, made);
     Index most = 0;
-    for (int cycle = 0; cycle < 60; ++cycle) {
+    for (int cycle = 0; cycle < 30; ++cycle) {
       test::integrate(touching, made, 0.01);
       most = std::max(most, made.contacts[0].active_pairs);
     }
