@@ -155,6 +155,7 @@ void RunSession::finish(Ending& ending) {
     {
       const StageTimer timer(simulation_.domain().times.output);
       peaks_.observe(view());
+      if (positions_are_finite(simulation_.domain().nodes)) simulation_.inspect_contacts();
       // After a numerical error the frames before are the last good state, unless the nodes still are
       // somewhere.
       if (positions_are_finite(simulation_.domain().nodes) && ending.code != ExitCode::Output)

@@ -51,6 +51,22 @@ Index segments_of(const model::Model& model, const model::SingleSurfaceContact& 
   return segments;
 }
 
+void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
+  const domain::ContactInspection& seen = contact.inspection;
+  if (contact.initial_penetrations > 0)
+    fmt::print(out,
+               "  {} pairs overlapped at the start, by up to {:.4g}: their contact distance is reduced\n",
+               contact.initial_penetrations, contact.worst_initial);
+  if (!seen.made) return;
+  fmt::print(
+      out,
+      "  depth over that of the mid-surface: largest {:.3f}, 99th percentile {:.3f}; {} nodes beyond it\n"
+      "  mid-surfaces cut through each other: {} pairs of shells",
+      seen.largest_depth, seen.percentile_99, seen.nodes_beyond, seen.intersections);
+  if (seen.intersections > 0) fmt::print(out, ", the first {} and {}", seen.first_shell, seen.second_shell);
+  fmt::print(out, "\n");
+}
+
 void print_contacts(std::ostream& out, const output::View& view) {
   const domain::Domain& domain = view.domain;
   double work = 0;
@@ -66,6 +82,7 @@ void print_contacts(std::ostream& out, const output::View& view) {
         contact.id, contact.method, contact.searches, static_cast<double>(domain.clock.cycle) / searches,
         segments, static_cast<double>(contact.candidates) / searches, contact.active_pairs,
         contact.penetration, contact.worst_penetration, contact.worst_node);
+    print_inspection(out, contact);
   }
   if (work > 0)
     fmt::print(out, "  global search: {:.1f} ns per segment and search\n",

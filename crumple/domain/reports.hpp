@@ -20,18 +20,32 @@ struct StageTimes {
   double output = 0;
 };
 
+/// A look at the surfaces of a contact at one time. Made on request: it costs as much as a search.
+struct ContactInspection {
+  bool made = false;
+  Index intersections = 0;  ///< pairs of segments whose mid-surfaces cut through each other
+  UserId first_shell = 0;   ///< the first such pair
+  UserId second_shell = 0;
+  Index nodes_beyond = 0;    ///< pairs in contact whose node is on or beyond the mid-surface
+  double largest_depth = 0;  ///< penetration over the depth at which the mid-surface is reached [-]
+  double percentile_99 = 0;  ///< the same; 99 % of the pairs are at most this deep [-]
+};
+
 /// What a contact interface did so far.
 struct ContactReport {
   UserId id = 0;
-  std::string method;            ///< of the global search
-  long searches = 0;             ///< global searches
-  long candidates = 0;           ///< candidate pairs of all searches together
-  Index active_pairs = 0;        ///< node-segment pairs with a force, now
-  double penetration = 0;        ///< largest now [length]
-  double worst_penetration = 0;  ///< largest of the run [length]
-  UserId worst_node = 0;         ///< where that was
-  double energy = 0;             ///< normal: stored and dissipated [energy]
-  double friction_energy = 0;    ///< dissipated [energy]
+  std::string method;              ///< of the global search
+  long searches = 0;               ///< global searches
+  long candidates = 0;             ///< candidate pairs of all searches together
+  Index active_pairs = 0;          ///< node-segment pairs with a force, now
+  double penetration = 0;          ///< largest now [length]
+  double worst_penetration = 0;    ///< largest of the run [length]
+  UserId worst_node = 0;           ///< where that was
+  double energy = 0;               ///< normal: stored and dissipated [energy]
+  double friction_energy = 0;      ///< dissipated [energy]
+  Index initial_penetrations = 0;  ///< pairs that overlapped at the start: their contact distance is reduced
+  double worst_initial = 0;        ///< largest overlap at the start [length]
+  ContactInspection inspection;
 };
 
 /// What a rigid wall did so far.

@@ -114,6 +114,13 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
     checks.push_back(make_check("contact energy without friction / internal energy",
                                 ratio_of(energy.contact, energy.internal, scale), 0.10, "practice", 0.10));
   }
+  for (const domain::ContactReport& contact : view.domain.contacts) {
+    if (!contact.inspection.made) continue;
+    checks.push_back(make_check(fmt::format("mid-surface intersections, contact {}", contact.id),
+                                contact.inspection.intersections, 0, "crumple"));
+    checks.push_back(make_check(fmt::format("nodes on or beyond a mid-surface, contact {}", contact.id),
+                                contact.inspection.nodes_beyond, 0, "crumple"));
+  }
   // Where nothing moved at first there is no speed to compare with.
   if (peaks.reference_speed() > 0)
     checks.push_back(

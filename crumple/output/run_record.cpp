@@ -43,6 +43,12 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
                     {"active_pairs", contact.active_pairs},
                     {"penetration", contact.penetration},
                     {"worst_penetration", contact.worst_penetration},
+                    {"initial_penetrations", contact.initial_penetrations},
+                    {"worst_initial_penetration", contact.worst_initial},
+                    {"intersections", contact.inspection.intersections},
+                    {"nodes_beyond_mid_surface", contact.inspection.nodes_beyond},
+                    {"largest_relative_depth", contact.inspection.largest_depth},
+                    {"percentile_99_relative_depth", contact.inspection.percentile_99},
                     {"worst_node", contact.worst_node},
                     {"energy", contact.energy},
                     {"friction_energy", contact.friction_energy}});

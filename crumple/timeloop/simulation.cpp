@@ -13,7 +13,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
     walls_.emplace_back(wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
   }
   for (const model::SingleSurfaceContact& contact : model.contacts) {
-    domain_.contacts.push_back({.id = contact.id, .method = model.search.method});
+    domain_.contacts.push_back({.id = contact.id, .method = model.search.method, .inspection = {}});
     contacts_.emplace_back(model, domain_, contact, static_cast<Index>(domain_.contacts.size()) - 1);
   }
 }
@@ -32,6 +32,10 @@ std::uint64_t Simulation::state_hash() {
   for (contact::SingleSurface& contact : contacts_) contact.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
   return list.hash();
+}
+
+void Simulation::inspect_contacts() {
+  for (const contact::SingleSurface& contact : contacts_) contact.inspect(domain_);
 }
 
 void Simulation::verify_search_every(long cycles) {

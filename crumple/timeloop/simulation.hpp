@@ -33,6 +33,9 @@ class Simulation {
   /// Fingerprint of every array that changes.
   std::uint64_t state_hash();
 
+  /// Has every contact look for mid-surfaces that cut through each other, into its report.
+  void inspect_contacts();
+
   /// Compares contact candidates with brute force every `cycles` cycles (a debugging aid); 0 is off.
   void verify_search_every(long cycles);
 

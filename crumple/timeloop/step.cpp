@@ -50,8 +50,7 @@ void Simulation::compute_forces() {
     const StageTimer timer(domain_.times.elements);
     elements::add_shell_forces(domain_);
   }
-  if (!contacts_.empty())
-    std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
+  if (!contacts_.empty()) std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
   for (contact::SingleSurface& contact : contacts_) contact.add_forces(domain_);
   nodal_loads_.add_forces(domain_);
 }
