@@ -30,9 +30,11 @@ endforeach()
 
 # The text of a kernel is compiled once per instruction set: crumple/<layer>/kernels/*.cpp, with
 # CRUMPLE_ISA naming the variant. "scalar" is the reference that every other one is tested against.
+# Sanitizers look at the text of the kernels, which is one: the two plain variants are enough, and cheap.
 set(CRUMPLE_ISAS scalar baseline)
-if(CRUMPLE_X86)
+if(CRUMPLE_X86 AND NOT CRUMPLE_SANITIZE)
   list(APPEND CRUMPLE_ISAS avx2 avx512)
+  set(CRUMPLE_FAST_KERNELS CRUMPLE_FAST_KERNELS)
 endif()
 set(CRUMPLE_ISA_FLAGS_avx2 -march=x86-64-v3)
 set(CRUMPLE_ISA_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
@@ -64,6 +66,9 @@ function(crumple_add_layer layer)
   if(sources)
     add_library(${target} STATIC ${sources})
     target_compile_options(${target} PRIVATE ${CRUMPLE_WARNINGS})
+    if(layer MATCHES "^(base|materials|elements)$")
+      target_compile_definitions(${target} PRIVATE ${CRUMPLE_FAST_KERNELS})
+    endif()
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)

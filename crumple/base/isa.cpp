@@ -20,7 +20,7 @@ std::string_view isa_name(Isa isa) {
 
 std::vector<Isa> available_isas() {
   std::vector<Isa> found{Isa::Scalar, Isa::Baseline};
-#if defined(__x86_64__)
+#if defined(CRUMPLE_FAST_KERNELS)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     found.push_back(Isa::Avx2);
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&

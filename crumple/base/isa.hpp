@@ -11,7 +11,7 @@ namespace crumple {
 enum class Isa {
   Scalar,    ///< one element at a time, plain float or double
   Baseline,  ///< x86-64-v2 (or whatever the target's default is)
-  Avx2,      ///< AVX2 with FMA
+  Avx2,      ///< AVX2 with FMA; not in sanitizer builds
   Avx512,    ///< AVX-512 F, BW, CD, DQ, VL
 };
 

@@ -28,7 +28,7 @@ ShellKind shell_kind(model::ShellFormulation formulation) {
 template <class Real>
 ShellKernel<Real> shell_kernel(Isa isa, int kind) {
   switch (isa) {
-#if defined(__x86_64__)
+#if defined(CRUMPLE_FAST_KERNELS)
     case Isa::Avx512:
       return shell_formulation_kernel<Isa::Avx512, Real>(kind);
     case Isa::Avx2:

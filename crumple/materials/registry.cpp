@@ -62,7 +62,7 @@ ElasticConstants elastic_constants(const model::Material& material) {
 template <class Real>
 MaterialUpdate<Real> shell_material_update(Isa isa, int kind) {
   switch (isa) {
-#if defined(__x86_64__)
+#if defined(CRUMPLE_FAST_KERNELS)
     case Isa::Avx512:
       return shell_law_kernel<Isa::Avx512, Real>(kind);
     case Isa::Avx2:
