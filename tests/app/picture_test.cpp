@@ -10,7 +10,7 @@ class PictureTest : public ProgramTest {};
 
 TEST_F(PictureTest, ShowsTheModelOnWhite) {
   if (std::system("/usr/bin/python3 -c 'import vtkmodules.vtkRenderingOpenGL2, matplotlib' 2>/dev/null && "
-                  "which xvfb-run > /dev/null") != 0)
+                  "which Xvfb > /dev/null") != 0)
     GTEST_SKIP() << "what pictures need is not installed: tools/setup picture";
   const std::filesystem::path root =
       std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
