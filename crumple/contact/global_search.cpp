@@ -7,9 +7,10 @@
 #include <limits>
 #include <string>
 
+#include <cellsearch/search_interval.hpp>
+
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "cellsearch/search_interval.hpp"
 #include "contact/inside_outside.hpp"
 
 namespace crumple::contact {

@@ -6,9 +6,10 @@
 #include <span>
 #include <vector>
 
+#include <cellsearch/search.hpp>
+
 #include "base/aligned_array.hpp"
 #include "base/index.hpp"
-#include "cellsearch/search.hpp"
 #include "contact/statistics.hpp"
 #include "contact/surface.hpp"
 #include "domain/domain.hpp"

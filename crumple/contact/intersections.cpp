@@ -5,7 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "cellsearch/search.hpp"
+#include <cellsearch/search.hpp>
+
 #include "contact/segment_shape.hpp"
 
 namespace crumple::contact {

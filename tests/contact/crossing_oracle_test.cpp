@@ -17,7 +17,6 @@
 namespace crumple {
 namespace {
 
-using test::at;
 using test::Bodies;
 using test::Vec3;
 

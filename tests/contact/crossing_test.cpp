@@ -95,6 +95,7 @@ TEST(Crossing, ShotNodeComesBack) {
   made.clock.element_limit = step;
   for (Index n = scene.tip; n < scene.tip + 3; ++n) made.nodes.velocity[at(made, n)] = {0, 0, -120};
   std::vector<Index> held;
+  held.reserve(scene.tip);
   for (Index n = 0; n < scene.tip; ++n) held.push_back(at(made, n));
   test::add_forces(touching, made);
   bool beyond = false;

@@ -10,7 +10,6 @@
 namespace crumple {
 namespace {
 
-using test::at;
 using test::Bodies;
 using test::Vec3;
 

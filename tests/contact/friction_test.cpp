@@ -105,6 +105,7 @@ TEST(Friction, RigidRotationIsNoSlip) {
     const double a = 2.0943951023931953 * i / steps;
     const Vec3 axis = normalised(Vec3{1, 1, 1});
     std::vector<Vec3> x;
+    x.reserve(x0.size());
     for (const Vec3& r : x0)
       x.push_back(std::cos(a) * r + std::sin(a) * cross(axis, r) + (1 - std::cos(a)) * dot(axis, r) * axis);
     test::move_to(touching, made, x, 1e-3);

@@ -12,7 +12,6 @@
 namespace crumple {
 namespace {
 
-using contact::Feature;
 using contact::NearestPoint;
 using contact::SurfaceAt;
 using test::Bodies;

@@ -14,7 +14,6 @@
 namespace crumple {
 namespace {
 
-using test::at;
 using test::Bodies;
 using test::Vec3;
 
