@@ -51,6 +51,7 @@ void PlanarWall::stop_nodes(domain::Domain& domain, const AlignedArray<Vec3>& pr
   domain::NodeFields& nodes = domain.nodes;
   Vec3 impulse;
   double energy = 0;
+  double deferred = 0;
   for (const Index i : nodes_) {
     const double gap = dot(nodes.position[i] - point_, normal_);
     const Stop stop = stop_node(nodes.velocity[i], normal_, gap, friction_, next_step);
@@ -58,11 +59,15 @@ void PlanarWall::stop_nodes(domain::Domain& domain, const AlignedArray<Vec3>& pr
     const Vec3 received = nodes.mass[i] * (stop.velocity - nodes.velocity[i]);
     nodes.velocity[i] = stop.velocity;
     impulse -= received;
-    energy -= 0.5 * dot(received, previous_velocity[i] + stop.velocity);
+    energy -= 0.5 * dot(received, previous_velocity[i]);
+    deferred -= 0.5 * dot(received, stop.velocity);
   }
   domain::WallReport& report = domain.walls[report_];
   report.impulse += impulse;
-  report.energy += energy;
+  // An impulse at time n acts on the mean of v(n-1/2) and v(n+1/2); the kinetic energy of time n knows the
+  // first.
+  report.energy += report.deferred + energy;
+  report.deferred = deferred;
   report.force = (1.0 / impulse_interval) * impulse;
   report.normal_force = -dot(report.force, normal_);
 }

@@ -27,6 +27,7 @@ void Domain::declare(StateList& list) {
   for (WallReport& wall : walls) {
     list.add("wall_impulse", "force*time", Entity::Wall, 3, std::span(&wall.impulse, 1));
     list.add("wall_energy", "energy", Entity::Wall, 1, std::span(&wall.energy, 1));
+    list.add("wall_deferred_energy", "energy", Entity::Wall, 1, std::span(&wall.deferred, 1));
   }
   for (ContactReport& contact : contacts) {
     list.add("contact_energy", "energy", Entity::Contact, 1, std::span(&contact.energy, 1));

@@ -33,7 +33,7 @@ struct EnergyLedger {
   /// |unbalanced energy| over what was absorbed: internal, hourglass, contact and friction energy [-].
   double error() const {
     const double absorbed = internal + hourglass + contact + friction;
-    return absorbed > 0 ? std::fabs(imbalance()) / absorbed : 0.0;
+    return absorbed == 0 ? 0.0 : std::fabs(imbalance() / absorbed);
   }
 };
 

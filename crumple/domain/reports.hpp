@@ -54,7 +54,8 @@ struct WallReport {
   math::Vec3 force;         ///< on the wall, in the last step [force]
   double normal_force = 0;  ///< its part along the wall's normal [force]
   math::Vec3 impulse;       ///< on the wall, of the whole run [force * time]
-  double energy = 0;        ///< taken from the model [energy]
+  double energy = 0;        ///< taken from the model until time n [energy]
+  double deferred = 0;      ///< the half of the last impulses' work that the kinetic energy of n+1 shows
 };
 
 /// The element that governs the step.

@@ -59,6 +59,7 @@ class Simulation {
   loads::NodalLoads nodal_loads_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick for the energy balance
   double rotational_energy_ = 0;                ///< 1/2 I omega(n-1/2).omega(n+1/2) [energy]
+  double largest_step_ = 0;                     ///< no step exceeds this [time]
   double next_step_ = 0;                        ///< from n to n+1 [time]
 };
 

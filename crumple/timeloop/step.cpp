@@ -14,6 +14,16 @@
 #include "timeloop/trouble.hpp"
 
 namespace crumple::timeloop {
+namespace {
+
+/// No step is longer than this times the stable step at the start: elements that fly apart do not take the
+/// clock with them.
+constexpr double step_growth_limit = 10.0;
+
+/// Kinetic energy over all energy supplied that can only come from a run that has lost its stability.
+constexpr double runaway_ratio = 100.0;
+
+}  // namespace
 
 void Simulation::start() {
   compute_forces();
@@ -59,7 +69,9 @@ void Simulation::choose_step() {
   const model::Control& control = model_->control;
   const bool first = domain_.clock.cycle == 0;
   next_step_ = control.step_scale * domain_.clock.element_limit;
+  if (first) largest_step_ = step_growth_limit * next_step_;
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
+  next_step_ = std::min(next_step_, largest_step_);
   if (!(next_step_ > 0) || !std::isfinite(next_step_))
     throw_trouble(*model_, domain_, "The time step is no longer a positive number: an element has collapsed");
 }
@@ -86,8 +98,10 @@ void Simulation::balance() {
     energy.friction += contact.friction_energy;
   }
   for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;
-  if (!std::isfinite(energy.total()))
-    throw_trouble(*model_, domain_, "The energy is no longer a finite number");
+  const double supplied = std::fabs(energy.initial_total) + std::fabs(energy.external_work);
+  const bool runaway = domain_.clock.cycle > 0 && energy.kinetic > runaway_ratio * supplied;
+  if (runaway || !std::isfinite(energy.total()))
+    throw_trouble(*model_, domain_, "The energy grows without bound");
 }
 
 }  // namespace crumple::timeloop

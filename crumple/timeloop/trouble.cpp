@@ -20,6 +20,12 @@ Index first_bad_node(const domain::NodeFields& nodes) {
   return no_index;
 }
 
+Index fastest_node(const domain::NodeFields& nodes) {
+  const auto slower = [](const math::Vec3& a, const math::Vec3& b) { return dot(a, a) < dot(b, b); };
+  return static_cast<Index>(std::max_element(nodes.velocity.begin(), nodes.velocity.end(), slower) -
+                            nodes.velocity.begin());
+}
+
 /// " of shell 12, part 3" for the first shell that has the node; empty if there is none.
 std::string owner_of(const model::Model& model, const domain::Domain& domain, Index node) {
   for (const domain::ShellBlock& block : domain.shells)
@@ -38,7 +44,12 @@ void throw_trouble(const model::Model& model, const domain::Domain& domain, cons
   const std::string where =
       " at cycle " + std::to_string(domain.clock.cycle) + ", time " + std::to_string(domain.clock.time) + ".";
   const Index node = first_bad_node(domain.nodes);
-  if (node == no_index) throw NumericalError(otherwise + where);
+  if (node == no_index) {
+    const Index fastest = fastest_node(domain.nodes);
+    throw NumericalError(otherwise + "; out-of-range velocities: the fastest node is " +
+                         std::to_string(model.nodes.id[domain.nodes.model_node[fastest]]) +
+                         owner_of(model, domain, fastest) + "," + where);
+  }
   throw NumericalError("out-of-range velocities: the motion of node " +
                        std::to_string(model.nodes.id[domain.nodes.model_node[node]]) +
                        owner_of(model, domain, node) + " is no longer a finite number," + where);
