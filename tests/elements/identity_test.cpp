@@ -18,7 +18,8 @@ struct Trace {
 
   bool operator==(const Trace& b) const {
     const auto same = [](const auto& x, const auto& y) {
-      return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
+      return x.size() == y.size() &&
+             (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0);
     };
     return same(float_state, b.float_state) && same(double_state, b.double_state) && same(forces, b.forces) &&
            same(sums, b.sums);
