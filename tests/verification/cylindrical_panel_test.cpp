@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Cylindrical panel loaded by an impulse: experiment of H.A. Balmer and E.A. Witmer (AFFDL-TDR-64-108, 1964),
-// as computed by T. Belytschko, J.I. Lin and C.S. Tsay, Comput. Methods Appl. Mech. Eng. 42 (1984) 225-251. A
-// panel of 120 degrees, clamped along the straight sides and hinged at the curved ends, gets a velocity of
-// 5650 in/s towards the axis over 10.205 in and 90 degrees. Aluminium, ideally plastic. Units: inch, pound,
+// computed by J.W. Leech (1966), L. Morino, J.W. Leech and E.A. Witmer (J. Appl. Mech. 38, 1971) and many
+// since, such as T. Belytschko, J.I. Lin and C.S. Tsay (CMAME 42 (1984) 225-251). A panel of 120 degrees,
+// clamped along the straight sides and hinged at the curved ends, gets a velocity of 5650 in/s towards the
+// axis over its middle, 10.205 in long and 60 degrees wide. Aluminium, ideally plastic. Units: inch, pound,
 // second. The greatest deflection at the middle of the crown was 1.28 in; published codes give 1.16 to 1.28.
+//
+// None of these papers was at hand: the set-up is that of secondary accounts, and the loaded area is
+// inferred. It must be 60 degrees wide and not 90, as the first account had it: 60 degrees are 3.08 in of
+// circumference, 10.205 in are 26/32 of the length, and only so does the deflection come near to the
+// published ones (with 90 degrees the hoop takes up the impulse, the peak is 0.5 to 0.7 in). That it lies in
+// the middle of the length is an assumption. docs/verification.md has convergence and sensitivities.
+// impulsive_arch_test.cpp and impulsive_ring_test.cpp verify shells and law in such motion without these
+// doubts.
 
 #include <gtest/gtest.h>
 
@@ -22,9 +31,18 @@ constexpr double radius = 2.9375;
 constexpr double length = 12.56;
 constexpr double thickness = 0.125;
 constexpr double loaded_length = 10.205;
+constexpr double degree = std::numbers::pi / 180;
+constexpr double span = 60 * degree;  // half the panel, by symmetry about the crown
+constexpr double loaded_span = 30 * degree;
 constexpr double speed = 5650.0;
-constexpr Index around = 16;  // over 60 degrees: half the panel, by symmetry about the crown
+constexpr Index around = 16;
 constexpr Index along = 32;
+
+/// Share of the velocity that a node gets: that of its neighbourhood which is loaded, so that the impulse
+/// does not depend on the mesh. `inside` is the node's distance from the edge of the load, inwards.
+double loaded_share(double inside, double spacing) {
+  return std::clamp(inside / spacing + 0.5, 0.0, 1.0);
+}
 
 model::Model panel(model::ShellFormulation formulation) {
   model::PlasticKinematic aluminium;
@@ -34,8 +52,6 @@ model::Model panel(model::ShellFormulation formulation) {
   aluminium.isotropic_fraction = 1;
   model::Model model = test::one_part({.id = 1, .title = "6061-T6", .density = 2.5e-4, .law = aluminium},
                                       test::shell_section(thickness, 5, formulation));
-  constexpr double degree = std::numbers::pi / 180;
-  const double span = 60 * degree;
   test::add_grid(model, 0, around, along, [&](double u, double v) {
     return test::Point{radius * std::sin(u * span), v * length, radius * std::cos(u * span)};
   });
@@ -52,12 +68,12 @@ model::Model panel(model::ShellFormulation formulation) {
             {.node = node, .translation = {true, true, true}, .rotation = {true, true, true}});
       else if (j == 0 || j == along)
         model.fixed_nodes.push_back({.node = node, .translation = {true, true, true}, .rotation = {}});
-      const bool loaded = std::fabs(y - 0.5 * length) <= 0.5 * loaded_length && angle <= 45 * degree + 1e-9;
-      if (loaded && i < around)
-        model.initial_velocities.push_back(
-            {.node = node,
-             .velocity = {-speed * std::sin(angle), 0, -speed * std::cos(angle)},
-             .angular_velocity = {}});
+      const double v = speed * loaded_share(loaded_span - angle, span / around) *
+                       loaded_share(0.5 * loaded_length - std::fabs(y - 0.5 * length), length / along);
+      if (v > 0 && i < around)
+        model.initial_velocities.push_back({.node = node,
+                                            .velocity = {-v * std::sin(angle), 0, -v * std::cos(angle)},
+                                            .angular_velocity = {}});
     }
   model.control.end_time = 1e-3;
   return model;
@@ -65,18 +81,21 @@ model::Model panel(model::ShellFormulation formulation) {
 
 class CylindricalPanel : public ::testing::TestWithParam<model::ShellFormulation> {};
 
-TEST_P(CylindricalPanel, GreatestDeflectionIsThatOfExperimentAndPublishedCodes) {
+TEST_P(CylindricalPanel, GreatestDeflectionIsThatOfTheExperiment) {
   const model::Model model = panel(GetParam());
   timeloop::Simulation simulation(model, {});
   double peak = 0;
+  double peak_off_middle = 0;  // at y = 9.42 in
   test::run(simulation, [&](const domain::Domain& domain) {
     peak = std::max(peak, -test::displacement(domain, along / 2 * (around + 1)).z);
+    peak_off_middle = std::max(peak_off_middle, -test::displacement(domain, 3 * along / 4 * (around + 1)).z);
   });
   const domain::EnergyLedger& energy = simulation.domain().energy;
   RecordProperty("peak_inch", std::to_string(peak));
+  RecordProperty("peak_off_middle_inch", std::to_string(peak_off_middle));
   RecordProperty("hourglass_over_internal", std::to_string(energy.hourglass / energy.internal));
-  EXPECT_GT(peak, 1.16);
-  EXPECT_LT(peak, 1.34);
+  // Half of what separates the published codes.
+  EXPECT_NEAR(peak, 1.28, 0.06);
   EXPECT_LT(energy.error(), 0.01);
   EXPECT_LT(energy.hourglass, 0.1 * energy.internal);
 }
