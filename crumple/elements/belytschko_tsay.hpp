@@ -10,7 +10,6 @@ namespace crumple::elements {
 struct BelytschkoTsay {
   static constexpr model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay;
   static constexpr const char* name = "Belytschko-Tsay";
-  static constexpr bool has_fibres = false;
   static constexpr bool own_areas = false;
 
   static constexpr int row_r31 = 0;

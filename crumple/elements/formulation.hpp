@@ -4,7 +4,6 @@
 // A shell formulation is a type with
 //   static constexpr model::ShellFormulation formulation, const char* name
 //   static constexpr int rows            numbers per element kept from strains() to forces()
-//   static constexpr bool has_fibres     the state ends with element_state::fibre
 //   static constexpr bool own_areas      strains() leaves the area of each layer in ShellPlace::area
 //   template <class Pack> static void strains(const ShellPlace<Real>&)
 //   template <class Pack> static ShellForces<Pack> forces(const ShellPlace<Real>&)

@@ -51,13 +51,12 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
   }
 }
 
-void declare_own_items(ShellBlock& block, bool has_fibres) {
+void declare_own_items(ShellBlock& block) {
   domain::add_item(block, "thickness", "length", 1);
   domain::add_item(block, "active", "-", 1);
   domain::add_item(block, "frame", "-", 2);
   domain::add_item(block, "step_scale", "-", 1);
   domain::add_item(block, "hourglass", "force, force * length", 5);
-  if (has_fibres) domain::add_item(block, "fibre", "-", 12);
 }
 
 void allocate(ShellBlock& block, Precision precision) {
@@ -92,7 +91,7 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   domain::add_item(block, "stress", "stress", materials::components * constants.points);
   constants.history = materials::declare_history(material.law, block);
   constants.own = block.components;
-  declare_own_items(block, kind.has_fibres);
+  declare_own_items(block);
   allocate(block, domain.execution.precision);
   block.material_constants = materials::shell_material_constants(material);
   block.element_constants = to_numbers(constants);
@@ -104,12 +103,6 @@ double mass_factor(double mass_scaling_step, double step) {
   if (mass_scaling_step == 0) return 1;
   const double ratio = std::fabs(mass_scaling_step) / step;
   return mass_scaling_step < 0 && ratio < 1 ? 1 : ratio * ratio;
-}
-
-void set_fibres(ShellBlock& block, Index place, Index first, const ShellCorners& corner) {
-  const std::array<math::Vec3, 4> fibres = corner_normals(corner);
-  for (Index k = 0; k < 4; ++k)
-    for (Index axis = 0; axis < 3; ++axis) block.set_state(place, first + 3 * k + axis, fibres[k][axis]);
 }
 
 struct ShellMass {
@@ -150,7 +143,6 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
   block.set_state(place, own + element_state::frame, frame[0]);
   block.set_state(place, own + element_state::frame + 1, frame[1]);
   block.set_state(place, own + element_state::step_scale, (triangle ? 2 : 1) * std::sqrt(factor));
-  if (block.find("fibre") != nullptr) set_fibres(block, place, own + element_state::fibre, corner);
 
   const double density = model.materials[model.parts[block.part].material].density;
   const double mass = density * area * thickness;

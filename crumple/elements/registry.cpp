@@ -13,7 +13,7 @@ ShellKind find(model::ShellFormulation formulation, FormulationList<Formulations
   int kind = -1;
   const auto try_one = [&]<class Formulation>(Formulation) {
     ++kind;
-    if (Formulation::formulation == formulation) found = {kind, Formulation::name, Formulation::has_fibres};
+    if (Formulation::formulation == formulation) found = {kind, Formulation::name};
   };
   (try_one(Formulations{}), ...);
   return found;

@@ -10,7 +10,6 @@ namespace crumple::elements {
 struct ShellKind {
   int kind = -1;  ///< place in the list, -1 if it is not there
   const char* name = "";
-  bool has_fibres = false;
 };
 
 ShellKind shell_kind(model::ShellFormulation formulation);

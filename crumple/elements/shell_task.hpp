@@ -36,7 +36,6 @@ inline constexpr Index active = 1;      ///< 1, or 0: no force, no energy, no li
 inline constexpr Index frame = 2;       ///< two numbers, see lamina_frame.hpp
 inline constexpr Index step_scale = 4;  ///< on area / longest side: 2 for triangles, mass scaling
 inline constexpr Index hourglass = 5;   ///< five generalised hourglass stresses
-inline constexpr Index fibre = 10;      ///< four unit vectors, only where the formulation has fibres
 }  // namespace element_state
 
 /// ShellBlock::element_constants and back.
