@@ -34,7 +34,7 @@ struct ContactInspection {
 /// What a contact interface did so far.
 struct ContactReport {
   UserId id = 0;
-  std::string method;              ///< of the global search
+  std::string method{};            ///< of the global search
   long searches = 0;               ///< global searches
   long candidates = 0;             ///< candidate pairs of all searches together
   Index active_pairs = 0;          ///< node-segment pairs with a force, now
@@ -45,15 +45,15 @@ struct ContactReport {
   double friction_energy = 0;      ///< dissipated [energy]
   Index initial_penetrations = 0;  ///< pairs that overlapped at the start: their contact distance is reduced
   double worst_initial = 0;        ///< largest overlap at the start [length]
-  ContactInspection inspection;
+  ContactInspection inspection{};
 };
 
 /// What a rigid wall did so far.
 struct WallReport {
   UserId id = 0;
-  math::Vec3 force;         ///< on the wall, in the last step [force]
+  math::Vec3 force{};       ///< on the wall, in the last step [force]
   double normal_force = 0;  ///< its part along the wall's normal [force]
-  math::Vec3 impulse;       ///< on the wall, of the whole run [force * time]
+  math::Vec3 impulse{};     ///< on the wall, of the whole run [force * time]
   double energy = 0;        ///< taken from the model until time n [energy]
   double deferred = 0;      ///< the half of the last impulses' work that the kinetic energy of n+1 shows
 };

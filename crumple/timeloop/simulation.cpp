@@ -9,11 +9,11 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
     : model_(&model), domain_(domain::build(model, execution)), nodal_loads_(model, domain_) {
   elements::prepare_shells(model, domain_);
   for (const model::RigidWall& wall : model.rigid_walls) {
-    domain_.walls.push_back({.id = wall.id, .force = {}, .impulse = {}});
+    domain_.walls.push_back({.id = wall.id});
     walls_.emplace_back(wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
   }
   for (const model::SingleSurfaceContact& contact : model.contacts) {
-    domain_.contacts.push_back({.id = contact.id, .method = model.search.method, .inspection = {}});
+    domain_.contacts.push_back({.id = contact.id, .method = model.search.method});
     contacts_.emplace_back(model, domain_, contact, static_cast<Index>(domain_.contacts.size()) - 1);
   }
 }
