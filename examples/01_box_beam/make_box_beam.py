@@ -29,7 +29,7 @@ PLATE_THICKNESS = 0.006
 WALL_FRICTION = 0.3
 CONTACT_FRICTION = 0.1
 HOURGLASS_COEFFICIENT = 0.03  # stiffness form
-EXPANSION = 0.003  # territory expansion c: the fastest of the values tried
+EXPANSION = 0.6  # territory expansion c over the shells' edge: the fastest of the values tried
 TRIGGER_DEPTH = 0.0002  # one face pushed in, its neighbour out: the folding mode of a square tube
 TRIGGER_CENTRE = 0.025  # distance from the wall
 TRIGGER_LENGTH = 0.035  # about one full fold, 2 H, of Wierzbicki & Abramowicz, J. Appl. Mech. 50 (1983)
@@ -128,7 +128,7 @@ Box beam onto a rigid wall (Wang, Cheng & Yao 2000, example 1)
 $ Cells of the size of the shells; the paper's are 60 x 8 x 8 over [0, 0.30] x [0, 0.04]^2.
 $crumple cells={mesh.along},{cells},{cells}
 $crumple domain=0,0.30,0,{reach:g},0,{reach:g}
-$crumple expansion={EXPANSION:g}
+$crumple expansion={EXPANSION * HALF_WIDTH / mesh.cells:g}
 *PARAMETER
 I elform  {formulation:10d}
 I points  {points:10d}

@@ -10,6 +10,7 @@ import argparse
 import csv
 import json
 import pathlib
+import resource
 import subprocess
 import tempfile
 
@@ -42,9 +43,13 @@ def run(program, deck_options, run_options, folder):
     deck = folder / "deck.k"
     deck.write_text(subprocess.run([HERE / "make_box_beam.py", *deck_options], check=True, text=True,
                                    capture_output=True).stdout)
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([program, "run", deck, "-o", folder / "out", "--quiet", *run_options], check=True,
                    capture_output=True)
-    return json.loads((folder / "out" / "run.json").read_text())
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    record = json.loads((folder / "out" / "run.json").read_text())
+    record["cpu_seconds"] = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    return record
 
 
 def line(name, record, folder):
@@ -53,14 +58,14 @@ def line(name, record, folder):
     mean, stroke = absorbed_per_stroke(record, folder)
     _, peak = crush_forces(folder)
     contact = record["contact"][0]
-    return (f"| {name} | {absorbed:.2f} | {mean / 1000:.1f} | {peak / 1000:.0f} | {1000 * stroke:.0f} | "
+    return (f"| {name} | {absorbed:.4f} | {mean / 1000:.2f} | {peak / 1000:.0f} | {1000 * stroke:.0f} | "
             f"{100 * energy['hourglass'] / energy['internal']:.1f} | {100 * energy['error']:.1g} | "
             f"{contact['intersections']} | {contact['largest_relative_depth']:.3f} / "
-            f"{contact['percentile_99_relative_depth']:.3f} | {record['cycles']} | {record['loop_seconds']:.1f} |")
+            f"{contact['percentile_99_relative_depth']:.3f} | {record['cycles']} | {record['cpu_seconds']:.1f} |")
 
 
 HEADER = ("| run | absorbed [kJ] | mean force [kN] | peak force [kN] | stroke [mm] | hourglass / internal [%] | "
-          "energy error [%] | mid-surface cuts | depth: largest / 99 % | cycles | seconds |\n" + "|---" * 11 + "|")
+          "energy error [%] | mid-surface cuts | depth: largest / 99 % | cycles | CPU [s] |\n" + "|---" * 11 + "|")
 
 
 def variants(quick):
@@ -69,7 +74,8 @@ def variants(quick):
         return
     yield "the same, mixed precision", [], ["-t", "1", "--precision", "mixed"]
     yield "Hughes-Liu, 5 mm (the paper's element)", ["--formulation", "1"], ["-t", "1"]
-    yield "Belytschko-Tsay, 2.5 mm", ["--element-size", "0.0025"], ["-t", "2"]
+    yield "Belytschko-Tsay, 2.5 mm", ["--element-size", "0.0025"], ["-t", "1"]
+    yield "Hughes-Liu, 2.5 mm", ["--element-size", "0.0025", "--formulation", "1"], ["-t", "1"]
     for seed in range(1, 6):
         yield f"the deck, coordinates moved by 1e-9 (seed {seed})", [], ["--perturb", "1e-9", "--seed", str(seed)]
 
