@@ -62,8 +62,10 @@ TEST(RigidRotation, AHundredTurnsLeaveNoStress) {
       const Turning rounded =
           turned_a_hundred_times(kind, {Precision::Mixed, available_isas().back(), 1}, axis);
       // Each step rounds relative displacements of the size of its angle to 24 bits. In the body's own axes
-      // they are much the same from step to step, so that the errors may all have one sign.
-      EXPECT_LT(rounded.stress, 200 * std::numbers::pi * 0x1p-24) << kind.name;
+      // they are much the same from step to step, so that the errors may all have one sign. Without FMA every
+      // product is rounded before it is summed: twice as much.
+      const bool fused = available_isas().back() >= Isa::Avx2;
+      EXPECT_LT(rounded.stress, 200 * std::numbers::pi * (fused ? 0x1p-24 : 0x1p-23)) << kind.name;
       mixed = std::max({mixed, rounded.stress, rounded.hourglass});
       std::printf("%s: stress over E after 100 turns: double %.1e (hourglass %.1e), mixed %.1e (%.1e)\n",
                   kind.name, exact.stress, exact.hourglass, rounded.stress, rounded.hourglass);
