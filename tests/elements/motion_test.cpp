@@ -60,10 +60,13 @@ TEST(RigidRotation, AHundredTurnsLeaveNoStress) {
         EXPECT_LT(exact.hourglass, 1e-11) << kind.name << ' ' << isa_name(isa);
         const Turning rounded = turned_a_hundred_times(kind, {Precision::Mixed, isa, 1}, axis);
         // Each step rounds relative displacements of the size of its angle to 24 bits. In the body's own axes
-        // they are much the same from step to step, so that the errors may all have one sign. Without FMA
-        // every product is rounded before it is summed: at most twice as much.
+        // they are much the same from step to step, so that the errors may all have one sign. The layers of a
+        // warped Hughes-Liu element add the displacements of tilted fibres, rounded by themselves; without
+        // FMA that shows (4.5e-5 measured, 3.6e-5 with it), so there, and only there, two roundings are
+        // allowed.
         const bool fused = isa == Isa::Avx2 || isa == Isa::Avx512;
-        EXPECT_LT(rounded.stress, 200 * std::numbers::pi * (fused ? 0x1p-24 : 0x1p-23))
+        const bool two_roundings = kind.formulation == model::ShellFormulation::HughesLiu && !fused;
+        EXPECT_LT(rounded.stress, 200 * std::numbers::pi * (two_roundings ? 0x1p-23 : 0x1p-24))
             << kind.name << ' ' << isa_name(isa);
         std::printf(
             "%s, %s: stress over E after 100 turns: double %.1e (hourglass %.1e), mixed %.1e (%.1e)\n",
