@@ -7,6 +7,11 @@
 
 namespace crumple::test {
 
+/// Double precision, one thread, and the instruction set that CRUMPLE_ISA names or the fastest there is.
+inline domain::Execution execution() {
+  return {Precision::Double, default_isa(), 1};
+}
+
 /// Runs to the model's end time; calls `watch` at time zero and after every step.
 inline void run(
     timeloop::Simulation& simulation,

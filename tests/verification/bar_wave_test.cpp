@@ -49,7 +49,7 @@ double profile_error(Index elements, model::ShellFormulation formulation) {
   model::Model model = bar(elements, formulation);
   const double c = wave_speed();
   model.control.end_time = 0.5 * length / c;
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   test::run(simulation);
   const domain::Domain& domain = simulation.domain();
   const double time = domain.clock.time;
@@ -81,7 +81,7 @@ TEST_P(BarWave, BarReboundsWithItsVelocityAfterTwoTransits) {
   model::Model model = bar(200, GetParam());
   const double c = wave_speed();
   model.control.end_time = 3 * length / c;
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   double last_touch = 0;
   double force_sum = 0;
   double samples = 0;
@@ -103,7 +103,7 @@ TEST_P(BarWave, BarReboundsWithItsVelocityAfterTwoTransits) {
 TEST_P(BarWave, WallImpulseIsTheChangeOfMomentumToRoundOff) {
   model::Model model = bar(50, GetParam());
   model.control.end_time = 3 * length / wave_speed();
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   test::run(simulation);
   const double mass = density * length * width * thickness;
   const double change = test::momentum(simulation.domain()).x + mass * velocity;
@@ -113,7 +113,7 @@ TEST_P(BarWave, WallImpulseIsTheChangeOfMomentumToRoundOff) {
 TEST_P(BarWave, EnergyBalances) {
   model::Model model = bar(100, GetParam());
   model.control.end_time = 3 * length / wave_speed();
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   double worst = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
     worst = std::max(worst, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);

@@ -67,7 +67,7 @@ TEST_P(Cantilever, AmplitudeAndPeriodFollowBeamTheory) {
   model::Model model = cantilever(GetParam());
   const double period = 2 * std::numbers::pi / frequency(1.875104068711961);
   model.control.end_time = 2.2 * period;
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   double peak = 0;
   double exact_peak = 0;
   double peak_time = 0;

@@ -53,7 +53,7 @@ TEST(Collision, TwoPlatesExchangeMomentumAndKeepTheEnergy) {
   for (Index i = upper; i < model.nodes.count(); ++i)
     model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -speed}, .angular_velocity = {}});
   model.control.end_time = 0.3;
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   Vec3 before;
   double drift = 0;
   double imbalance = 0;
@@ -82,7 +82,7 @@ TEST(Collision, AngularMomentumIsKeptInAnOffCentreImpact) {
     model.initial_velocities.push_back({.node = i, .velocity = {1.0, 0, -speed}, .angular_velocity = {}});
   }
   model.control.end_time = 0.3;
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   const auto angular = [](const domain::Domain& domain) {
     Vec3 sum;
     for (Index i = 0; i < domain.nodes.count(); ++i)
@@ -111,7 +111,7 @@ TEST(Sliding, APressedPlateGlidesAtTheContactThickness) {
     model.nodal_loads.push_back({.node = i, .force = {0, 0, -2e-3}});
   }
   model.control.end_time = 1.0;
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   double lowest = 2 * thickness;
   test::run(simulation, [&](const domain::Domain& domain) {
     for (Index i = upper; i < model.nodes.count(); ++i)

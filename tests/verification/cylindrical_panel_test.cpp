@@ -83,7 +83,7 @@ class CylindricalPanel : public ::testing::TestWithParam<model::ShellFormulation
 
 TEST_P(CylindricalPanel, GreatestDeflectionIsThatOfTheExperiment) {
   const model::Model model = panel(GetParam());
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   double peak = 0;
   double peak_off_middle = 0;  // at y = 9.42 in
   test::run(simulation, [&](const domain::Domain& domain) {

@@ -242,7 +242,7 @@ class ImpulsiveArch : public ::testing::TestWithParam<model::ShellFormulation> {
 TEST_P(ImpulsiveArch, CrownMovesAsThatOfAChainOfLinks) {
   static const Reference reference = compute_reference(64);
   const model::Model model = arch(GetParam());
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   Deflections crown{};
   test::run(simulation, [&](const domain::Domain& domain) {
     for (std::size_t k = 0; k < shares.size(); ++k) {

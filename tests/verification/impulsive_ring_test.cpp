@@ -86,7 +86,7 @@ class ImpulsiveRing : public ::testing::TestWithParam<model::ShellFormulation> {
 TEST_P(ImpulsiveRing, StopsWhenAndWhereTheExactSolutionDoes) {
   const Motion exact;
   const model::Model model = ring(GetParam());
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   double peak = 0;
   double stop_time = 0;
   double least_after = 1e30;

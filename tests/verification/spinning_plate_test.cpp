@@ -50,7 +50,7 @@ class SpinningPlate : public ::testing::TestWithParam<Case> {};
 
 TEST_P(SpinningPlate, KeepsEnergyAndAngularMomentum) {
   const model::Model model = plate(GetParam());
-  timeloop::Simulation simulation(model, {});
+  timeloop::Simulation simulation(model, test::execution());
   simulation.start();
   const Vec3 start = angular_momentum(simulation.domain());
   while (!simulation.finished()) simulation.step();
