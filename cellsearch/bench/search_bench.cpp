@@ -40,7 +40,7 @@ void run(benchmark::State& state, MakeMesh make, cellsearch::Method method, int 
       segments, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.counters["pairs/segment"] = per_segment(static_cast<double>(statistics.candidates));
   state.counters["visits/segment"] = per_segment(static_cast<double>(statistics.raw_visits));
-  state.counters["integers/node"] = benchmark::Counter(static_cast<double>(statistics.integers) /
+  state.counters["bytes/node"] = benchmark::Counter(static_cast<double>(statistics.bytes) /
                                                        static_cast<double>(statistics.participants));
 }
 

@@ -3,8 +3,9 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
+#include "candidate_test.hpp"
+#include "cellsearch/array.hpp"
 #include "cellsearch/box.hpp"
 #include "cellsearch/cell_grid.hpp"
 #include "cellsearch/method.hpp"
@@ -16,6 +17,7 @@ namespace cellsearch {
 /// What a method builds from: a checked scene and the cells to use. Kept by value, so that a Search can move.
 struct FinderInput {
   Scene scene;
+  CandidateTest test;
   CellGrid grid;
   std::optional<Box> limit;  ///< the user's domain: only nodes inside count; not set: all of them
   int threads = 1;
@@ -23,9 +25,10 @@ struct FinderInput {
 
 /// Rows found for a run of consecutive segments. Belongs to one thread while it is filled.
 struct FoundRows {
-  Offset* ends = nullptr;               ///< per segment of the run: nodes.size() after its row
-  std::vector<Index>* nodes = nullptr;  ///< the rows, one after another; empty at the start
-  Offset raw_visits = 0;                ///< nodes looked at, candidates or not
+  Offset* ends = nullptr;         ///< per segment of the run: nodes.size() after its row
+  Array<Index>* nodes = nullptr;  ///< the rows, one after another; empty at the start
+  Offset raw_visits = 0;          ///< nodes looked at, candidates or not
+  Offset cell_visits = 0;         ///< cells looked into; 0 for methods without cells
 };
 
 /// One method of finding candidates. The virtual calls happen once per build and per block of segments.
@@ -45,8 +48,8 @@ class Finder {
   /// Number of cells, 0 for a method without cells.
   virtual Offset cells() const = 0;
 
-  /// Working memory after build, in integers of 4 bytes.
-  virtual Offset integers() const = 0;
+  /// Working memory after build [bytes].
+  virtual Offset bytes() const = 0;
 
   /// Participating nodes inside the domain.
   virtual Offset nodes_in_domain() const = 0;

@@ -32,14 +32,14 @@ void Search::build(const Scene& scene) {
     grid_ = CellGrid(automatic_domain(summary.nodes, settings_.cell_factor * summary.mean_edge, max_cells));
   }
   scene_ = scene;
-  FinderInput input{scene_, grid_, std::nullopt, settings_.threads};
+  FinderInput input{scene_, CandidateTest(scene_), grid_, std::nullopt, settings_.threads};
   if (settings_.domain) input.limit = settings_.domain->box;
   finder_->build(input);
   statistics_.segments = segments();
   statistics_.participants = participants;
   statistics_.nodes_in_domain = finder_->nodes_in_domain();
   statistics_.cells = finder_->cells();
-  statistics_.integers = finder_->integers();
+  statistics_.bytes = finder_->bytes();
 }
 
 const Candidates& Search::query() {
@@ -52,29 +52,31 @@ const Candidates& Search::query() {
   if (block_nodes_.size() < static_cast<std::size_t>(blocks - 1)) {
     block_nodes_.resize(static_cast<std::size_t>(blocks - 1));
   }
-  std::vector<Offset> raw_visits(static_cast<std::size_t>(blocks), 0);
-  const auto nodes_of = [&](int block) -> std::vector<Index>& {
+  block_rows_.resize(static_cast<std::size_t>(blocks));
+  const auto nodes_of = [&](int block) -> Array<Index>& {
     return block == 0 ? candidates_.node : block_nodes_[static_cast<std::size_t>(block - 1)];
   };
   for_blocks(settings_.threads, blocks, [&](int block) {
     const BlockRange range(count, block, blocks);
-    std::vector<Index>& nodes = nodes_of(block);
+    Array<Index>& nodes = nodes_of(block);
     nodes.clear();
-    FoundRows rows{candidates_.first.data() + range.begin + 1, &nodes, 0};
+    FoundRows rows{candidates_.first.data() + range.begin + 1, &nodes};
     finder_->query(range.begin, range.end, rows);
-    raw_visits[static_cast<std::size_t>(block)] = rows.raw_visits;
+    block_rows_[static_cast<std::size_t>(block)] = {0, rows.raw_visits, rows.cell_visits};
   });
-  std::vector<Offset> starts(static_cast<std::size_t>(blocks) + 1, 0);
+  Offset pairs = 0;
   for (int block = 0; block < blocks; ++block) {
-    const std::size_t at = static_cast<std::size_t>(block);
-    starts[at + 1] = starts[at] + static_cast<Offset>(nodes_of(block).size());
-    statistics_.raw_visits += raw_visits[at];
+    BlockRows& rows = block_rows_[static_cast<std::size_t>(block)];
+    rows.start = pairs;
+    pairs += static_cast<Offset>(nodes_of(block).size());
+    statistics_.raw_visits += rows.raw_visits;
+    statistics_.cell_visits += rows.cell_visits;
   }
-  candidates_.node.resize(static_cast<std::size_t>(starts.back()));
+  candidates_.node.resize(static_cast<std::size_t>(pairs));
   for_blocks(settings_.threads, blocks, [&](int block) {
     if (block == 0) return;
-    const Offset start = starts[static_cast<std::size_t>(block)];
-    const std::vector<Index>& nodes = nodes_of(block);
+    const Offset start = block_rows_[static_cast<std::size_t>(block)].start;
+    const Array<Index>& nodes = nodes_of(block);
     std::copy(nodes.begin(), nodes.end(), candidates_.node.begin() + start);
     const BlockRange range(count, block, blocks);
     for (Index segment = range.begin; segment < range.end; ++segment) {
@@ -88,9 +90,10 @@ const Candidates& Search::query() {
 Index Search::query_batch(Index begin) {
   const Index end = std::min(segments(), begin + batch_size);
   batch_nodes_.clear();
-  FoundRows rows{batch_ends_.data(), &batch_nodes_, 0};
+  FoundRows rows{batch_ends_.data(), &batch_nodes_};
   finder_->query(begin, end, rows);
   statistics_.raw_visits += rows.raw_visits;
+  statistics_.cell_visits += rows.cell_visits;
   statistics_.candidates += static_cast<Offset>(batch_nodes_.size());
   return end;
 }

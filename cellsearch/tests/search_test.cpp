@@ -40,15 +40,15 @@ TEST(Search, FindsTheOtherPlateAndNeverItsOwnNodes) {
   const TwoPlates plates;
   Search search;
   const Candidates& found = search.find(plates.scene);
-  EXPECT_EQ(found.first, (std::vector<Offset>{0, 4, 8}));
-  EXPECT_EQ(found.node, (std::vector<Index>{4, 5, 6, 7, 0, 1, 2, 3}));
+  EXPECT_EQ(found.first, (Array<Offset>{0, 4, 8}));
+  EXPECT_EQ(found.node, (Array<Index>{4, 5, 6, 7, 0, 1, 2, 3}));
 }
 
 TEST(Search, FindsNothingBeyondTheExpansion) {
   TwoPlates plates;
   plates.scene.expansion = 0.2499;
   Search search;
-  EXPECT_EQ(search.find(plates.scene).first, (std::vector<Offset>{0, 0, 0}));
+  EXPECT_EQ(search.find(plates.scene).first, (Array<Offset>{0, 0, 0}));
 }
 
 TEST(Search, LeavesNodesOutsideAGivenDomainAlone) {
@@ -56,8 +56,8 @@ TEST(Search, LeavesNodesOutsideAGivenDomainAlone) {
   for (const Method method : methods()) {
     Search search({.method = method, .domain = CellDomain{Box{{0.5, 0.0, 0.0}, {1.0, 1.0, 1.0}}, {3, 3, 3}}});
     const Candidates& found = search.find(plates.scene);
-    EXPECT_EQ(found.first, (std::vector<Offset>{0, 2, 4}));
-    EXPECT_EQ(found.node, (std::vector<Index>{5, 6, 1, 2}));
+    EXPECT_EQ(found.first, (Array<Offset>{0, 2, 4}));
+    EXPECT_EQ(found.node, (Array<Index>{5, 6, 1, 2}));
     EXPECT_EQ(search.statistics().nodes_in_domain, 4);
   }
 }
@@ -67,7 +67,7 @@ TEST(Search, FindsListedNodesOnly) {
   const std::vector<Index> listed{1, 2, 7};
   plates.scene.nodes = listed;
   Search search;
-  EXPECT_EQ(search.find(plates.scene).node, (std::vector<Index>{7, 1, 2}));
+  EXPECT_EQ(search.find(plates.scene).node, (Array<Index>{7, 1, 2}));
   EXPECT_EQ(search.statistics().participants, 3);
   plates.scene.nodes = std::span<const Index>{};
   EXPECT_EQ(search.find(plates.scene).pairs(), 0);
@@ -91,7 +91,7 @@ TEST(Search, CountsCellsMemoryAndVisits) {
   Search search({.domain = CellDomain{Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, {1, 1, 1}}});
   search.find(plates.scene);
   EXPECT_EQ(search.statistics().cells, 1);
-  EXPECT_EQ(search.statistics().integers, 1 + 8);
+  EXPECT_EQ(search.statistics().bytes, 4 * (1 + 8));
   EXPECT_EQ(search.statistics().raw_visits, 16);
   EXPECT_EQ(search.statistics().candidates, 8);
   EXPECT_EQ(search.statistics().segments, 2);
@@ -107,7 +107,7 @@ TEST(Search, VisitsOnlyCellsOfTheTerritory) {
   Search search({.domain = CellDomain{Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, {2, 2, 4}}});
   search.find(plates.scene);
   EXPECT_EQ(search.statistics().cells, 16);
-  EXPECT_EQ(search.statistics().integers, 16 + 11);
+  EXPECT_EQ(search.statistics().bytes, 4 * (16 + 11));
   EXPECT_EQ(search.statistics().raw_visits, 16);
 }
 

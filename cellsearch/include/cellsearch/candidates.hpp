@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
+#include "cellsearch/array.hpp"
 #include "cellsearch/types.hpp"
 
 namespace cellsearch {
@@ -15,8 +15,8 @@ namespace cellsearch {
 /// Node p is a candidate of segment s if p takes part, lies in the closed territory box of s and is none of
 /// the nodes of s; where the user has given a cell domain, p must also lie inside it (surface included).
 struct Candidates {
-  std::vector<Offset> first;  ///< segments + 1 numbers: row s is node[first[s]] ... node[first[s + 1] - 1]
-  std::vector<Index> node;    ///< the nodes of all rows
+  Array<Offset> first;  ///< segments + 1 numbers: row s is node[first[s]] ... node[first[s + 1] - 1]
+  Array<Index> node;    ///< the nodes of all rows
 
   /// Number of rows.
   Index segments() const { return first.empty() ? 0 : static_cast<Index>(first.size() - 1); }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cellsearch/array.hpp"
 #include "cellsearch/candidates.hpp"
 #include "cellsearch/cell_grid.hpp"
 #include "cellsearch/error.hpp"
@@ -43,7 +44,8 @@ struct Statistics {
   Offset participants = 0;     ///< nodes that took part
   Offset nodes_in_domain = 0;  ///< of these, inside the given domain
   Offset cells = 0;            ///< Ncell; 0 for methods without cells
-  Offset integers = 0;         ///< working memory M = Ncell + N of eq. (12), N the participants
+  Offset bytes = 0;            ///< working memory; linked-cell: 4 (Ncell + N), eq. (12), N the participants
+  Offset cell_visits = 0;      ///< cells looked into, over all segments, by the queries since the build
   Offset raw_visits = 0;       ///< nodes looked at, over all segments, by the queries since the build
   Offset candidates = 0;       ///< pairs reported by the queries since the build
 };
@@ -114,6 +116,12 @@ class Search {
  private:
   static constexpr Index batch_size = 256;
 
+  struct BlockRows {
+    Offset start;
+    Offset raw_visits;
+    Offset cell_visits;
+  };
+
   Index segments() const { return static_cast<Index>(scene_.segments.count()); }
   Index query_batch(Index begin);
 
@@ -123,9 +131,10 @@ class Search {
   Statistics statistics_;
   Candidates candidates_;
   std::unique_ptr<Finder> finder_;
-  std::vector<std::vector<Index>> block_nodes_;  // what each block of segments found, before it is joined
+  std::vector<BlockRows> block_rows_;
+  std::vector<Array<Index>> block_nodes_;  // what each block of segments found, before it is joined
   std::array<Offset, batch_size> batch_ends_{};
-  std::vector<Index> batch_nodes_;
+  Array<Index> batch_nodes_;
 };
 
 }  // namespace cellsearch

@@ -22,14 +22,14 @@ void BruteForce::query(Index begin, Index end, FoundRows& rows) const {
   const Scene& scene = input_.scene;
   const Index nodes = static_cast<Index>(scene.participants());
   for (Index segment = begin; segment < end; ++segment) {
-    const Box box = territory(scene, segment);
-    for (Index place = 0; place < nodes; ++place) {
-      const Index node = scene.participant(place);
-      if (box.contains(scene.positions[node]) && !scene.segments.owns(segment, node) && counts(node)) {
-        rows.nodes->push_back(node);
+    if (input_.test.active(segment)) {
+      const Box box = territory(scene, segment);
+      for (Index place = 0; place < nodes; ++place) {
+        const Index node = scene.participant(place);
+        if (input_.test(segment, box, node) && counts(node)) rows.nodes->push_back(node);
       }
+      rows.raw_visits += nodes;
     }
-    rows.raw_visits += nodes;
     rows.ends[segment - begin] = static_cast<Offset>(rows.nodes->size());
   }
 }

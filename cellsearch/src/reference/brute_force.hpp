@@ -12,7 +12,7 @@ class BruteForce final : public Finder {
   void build(const FinderInput& input) override;
   void query(Index begin, Index end, FoundRows& rows) const override;
   Offset cells() const override { return 0; }
-  Offset integers() const override { return 0; }
+  Offset bytes() const override { return 0; }
   Offset nodes_in_domain() const override { return nodes_in_domain_; }
 
  private:

@@ -28,13 +28,11 @@ void LinkedCell::build(const FinderInput& input) {
 }
 
 void LinkedCell::visit_cell(Index cell, Index segment, const Box& box, FoundRows& rows) const {
-  const Scene& scene = input_.scene;
+  ++rows.cell_visits;
   for (Index place = list_.head(cell); place >= 0; place = list_.next(place)) {
-    const Index node = scene.participant(place);
+    const Index node = input_.scene.participant(place);
     ++rows.raw_visits;
-    if (box.contains(scene.positions[node]) && !scene.segments.owns(segment, node)) {
-      rows.nodes->push_back(node);
-    }
+    if (input_.test(segment, box, node)) rows.nodes->push_back(node);
   }
 }
 
@@ -42,10 +40,11 @@ void LinkedCell::query(Index begin, Index end, FoundRows& rows) const {
   const CellGrid& grid = input_.grid;
   for (Index segment = begin; segment < end; ++segment) {
     const std::size_t row = rows.nodes->size();
-    const Box box = territory(input_.scene, segment);
+    const Box cull = input_.test.culling_box(segment);
     // Clamping would move a territory beside the domain into its outer cells: right, but wasted work.
-    if (box.intersects(grid.domain().box)) {
-      const CellRange range = grid.cells_of(box);
+    if (input_.test.active(segment) && cull.intersects(grid.domain().box)) {
+      const Box box = territory(input_.scene, segment);
+      const CellRange range = grid.cells_of(cull);
       for (Index iz = range.first[2]; iz <= range.last[2]; ++iz) {
         for (Index iy = range.first[1]; iy <= range.last[1]; ++iy) {
           for (Index ix = range.first[0]; ix <= range.last[0]; ++ix) {

@@ -13,7 +13,7 @@ class LinkedCell final : public Finder {
   void build(const FinderInput& input) override;
   void query(Index begin, Index end, FoundRows& rows) const override;
   Offset cells() const override { return input_.grid.count(); }
-  Offset integers() const override { return list_.integers(); }
+  Offset bytes() const override { return 4 * list_.integers(); }
   Offset nodes_in_domain() const override { return list_.linked(); }
 
  private:
