@@ -12,9 +12,14 @@ void check_settings(const Settings& settings);
 
 /// What the checks of a scene learn on their way.
 struct SceneSummary {
-  Box nodes;               ///< bounding box of the participants [length]; empty if there are none
-  double mean_edge = 0.0;  ///< mean edge of the segments [length]; 0 without segments
+  Box nodes;                    ///< bounding box of the participants [length]; empty if there are none
+  double mean_edge = 0.0;       ///< mean edge of the segments [length]; 0 without segments
+  double largest_radius = 0.0;  ///< of the participants [length]; 0 without radii
 };
+
+/// The part of check_scene() that looks at no node and no segment: lengths of all spans, the stride, the
+/// common expansion, the number of groups. O(1).
+void check_layout(const Scene& scene);
 
 /// Checks everything that ErrorKind names about a scene and throws on the first error. O(N).
 SceneSummary check_scene(const Scene& scene, int threads);

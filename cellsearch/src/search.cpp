@@ -6,11 +6,15 @@
 
 #include "checks.hpp"
 #include "finder.hpp"
+#include "neighbour_lists.hpp"
 #include "parallel.hpp"
 
 namespace cellsearch {
 
-Search::Search(const Settings& settings) : settings_(settings), finder_(make_finder(settings.method)) {
+Search::Search(const Settings& settings)
+    : settings_(settings),
+      finder_(make_finder(settings.method)),
+      neighbours_(std::make_unique<NeighbourLists>()) {
   check_settings(settings);
   if (finder_ == nullptr) throw Error(ErrorKind::BadSetting, -1, "There is no such search method.");
   if (settings.domain) grid_ = CellGrid(*settings.domain);
@@ -31,15 +35,17 @@ void Search::build(const Scene& scene) {
     const Offset max_cells = static_cast<Offset>(std::clamp(limit, 1.0, 2147483647.0));
     grid_ = CellGrid(automatic_domain(summary.nodes, settings_.cell_factor * summary.mean_edge, max_cells));
   }
+  neighbours_->build(scene);
   scene_ = scene;
-  FinderInput input{scene_, CandidateTest(scene_), grid_, std::nullopt, settings_.threads};
+  FinderInput input{scene_, CandidateTest(scene_, neighbours_.get(), summary.largest_radius), grid_,
+                    std::nullopt, settings_.threads};
   if (settings_.domain) input.limit = settings_.domain->box;
   finder_->build(input);
   statistics_.segments = segments();
   statistics_.participants = participants;
   statistics_.nodes_in_domain = finder_->nodes_in_domain();
   statistics_.cells = finder_->cells();
-  statistics_.bytes = finder_->bytes();
+  statistics_.bytes = finder_->bytes() + neighbours_->bytes();
 }
 
 const Candidates& Search::query() {

@@ -15,6 +15,9 @@ enum class ErrorKind {
   NonFiniteCoordinate,  ///< index: the node
   BadConnectivity,      ///< a segment names a node that does not exist; index: the segment
   BadExpansion,         ///< negative or not finite; index: the segment, -1 for the common expansion
+  BadRadius,            ///< negative or not finite; index: the node
+  BadNodeGroup,         ///< out of range; index: the node
+  BadSegmentGroup,      ///< out of range; index: the segment
   BadNodeList,          ///< the list of nodes is out of range or not strictly ascending; index: place in list
   BadDomain,            ///< inverted, flat, non-finite or too many cells; index: the axis (0, 1, 2) or -1
   BadSetting,           ///< a setting is outside its range; index -1

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -71,6 +72,23 @@ class Segments {
   std::span<const Index> nodes_;
 };
 
+/// Who may touch whom, by groups of nodes and of segments (parts, bodies, the two sides of a contact). A node
+/// of group b is a candidate of a segment of group a only if allow[a * count + b] is not 0; the matrix need
+/// not be symmetric. Views of the caller's memory. As constructed there are no groups, and everyone may touch
+/// everyone.
+struct Groups {
+  Index count = 0;                         ///< number of groups G, numbered from 0; 0: no groups
+  std::span<const Index> node_group{};     ///< one per node; not looked at for nodes that take no part
+  std::span<const Index> segment_group{};  ///< one per segment
+  std::span<const std::uint8_t> allow{};   ///< G x G, row: group of the segment, column: group of the node
+
+  /// True if nodes of group `nodes_of` may be candidates of segments of group `segments_of`; not checked.
+  bool allowed(Index segments_of, Index nodes_of) const {
+    const std::size_t row = static_cast<std::size_t>(segments_of) * static_cast<std::size_t>(count);
+    return allow[row + static_cast<std::size_t>(nodes_of)] != 0;
+  }
+};
+
 /// Everything that one search looks at, as views of the caller's memory, which must stay alive and unchanged
 /// from `Search::build` until the last query that follows it.
 struct Scene {
@@ -86,6 +104,28 @@ struct Scene {
   /// The nodes that take part, strictly ascending; all nodes if not set. Nodes of segments that are not
   /// listed still shape their segment but are never candidates. The rest may even be non-finite.
   std::optional<std::span<const Index>> nodes{};
+
+  /// One radius per node [length], >= 0, or empty. A node with a radius is a candidate if the cube of that
+  /// half edge around it touches the closed territory: x + r >= lo and x - r <= hi on every axis. The time of
+  /// a search grows with the largest radius, as it does with c; not looked at for nodes that take no part.
+  std::span<const double> node_radius{};
+
+  /// One number per segment, 0 for those that are switched off (eroded), or empty. The row of such a segment
+  /// is empty and it makes no neighbours; its nodes stay candidates of others unless left out of `nodes`. It
+  /// must still be well formed: its nodes exist and are finite.
+  std::span<const std::uint8_t> segment_active{};
+
+  /// Excludes not only the own nodes of a segment but also their neighbours: all nodes that share an active
+  /// segment with one of them (the first ring of the mesh). Costs O(N) time and memory per build.
+  bool exclude_neighbours = false;
+
+  /// Who may touch whom.
+  Groups groups{};
+
+  /// True if `segment` is not switched off; not checked.
+  bool active(Index segment) const {
+    return segment_active.empty() || segment_active[static_cast<std::size_t>(segment)] != 0;
+  }
 
   /// The whole expansion of `segment` [length].
   double expansion_of(Index segment) const {

@@ -18,6 +18,7 @@
 namespace cellsearch {
 
 class Finder;
+class NeighbourLists;
 
 /// How to search. The defaults suit any scene.
 struct Settings {
@@ -131,6 +132,7 @@ class Search {
   Statistics statistics_;
   Candidates candidates_;
   std::unique_ptr<Finder> finder_;
+  std::unique_ptr<NeighbourLists> neighbours_;
   std::vector<BlockRows> block_rows_;
   std::vector<Array<Index>> block_nodes_;  // what each block of segments found, before it is joined
   std::array<Offset, batch_size> batch_ends_{};
