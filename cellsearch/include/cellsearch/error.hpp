@@ -21,6 +21,7 @@ enum class ErrorKind {
   BadNodeList,          ///< the list of nodes is out of range or not strictly ascending; index: place in list
   BadDomain,            ///< inverted, flat, non-finite or too many cells; index: the axis (0, 1, 2) or -1
   BadSetting,           ///< a setting is outside its range; index -1
+  UnsuitedMethod,       ///< the method is not made for this scene (see Method); index: the segment
 };
 
 /// The only exception of this library, apart from std::bad_alloc. It is thrown before the loops over segments

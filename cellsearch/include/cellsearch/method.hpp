@@ -7,10 +7,13 @@
 
 namespace cellsearch {
 
-/// How candidates are found. All methods give the same pairs in the same order.
+/// How candidates are found. All methods give the same pairs in the same order; see docs/methods.md.
 enum class Method {
-  LinkedCell,  ///< "linked-cell": cells and linked lists as printed in the paper; O(N) for similar sizes
-  BruteForce,  ///< "brute-force": every node against every segment, O(N^2); the oracle
+  LinkedCell,    ///< "linked-cell": cells and linked lists as printed in the paper; O(N) for similar sizes
+  BucketSort,    ///< "bucket-sort": buckets nested in x, y, z, the conventional method of DYNA3D
+  PositionCode,  ///< "position-code": sorted cell numbers and binary search, O(N log N)
+  Nbs,           ///< "nbs": no binary search, bodies of similar size only: else Error(UnsuitedMethod)
+  BruteForce,    ///< "brute-force": every node against every segment, O(N^2); the oracle
 };
 
 /// All methods, in the order of the enumeration.
