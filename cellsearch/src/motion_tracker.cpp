@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cellsearch/motion_tracker.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "cellsearch/error.hpp"
+#include "cellsearch/search_interval.hpp"
+#include "parallel.hpp"
+
+namespace cellsearch {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Point unknown{infinity, infinity, infinity};
+constexpr Point origin{0.0, 0.0, 0.0};
+constexpr std::size_t most = static_cast<std::size_t>(std::numeric_limits<Index>::max());
+
+// The blocks do not depend on the number of threads, and neither does the order in which they are joined.
+constexpr int most_blocks = 64;
+constexpr Index block_nodes = 4096;
+
+int blocks_for(std::size_t count) {
+  return static_cast<int>(
+      std::clamp<std::size_t>(count / static_cast<std::size_t>(block_nodes), 1, most_blocks));
+}
+
+bool is_finite(const double* xyz) {
+  return std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]);
+}
+
+double largest_component(const Point& a) {
+  return std::max({a[0], a[1], a[2]});
+}
+
+}  // namespace
+
+/// Smallest and largest of what was included, by axis.
+struct MotionTracker::Range {
+  Point lo{infinity, infinity, infinity};
+  Point hi{-infinity, -infinity, -infinity};
+  bool bad = false;  ///< something was not finite; lo and hi mean nothing then
+
+  void include(int axis, double value) {
+    lo[axis] = std::min(lo[axis], value);
+    hi[axis] = std::max(hi[axis], value);
+    // Comparisons pass over NaN, so it is noticed apart. Without a branch: it is part of the inner loop.
+    bad |= !(std::fabs(value) <= std::numeric_limits<double>::max());
+  }
+
+  void include(const Range& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      lo[axis] = std::min(lo[axis], other.lo[axis]);
+      hi[axis] = std::max(hi[axis], other.hi[axis]);
+    }
+    bad |= other.bad;
+  }
+
+  double largest() const { return std::max({0.0, -lo[0], -lo[1], -lo[2], hi[0], hi[1], hi[2]}); }
+};
+
+MotionTracker::MotionTracker(double expansion, double contact_distance, int threads)
+    : room_(expansion - contact_distance),
+      lengths_(expansion + contact_distance),
+      threads_(threads),
+      motion_(unknown) {
+  const auto is_length = [](double length) { return length >= 0.0 && std::isfinite(length); };
+  if (!is_length(expansion) || !is_length(contact_distance)) {
+    throw Error(ErrorKind::BadSetting, -1, "Expansion and contact distance must be finite and >= 0.");
+  }
+  if (threads < 1) throw Error(ErrorKind::BadSetting, -1, "The number of threads must be at least 1.");
+}
+
+/// Whatever a failing start() leaves behind must look as before the first one.
+void MotionTracker::forget() {
+  started_ = false;
+  motion_ = unknown;
+  count_ = second_ = 0;
+  highest_ = -1;
+}
+
+void MotionTracker::start(const Positions& positions) {
+  forget();
+  if (positions.count() > most) {
+    throw Error(ErrorKind::BadLayout, -1, "There are more than 2147483647 nodes.");
+  }
+  nodes_.clear();
+  count_ = second_ = positions.count();
+  two_lists_ = false;
+  highest_ = static_cast<Index>(count_) - 1;
+  remember(positions);
+}
+
+void MotionTracker::start(const Positions& positions, std::span<const Index> nodes) {
+  watch(positions, nodes, {});
+  two_lists_ = false;
+  remember(positions);
+}
+
+void MotionTracker::start(const Positions& positions, std::span<const Index> nodes,
+                          std::span<const Index> segment_nodes) {
+  watch(positions, nodes, segment_nodes);
+  two_lists_ = true;
+  remember(positions);
+}
+
+/// Copies the lists and checks them.
+void MotionTracker::watch(const Positions& positions, std::span<const Index> nodes,
+                          std::span<const Index> segment_nodes) {
+  forget();
+  if (nodes.size() + segment_nodes.size() > most || positions.count() > most) {
+    throw Error(ErrorKind::BadLayout, -1, "There are more than 2147483647 nodes.");
+  }
+  nodes_.resize(nodes.size() + segment_nodes.size());
+  std::copy(segment_nodes.begin(), segment_nodes.end(),
+            std::copy(nodes.begin(), nodes.end(), nodes_.begin()));
+  Index highest = -1;
+  const Index existing = static_cast<Index>(positions.count());
+  for (std::size_t place = 0; place < nodes_.size(); ++place) {
+    const Index node = nodes_[place];
+    if (node < 0 || node >= existing) {
+      throw Error(ErrorKind::BadNodeList, static_cast<Index>(place),
+                  "Entry " + std::to_string(place) + " of the watched nodes is " + std::to_string(node) +
+                      ", but there are " + std::to_string(existing) + " nodes, numbered from 0.");
+    }
+    highest = std::max(highest, node);
+  }
+  highest_ = highest;
+  second_ = nodes.size();
+  count_ = nodes_.size();
+}
+
+/// Copies the positions; from now on nothing has moved.
+void MotionTracker::remember(const Positions& positions) {
+  const Range all = range(positions, false, 0, count_);
+  if (all.bad) throw_if_bad_node(positions);
+  largest_reference_ = all.largest();
+  reference_.resize(3 * count_);
+  const int blocks = blocks_for(count_);
+  for_blocks(threads_, blocks, [&](int block) {
+    const BlockRange part(static_cast<Index>(count_), block, blocks);
+    for (std::size_t place = part.begin; place < static_cast<std::size_t>(part.end); ++place) {
+      std::copy_n(positions[watched(place)], 3, reference_.begin() + 3 * static_cast<std::ptrdiff_t>(place));
+    }
+  });
+  started_ = true;
+  motion_ = {0.0, 0.0, 0.0};
+  rounding_ = 0x1p-49 * (2.0 * largest_reference_ + lengths_);
+}
+
+void MotionTracker::check_layout(const Positions& values) const {
+  if (static_cast<std::size_t>(highest_ + 1) > values.count()) {
+    throw Error(ErrorKind::BadLayout, -1,
+                "There are " + std::to_string(values.count()) + " nodes now, but node " +
+                    std::to_string(highest_) + " is watched.");
+  }
+}
+
+/// Range of the displacements since the start, or of the values themselves, over places begin..end-1.
+MotionTracker::Range MotionTracker::range(const Positions& values, bool since_start, std::size_t begin,
+                                          std::size_t end) const {
+  std::array<Range, most_blocks> parts;
+  const int blocks = blocks_for(end - begin);
+  for_blocks(threads_, blocks, [&](int block) {
+    const BlockRange places(static_cast<Index>(end - begin), block, blocks);
+    const std::size_t part_begin = begin + static_cast<std::size_t>(places.begin);
+    const std::size_t part_end = begin + static_cast<std::size_t>(places.end);
+    Range part;
+    for (std::size_t place = part_begin; place < part_end; ++place) {
+      const double* now = values[watched(place)];
+      const double* then = since_start ? reference_.data() + 3 * place : origin.data();
+      for (int axis = 0; axis < 3; ++axis) part.include(axis, now[axis] - then[axis]);
+    }
+    parts[static_cast<std::size_t>(block)] = part;
+  });
+  Range whole;
+  for (int block = 0; block < blocks; ++block) whole.include(parts[static_cast<std::size_t>(block)]);
+  return whole;
+}
+
+/// Largest difference between a node of the first list and one of the second, or between two of the only
+/// one. `largest`: the largest absolute value; `bad`: something was not finite, and the result means nothing.
+Point MotionTracker::largest_difference(const Positions& values, bool since_start, double& largest,
+                                        bool& bad) const {
+  const Range nodes = range(values, since_start, 0, second_);
+  const Range others = two_lists_ ? range(values, since_start, second_, count_) : nodes;
+  largest = std::max(nodes.largest(), others.largest());
+  bad = nodes.bad || others.bad;
+  Point difference{0.0, 0.0, 0.0};
+  if (second_ == 0 || (two_lists_ && second_ == count_)) return difference;  // nobody to meet
+  for (int axis = 0; axis < 3; ++axis) {
+    difference[axis] = std::max(nodes.hi[axis] - others.lo[axis], others.hi[axis] - nodes.lo[axis]);
+  }
+  return difference;
+}
+
+void MotionTracker::update(const Positions& positions) {
+  motion_ = unknown;
+  if (!started_) return;
+  check_layout(positions);
+  double largest = 0.0;
+  bool bad = false;
+  const Point motion = largest_difference(positions, true, largest, bad);
+  if (bad) {
+    throw_if_bad_node(positions);
+    return;  // displacements beyond the range of numbers
+  }
+  motion_ = motion;
+  // With u = 2^-53, M the largest coordinate then or now: at most 8 u M in the differences of displacements,
+  // u (M + 2 c) in the territory, u c in c - h, u (3 M + h) in a test whether the node is within h now.
+  rounding_ = 0x1p-49 * (2.0 * largest_reference_ + largest + lengths_);
+}
+
+double MotionTracker::used() const {
+  return largest_component(motion_);
+}
+
+bool MotionTracker::due() const {
+  // Written so that NaN or infinity ends in a search.
+  return !(used() + rounding_ <= room_);
+}
+
+Point MotionTracker::relative_speed(const Positions& velocities) const {
+  if (!started_) return unknown;
+  check_layout(velocities);
+  double largest = 0.0;
+  bool bad = false;
+  const Point speed = largest_difference(velocities, false, largest, bad);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return bad ? Point{nan, nan, nan} : speed;
+}
+
+int MotionTracker::predicted_steps(const Positions& velocities, double largest_step, int cap) const {
+  if (due()) return 1;
+  return search_interval(room_, used(), largest_component(relative_speed(velocities)), largest_step, cap);
+}
+
+void MotionTracker::throw_if_bad_node(const Positions& positions) const {
+  Index worst = -1;
+  for (std::size_t place = 0; place < count_; ++place) {
+    const Index node = watched(place);
+    if (!is_finite(positions[node]) && (worst < 0 || node < worst)) worst = node;
+  }
+  if (worst >= 0) {
+    throw Error(ErrorKind::NonFiniteCoordinate, worst,
+                "Watched node " + std::to_string(worst) + " has a coordinate that is not finite.");
+  }
+}
+
+}  // namespace cellsearch
