@@ -5,7 +5,10 @@
 
 #include "finder.hpp"
 #include "reference/brute_force.hpp"
+#include "reference/bucket_sort.hpp"
 #include "reference/linked_cell.hpp"
+#include "reference/nbs.hpp"
+#include "reference/position_code.hpp"
 
 namespace cellsearch {
 namespace {
@@ -17,14 +20,14 @@ struct NamedMethod {
 
 // One row per method, in the order of the enumeration.
 constexpr std::array named_methods{
-    NamedMethod{Method::LinkedCell, "linked-cell"},
-    NamedMethod{Method::BucketSort, "bucket-sort"},
-    NamedMethod{Method::PositionCode, "position-code"},
-    NamedMethod{Method::Nbs, "nbs"},
+    NamedMethod{Method::LinkedCell, "linked-cell"},     NamedMethod{Method::BucketSort, "bucket-sort"},
+    NamedMethod{Method::PositionCode, "position-code"}, NamedMethod{Method::Nbs, "nbs"},
     NamedMethod{Method::BruteForce, "brute-force"},
 };
 
-constexpr std::array method_list{Method::LinkedCell, Method::BruteForce};
+constexpr std::array method_list{Method::LinkedCell, Method::BucketSort, Method::PositionCode, Method::Nbs,
+                                 Method::BruteForce};
+static_assert(method_list.size() == named_methods.size());
 
 }  // namespace
 
@@ -48,9 +51,11 @@ std::unique_ptr<Finder> make_finder(Method method) {
     case Method::LinkedCell:
       return std::make_unique<LinkedCell>();
     case Method::BucketSort:
+      return std::make_unique<BucketSort>();
     case Method::PositionCode:
+      return std::make_unique<PositionCode>();
     case Method::Nbs:
-      break;
+      return std::make_unique<Nbs>();
     case Method::BruteForce:
       return std::make_unique<BruteForce>();
   }
