@@ -1,74 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "scenes.hpp"
-
+// Small meshes, most of them adversarial, for tests against brute force.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <iterator>
+
+#include "shapes.hpp"
 
 namespace cellsearch::scenes {
-
-Scene Mesh::scene() const {
-  Scene scene;
-  scene.positions = Positions(positions, stride);
-  scene.segments = Segments(segments);
-  scene.expansion = expansion;
-  scene.segment_expansion = segment_expansion;
-  if (nodes) scene.nodes = *nodes;
-  return scene;
-}
-
-Index Mesh::add_node(double x, double y, double z) {
-  const Index node = static_cast<Index>(node_count());
-  positions.insert(positions.end(), {x, y, z});
-  positions.resize(positions.size() + stride - 3, -77.0);
-  return node;
-}
-
-double Mesh::mean_edge() const {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < segments.size(); ++k) {
-    const std::size_t next = k % 4 == 3 ? k - 3 : k + 1;
-    const double* from = &positions[static_cast<std::size_t>(segments[k]) * stride];
-    const double* to = &positions[static_cast<std::size_t>(segments[next]) * stride];
-    sum += std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-  }
-  return segments.empty() ? 0.0 : sum / static_cast<double>(segments.size());
-}
-
-void Mesh::rotate(double about_z, double about_x) {
-  for (std::size_t node = 0; node < node_count(); ++node) {
-    double* p = &positions[node * stride];
-    const double x = std::cos(about_z) * p[0] - std::sin(about_z) * p[1];
-    const double y = std::sin(about_z) * p[0] + std::cos(about_z) * p[1];
-    const double z = p[2];
-    p[0] = x;
-    p[1] = std::cos(about_x) * y - std::sin(about_x) * z;
-    p[2] = std::sin(about_x) * y + std::cos(about_x) * z;
-  }
-}
-
 namespace {
-
-/// Adds rows x columns nodes at shape(row, column) and the quadrilaterals between them. If `closed`, the last
-/// column is joined to the first.
-template <class Shape>
-void add_patch(Mesh& mesh, int rows, int columns, bool closed, const Shape& shape) {
-  const Index base = static_cast<Index>(mesh.node_count());
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const Point p = shape(row, column);
-      mesh.add_node(p[0], p[1], p[2]);
-    }
-  }
-  for (int row = 0; row + 1 < rows; ++row) {
-    for (int column = 0; column + 1 < columns + (closed ? 1 : 0); ++column) {
-      const Index right = (column + 1) % columns;
-      mesh.add_segment(base + row * columns + column, base + row * columns + right,
-                       base + (row + 1) * columns + right, base + (row + 1) * columns + column);
-    }
-  }
-}
 
 void add_flat_patch(Mesh& mesh, const Point& corner, int size, double edge) {
   add_patch(mesh, size, size, false, [&](int row, int column) {
@@ -76,85 +16,7 @@ void add_flat_patch(Mesh& mesh, const Point& corner, int size, double edge) {
   });
 }
 
-Point random_point(Random& random, double size) {
-  const double x = random.uniform(0.0, size);
-  const double y = random.uniform(0.0, size);
-  return {x, y, random.uniform(0.0, size)};
-}
-
 }  // namespace
-
-Mesh folded_sheets(int nodes, std::uint64_t seed) {
-  Mesh mesh{.name = "folded sheets"};
-  Random random(seed);
-  const int size = std::max(2, static_cast<int>(std::sqrt(nodes / 2.0)));
-  const double wave = std::max(8.0, std::min(64.0, size / 2.0));
-  // A curve whose direction swings beyond 90 degrees to both sides folds back onto itself.
-  std::vector<std::array<double, 4>> curve;  // x, z, and the direction there
-  double x = 0.0;
-  double z = 0.0;
-  for (int row = 0; row < size; ++row) {
-    const int steps = 16;
-    for (int step = 0; step < steps; ++step) {
-      const double along = row + (step + 0.5) / steps;
-      const double direction = 2.15 * std::sin(2.0 * std::numbers::pi * along / wave);
-      if (step == 0) curve.push_back({x, z, std::cos(direction), std::sin(direction)});
-      x += std::cos(direction) / steps;
-      z += std::sin(direction) / steps;
-    }
-  }
-  for (int sheet = 0; sheet < 2; ++sheet) {
-    add_patch(mesh, size, size, false, [&](int row, int column) {
-      const auto& [cx, cz, tx, tz] = curve[static_cast<std::size_t>(row)];
-      const double offset = 0.5 * sheet;
-      const double jitter_x = random.uniform(-0.12, 0.12);
-      const double jitter_y = random.uniform(-0.12, 0.12);
-      return Point{cx - offset * tz + 0.8 * std::sin(0.27 * column) + jitter_x, column + jitter_y,
-                   cz + offset * tx + 3.0 * std::sin(0.15 * column + 0.05 * row)};
-    });
-  }
-  mesh.expansion = 0.1 * mesh.mean_edge();
-  return mesh;
-}
-
-Mesh crushed_tube(int nodes, std::uint64_t seed) {
-  Mesh mesh{.name = "crushed tube"};
-  Random random(seed);
-  const int side = std::max(2, static_cast<int>(std::sqrt(nodes / 3.0) / 4.0));
-  const int around = 4 * side;
-  const int rows = std::max(2, nodes / around);
-  const double fold = std::max(2.0, side / 6.0);  // rows from crest to trough
-  add_patch(mesh, rows, around, true, [&](int row, int column) {
-    const double phase = row / fold;
-    const int half = static_cast<int>(phase);
-    const double rise = phase - half;
-    const double depth = ((half % 2 != 0) ? 1.0 - rise : rise) - 0.5;
-    const double reach = 0.5 * side + fold * depth;
-    const double place = 2.0 * (column % side) / side - 1.0;
-    const double bulge = std::sin(0.5 * std::numbers::pi * (place + 1.0));
-    Point p{};
-    switch (column / side) {
-      case 0:
-        p = {reach * place, -reach, 0.0};
-        break;
-      case 1:
-        p = {reach, reach * place, 0.0};
-        break;
-      case 2:
-        p = {-reach * place, reach, 0.0};
-        break;
-      default:
-        p = {-reach, -reach * place, 0.0};
-        break;
-    }
-    p[2] = 0.5 * phase + bulge * std::sin(0.37 * half);
-    for (double& coordinate : p) coordinate += random.uniform(-0.12, 0.12);
-    return p;
-  });
-  mesh.rotate(0.35, 0.5);
-  mesh.expansion = 0.1 * mesh.mean_edge();
-  return mesh;
-}
 
 Mesh random_soup(int nodes, int segments, std::uint64_t seed) {
   Mesh mesh{.name = "random soup"};
@@ -285,6 +147,125 @@ Mesh one_segment(Random& random) {
   return mesh;
 }
 
+Mesh exponential_spacing(Random& random) {
+  // From 1e-12 to 1e12: whatever the size of the cells, most nodes share one.
+  Mesh mesh{.name = "exponential spacing"};
+  double place = 1e-12;
+  for (int row = 0; row < 80; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      mesh.add_node(place, place * random.uniform(0.0, 1.0), place * (0.5 * column));
+    }
+    place *= 2.0;
+  }
+  for (Index row = 0; row + 1 < 80; ++row) {
+    for (Index column = 0; column < 2; ++column) {
+      const Index corner = 3 * row + column;
+      mesh.add_segment(corner, corner + 1, corner + 4, corner + 3);
+    }
+  }
+  mesh.expansion = random.below(2) == 0 ? 0.0 : 1e-6;
+  return mesh;
+}
+
+Mesh two_clusters(std::uint64_t seed) {
+  Mesh mesh = random_soup(80, 0, seed);
+  mesh.name = "two far clusters";
+  Random random(seed);
+  for (std::size_t node = 40; node < 80; ++node) {
+    mesh.positions[3 * node] += 1e9;
+    mesh.positions[3 * node + 2] -= 1e9;
+  }
+  for (int segment = 0; segment < 60; ++segment) {
+    const Index base = segment % 2 == 0 ? 0 : 40;
+    Index corners[4];
+    for (Index& corner : corners) corner = base + random.below(40);
+    // One segment spans the void between.
+    if (segment == 7) corners[2] = 79;
+    mesh.add_segment(corners[0], corners[1], corners[2], corners[3]);
+  }
+  mesh.expansion = 0.1;
+  return mesh;
+}
+
+Mesh on_territory_faces(Random& random) {
+  // Candidates on the faces of the one segment's territory, and one step of the last bit beside them.
+  Mesh mesh{.name = "nodes on territory faces"};
+  const double size = random.uniform(0.5, 2.0);
+  const double c = random.uniform(0.0, 0.3);
+  mesh.add_node(0.0, 0.0, 0.0);
+  mesh.add_node(size, 0.0, 0.1);
+  mesh.add_node(size, size, 0.0);
+  mesh.add_node(0.0, size, 0.2);
+  mesh.add_segment(0, 1, 2, 3);
+  const Point lo{0.0 - c, 0.0 - c, 0.0 - c};
+  const Point hi{size + c, size + c, 0.2 + c};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const bool upper : {false, true}) {
+      const double face = upper ? hi[axis] : lo[axis];
+      for (const double place : {face, std::nextafter(face, -1e9), std::nextafter(face, 1e9)}) {
+        Point p{0.3 * size, 0.6 * size, 0.1};
+        p[axis] = place;
+        mesh.add_node(p[0], p[1], p[2]);
+      }
+    }
+  }
+  mesh.expansion = c;
+  return mesh;
+}
+
+Mesh beyond_float(Random& random) {
+  // Neighbours that single precision cannot tell apart, away from the origin.
+  Mesh mesh{.name = "closer than float resolves"};
+  const Point corner{1000.0 * random.uniform(1.0, 2.0), -777.0, 0.125};
+  for (int node = 0; node < 200; ++node) {
+    Point p = random_point(random, 1e-3);
+    for (std::size_t axis = 0; axis < 3; ++axis) p[axis] += corner[axis];
+    mesh.add_node(p[0], p[1], p[2]);
+  }
+  for (int segment = 0; segment < 60; ++segment) {
+    mesh.add_segment(random.below(200), random.below(200), random.below(200), random.below(200));
+  }
+  mesh.expansion = random.below(2) == 0 ? 0.0 : 1e-9;
+  return mesh;
+}
+
+Mesh needles(Random& random) {
+  // Long, thin segments askew: their territories are almost empty, and everywhere.
+  Mesh mesh{.name = "needles"};
+  for (int node = 0; node < 200; ++node) {
+    const Point p = random_point(random, 10.0);
+    mesh.add_node(p[0], p[1], p[2]);
+  }
+  for (int segment = 0; segment < 40; ++segment) {
+    const Point from = random_point(random, 10.0);
+    const Point to = random_point(random, 10.0);
+    const Index first = mesh.add_node(from[0], from[1], from[2]);
+    mesh.add_node(from[0] + 1e-3, from[1], from[2]);
+    mesh.add_node(to[0] + 1e-3, to[1], to[2]);
+    mesh.add_node(to[0], to[1], to[2]);
+    mesh.add_segment(first, first + 1, first + 2, first + 3);
+  }
+  mesh.expansion = 0.01;
+  return mesh;
+}
+
+Mesh crowd_and_outposts(std::uint64_t seed) {
+  // All but a few nodes in one cell of automatic cells, too.
+  Mesh mesh = random_soup(300, 60, seed);
+  mesh.name = "crowd and outposts";
+  for (double& coordinate : mesh.positions) coordinate *= 1e-6;
+  mesh.expansion = 1e-7;
+  for (const double far : {-1.0, 1.0}) {
+    const Index first = mesh.add_node(far, far, far);
+    mesh.add_node(far + 0.1, far, far);
+    mesh.add_node(far, far + 0.1, far);
+    mesh.add_node(far, far, far + 0.1);
+    mesh.add_segment(first, first + 1, first + 2, first + 2);
+    mesh.add_segment(first, first + 1, first + 2, first + 3);
+  }
+  return mesh;
+}
+
 /// Changes that suit any mesh: padding, expansion by segment, a list of nodes.
 void vary(Mesh& mesh, Random& random) {
   if (random.below(3) == 0) {
@@ -297,7 +278,7 @@ void vary(Mesh& mesh, Random& random) {
     }
     mesh = padded;
   }
-  if (random.below(3) == 0) {
+  if (random.below(3) == 0 && mesh.segment_expansion.empty()) {
     const double most = 2.0 * mesh.expansion;
     for (std::size_t k = 0; k < mesh.segment_count(); ++k) {
       mesh.segment_expansion.push_back(random.uniform(0.0, most));
@@ -344,6 +325,30 @@ Mesh make_kind(int kind, std::uint64_t seed, Random& random) {
       return scaled_soup(seed, 1e-300, 0.0, "tiny coordinates");
     case 14:
       return scaled_soup(seed, 1e-3, 1e9, "far from the origin");
+    case 20:
+      return refined_sheets(600, seed);
+    case 21:
+      return steeply_refined_sheets(700, seed);
+    case 22:
+      return vehicle_parts(1000, seed);
+    case 23:
+      return small_soup(nodes, seed);
+    case 24:
+      return sparse_parts(1000, seed);
+    case 25:
+      return exponential_spacing(random);
+    case 26:
+      return two_clusters(seed);
+    case 27:
+      return on_territory_faces(random);
+    case 28:
+      return beyond_float(random);
+    case 29:
+      return needles(random);
+    case 30:
+      return crowd_and_outposts(seed);
+    case 31:
+      return scaled_soup(seed, 1e-310, 0.0, "denormal coordinates");
     default:
       break;
   }
@@ -362,14 +367,14 @@ Mesh make_kind(int kind, std::uint64_t seed, Random& random) {
     mesh.name = "folded sheets, partial domain";
   }
   if (kind == 19) mesh.name = "soup, partial domain";
-  if (kind >= 18) cover_part(mesh, random);
+  if (kind == 18 || kind == 19) cover_part(mesh, random);
   return mesh;
 }
 
 }  // namespace
 
 int kinds() {
-  return 20;
+  return 32;
 }
 
 Mesh make_mesh(std::uint64_t seed) {
