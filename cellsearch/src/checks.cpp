@@ -51,7 +51,9 @@ void check_groups(const Scene& scene) {
   if (groups.count < 0) fail_layout("The number of groups is negative.");
   const bool given = groups.count > 0;
   const std::size_t count = static_cast<std::size_t>(groups.count);
-  if (groups.node_group.size() != (given ? scene.positions.count() : 0)) {
+  // Queries in which no node takes part need no groups of nodes either.
+  const bool no_nodes = scene.participants() == 0 && groups.node_group.empty();
+  if (!no_nodes && groups.node_group.size() != (given ? scene.positions.count() : 0)) {
     fail_layout("The number of node groups is not the number of nodes, or there are no groups.");
   }
   if (groups.segment_group.size() != (given ? scene.segments.count() : 0)) {
@@ -146,14 +148,6 @@ void throw_bad_segment(const Scene& scene, Index segment) {
                   ", but the nodes are numbered from 0 to " + std::to_string(count - 1) + ".");
 }
 
-void throw_bad_node(const Scene& scene, Index node) {
-  const double* xyz = scene.positions[node];
-  throw Error(ErrorKind::NonFiniteCoordinate, node,
-              "Node " + std::to_string(node) +
-                  " has a coordinate that is not finite: x = " + std::to_string(xyz[0]) +
-                  ", y = " + std::to_string(xyz[1]) + ", z = " + std::to_string(xyz[2]) + ".");
-}
-
 void throw_if_bad(const Scene& scene, const BlockSummary& total) {
   if (total.bad_place != none) {
     throw Error(ErrorKind::BadNodeList, total.bad_place,
@@ -162,7 +156,7 @@ void throw_if_bad(const Scene& scene, const BlockSummary& total) {
                     std::to_string(scene.participant(total.bad_place)) + ".");
   }
   if (total.bad_segment != none) throw_bad_segment(scene, total.bad_segment);
-  if (total.bad_node != none) throw_bad_node(scene, total.bad_node);
+  if (total.bad_node != none) throw_bad_position(scene.positions, total.bad_node);
   if (total.bad_expansion != none) {
     throw Error(
         ErrorKind::BadExpansion, total.bad_expansion,
@@ -192,7 +186,7 @@ void throw_if_bad(const Scene& scene, const BlockSummary& total) {
 
 void check_settings(const Settings& settings) {
   const auto fail = [](const char* message) { throw Error(ErrorKind::BadSetting, -1, message); };
-  if (settings.threads < 1) fail("The number of threads must be at least 1.");
+  check_threads(settings.threads);
   if (!(settings.cell_factor > 0.0) || !std::isfinite(settings.cell_factor)) {
     fail("The cell factor must be positive and finite.");
   }
@@ -201,16 +195,34 @@ void check_settings(const Settings& settings) {
   }
 }
 
-void check_layout(const Scene& scene) {
-  const std::size_t values = scene.positions.values().size();
-  const std::size_t stride = scene.positions.stride();
-  const std::size_t nodes = scene.positions.count();
-  const std::size_t segments = scene.segments.count();
+void check_positions(const Positions& positions) {
+  const std::size_t values = positions.values().size();
+  const std::size_t stride = positions.stride();
   if (stride < 3) fail_layout("The stride of the positions is below 3.");
   if (values % stride == 1 || values % stride == 2) {
     fail_layout("The last position has fewer than 3 coordinates.");
   }
-  if (nodes > most) fail_layout("There are more than 2147483647 nodes.");
+  if (positions.count() > most) fail_layout("There are more than 2147483647 nodes.");
+}
+
+void check_threads(int threads) {
+  if (threads < 1) {
+    throw Error(ErrorKind::BadSetting, -1, "The number of threads must be at least 1.");
+  }
+}
+
+void throw_bad_position(const Positions& positions, Index node) {
+  const double* xyz = positions[node];
+  throw Error(ErrorKind::NonFiniteCoordinate, node,
+              "Node " + std::to_string(node) +
+                  " has a coordinate that is not finite: x = " + std::to_string(xyz[0]) +
+                  ", y = " + std::to_string(xyz[1]) + ", z = " + std::to_string(xyz[2]) + ".");
+}
+
+void check_layout(const Scene& scene) {
+  check_positions(scene.positions);
+  const std::size_t nodes = scene.positions.count();
+  const std::size_t segments = scene.segments.count();
   if (scene.segments.nodes().size() % 4 != 0) {
     fail_layout("The connectivity is not a multiple of 4 node numbers.");
   }

@@ -10,6 +10,15 @@ namespace cellsearch {
 /// Throws Error(BadSetting) if a setting is out of its range. The domain is checked by CellGrid.
 void check_settings(const Settings& settings);
 
+/// Throws Error(BadSetting) if it is below 1.
+void check_threads(int threads);
+
+/// Throws Error(BadLayout) if the stride or the length does not fit. O(1).
+void check_positions(const Positions& positions);
+
+/// The error that names a node with a coordinate that is not finite.
+[[noreturn]] void throw_bad_position(const Positions& positions, Index node);
+
 /// What the checks of a scene learn on their way.
 struct SceneSummary {
   Box nodes;                    ///< bounding box of the participants [length]; empty if there are none
