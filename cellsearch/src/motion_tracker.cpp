@@ -107,6 +107,33 @@ void MotionTracker::start(const Positions& positions, std::span<const Index> nod
   remember(positions);
 }
 
+void MotionTracker::start(const Scene& scene) {
+  if (!scene.nodes) {
+    start(scene.positions);
+    return;
+  }
+  forget();
+  const std::size_t nodes = scene.positions.count();
+  of_segment_.assign(nodes, 0);
+  for (std::size_t s = 0; s < scene.segments.count(); ++s) {
+    const Index segment = static_cast<Index>(s);
+    if (!scene.active(segment)) continue;
+    for (const Index node : std::span(scene.segments[segment], 4)) {
+      if (node < 0 || static_cast<std::size_t>(node) >= nodes) {
+        throw Error(ErrorKind::BadConnectivity, segment,
+                    "Segment " + std::to_string(segment) + " names node " + std::to_string(node) +
+                        ", which does not exist.");
+      }
+      of_segment_[static_cast<std::size_t>(node)] = 1;
+    }
+  }
+  segment_nodes_.clear();
+  for (std::size_t node = 0; node < nodes; ++node) {
+    if (of_segment_[node] != 0) segment_nodes_.push_back(static_cast<Index>(node));
+  }
+  start(scene.positions, *scene.nodes, segment_nodes_);
+}
+
 /// Copies the lists and checks them.
 void MotionTracker::watch(const Positions& positions, std::span<const Index> nodes,
                           std::span<const Index> segment_nodes) {

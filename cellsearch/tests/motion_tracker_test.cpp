@@ -152,10 +152,45 @@ TEST(MotionTracker, ComparesTwoSurfacesWithEachOther) {
   points[3 * 0] -= 0.25;  // the other one comes along to one side
   two.update(Positions(points));
   EXPECT_EQ(two.motion(), (Point{1.0, 0.0, 0.0}));
+  points[3 * 3] -= 3.0;  // now the nodes' surface leads to the other side
+  two.update(Positions(points));
+  EXPECT_EQ(two.motion(), (Point{3.5, 0.0, 0.0}));
   two.start(Positions(points), nodes, {});
   points[3 * 3] -= 100.0;
   two.update(Positions(points));
   EXPECT_EQ(two.used(), 0.0);  // nobody to meet
+}
+
+TEST(MotionTracker, WatchesWhatASceneLooksAt) {
+  // Nodes 0 to 3 and 4 to 7 are segments, the second one eroded; node 8 is free.
+  std::vector<double> points(3 * 9, 1.0);
+  const std::vector<Index> connectivity{0, 1, 2, 3, 4, 5, 6, 7};
+  const std::vector<std::uint8_t> active{1, 0};
+  const std::vector<Index> listed{8};
+  Scene scene;
+  scene.positions = Positions(points);
+  scene.segments = Segments(connectivity);
+  scene.segment_active = active;
+  scene.nodes = listed;
+  const auto used_when = [&](std::size_t node, MotionTracker& tracker) {
+    points[3 * node] += 0.5;
+    tracker.update(scene.positions);
+    points[3 * node] -= 0.5;
+    return tracker.used();
+  };
+  MotionTracker tracker(1.0, 0.0);
+  tracker.start(scene);
+  EXPECT_EQ(used_when(3, tracker), 0.5);
+  EXPECT_EQ(used_when(5, tracker), 0.0);  // belongs to no segment any more and is not listed
+  EXPECT_EQ(used_when(8, tracker), 0.5);
+  scene.nodes.reset();
+  tracker.start(scene);
+  EXPECT_EQ(used_when(5, tracker), 0.5);
+  scene.nodes = listed;
+  const std::vector<Index> beyond{0, 1, 2, 9, 4, 5, 6, 7};
+  scene.segments = Segments(beyond);
+  expect_error(ErrorKind::BadConnectivity, 0, [&] { tracker.start(scene); });
+  EXPECT_TRUE(tracker.due());
 }
 
 // The bound is sharp. A unit square, c = 0.5, h = 0.125: a node just outside the territory moves down by

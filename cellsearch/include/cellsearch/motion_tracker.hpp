@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "cellsearch/array.hpp"
@@ -27,9 +28,9 @@ namespace cellsearch {
 ///       if (tracker.due()) { search.find(scene); tracker.start(scene.positions, nodes); }
 ///     }
 ///
-/// Where the expansion differs by segment, give the smallest difference of expansion and contact distance
-/// over all segments. With cells over part of the model only, nodes that enter them are candidates from the
-/// next search on. Start anew as well when nodes, segments or activity flags change.
+/// Where expansions, radii or contact distances differ, give the smallest difference of expansion (with
+/// radius) and contact distance over all pairs. With cells over part of the model only, nodes that enter them
+/// are candidates from the next search on. Start anew as well when nodes, segments or activity flags change.
 ///
 /// An object may be used by one thread at a time. All results are bitwise the same for any number of threads.
 /// start() and update() read each watched node once: O(N) time, 28 bytes per watched node.
@@ -53,6 +54,11 @@ class MotionTracker {
   /// within each of the two lists then uses up nothing: two bodies that deform much but keep still relative
   /// to each other do not count as moving. Errors name the place in the two lists, one behind the other.
   void start(const Positions& positions, std::span<const Index> nodes, std::span<const Index> segment_nodes);
+
+  /// The same for what a search of `scene` looks at: all nodes, or, if it lists its nodes, these against the
+  /// nodes of its active segments as two surfaces. The scene's expansion is
+  /// not looked at: c is the constructor's. Throws Error(BadConnectivity) as well.
+  void start(const Scene& scene);
 
   /// Compares `positions` with those at the start: afterwards motion(), used(), left() and due() speak of
   /// now. Throws Error(NonFiniteCoordinate), naming the smallest such node, if a watched coordinate is not a
@@ -114,7 +120,9 @@ class MotionTracker {
   std::size_t second_ = 0;  // where the second list begins; count_ if there is one only
   bool two_lists_ = false;
   bool started_ = false;
-  Index highest_ = -1;  // the highest number of a watched node
+  Index highest_ = -1;              // the highest number of a watched node
+  Array<std::uint8_t> of_segment_;  // by node: whether it belongs to an active segment; for start() only
+  Array<Index> segment_nodes_;
   Array<double> reference_;
   double largest_reference_ = 0.0;  // largest absolute coordinate at the start [length]
   Point motion_;

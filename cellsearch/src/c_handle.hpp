@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <new>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "cellsearch/array.hpp"
+#include "cellsearch/cellsearch.h"
+#include "cellsearch/error.hpp"
+#include "cellsearch/motion_tracker.hpp"
+#include "cellsearch/search.hpp"
+#include "parallel.hpp"
+
+namespace cellsearch::c_interface {
+
+inline constexpr std::int64_t largest_count = std::numeric_limits<Index>::max();
+
+/// What this interface refuses by itself.
+struct Refusal {
+  std::int32_t status;
+  const char* message;
+};
+
+inline void demand(bool fulfilled, std::int32_t status, const char* message) {
+  if (!fulfilled) throw Refusal{status, message};
+}
+
+/// Adds `shift` to every number. Bad input must not become good by running over.
+template <class Number>
+void copy_shifted(std::span<const Number> from, Number shift, int threads, Array<Number>& to) {
+  to.resize(from.size());
+  constexpr int blocks = 64;
+  const auto size = static_cast<std::size_t>(blocks);
+  for_blocks(threads, blocks, [&](int block) {
+    const std::size_t begin = from.size() * static_cast<std::size_t>(block) / size;
+    const std::size_t end = from.size() * (static_cast<std::size_t>(block) + 1) / size;
+    for (std::size_t place = begin; place < end; ++place) {
+      const Number number = from[place];
+      to[place] = number == std::numeric_limits<Number>::min() ? number : number + shift;
+    }
+  });
+}
+
+inline std::int32_t status_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::BadLayout:
+      return CELLSEARCH_BAD_LAYOUT;
+    case ErrorKind::EmptyInput:
+      return CELLSEARCH_EMPTY_INPUT;
+    case ErrorKind::NonFiniteCoordinate:
+      return CELLSEARCH_NON_FINITE_COORDINATE;
+    case ErrorKind::BadConnectivity:
+      return CELLSEARCH_BAD_CONNECTIVITY;
+    case ErrorKind::BadExpansion:
+      return CELLSEARCH_BAD_EXPANSION;
+    case ErrorKind::BadRadius:
+      return CELLSEARCH_BAD_RADIUS;
+    case ErrorKind::BadNodeGroup:
+      return CELLSEARCH_BAD_NODE_GROUP;
+    case ErrorKind::BadSegmentGroup:
+      return CELLSEARCH_BAD_SEGMENT_GROUP;
+    case ErrorKind::BadNodeList:
+      return CELLSEARCH_BAD_NODE_LIST;
+    case ErrorKind::BadDomain:
+      return CELLSEARCH_BAD_DOMAIN;
+    case ErrorKind::BadSetting:
+      return CELLSEARCH_BAD_SETTING;
+    case ErrorKind::UnsuitedMethod:
+      return CELLSEARCH_UNSUITED_METHOD;
+  }
+  return CELLSEARCH_INTERNAL_ERROR;
+}
+
+/// The library counts from 0; the same sentence for callers who count from 1. Empty where no number is said.
+inline std::string message_from_one(std::int32_t status, const std::string& number) {
+  switch (status) {
+    case CELLSEARCH_NON_FINITE_COORDINATE:
+      return "Node " + number + " has a coordinate that is not finite.";
+    case CELLSEARCH_BAD_CONNECTIVITY:
+      return "Segment " + number + " names a node that does not exist; nodes are numbered from 1.";
+    case CELLSEARCH_BAD_EXPANSION:
+      return "The expansion of segment " + number + " is negative or not finite.";
+    case CELLSEARCH_BAD_NODE_LIST:
+      return "Entry " + number + " of the list of nodes is out of range or not above the one before.";
+    case CELLSEARCH_BAD_RADIUS:
+      return "The radius of node " + number + " is negative or not finite.";
+    case CELLSEARCH_BAD_NODE_GROUP:
+      return "The group of node " + number + " is out of range.";
+    case CELLSEARCH_BAD_SEGMENT_GROUP:
+      return "The group of segment " + number + " is out of range.";
+    case CELLSEARCH_UNSUITED_METHOD:
+      return "The method is not made for scenes like this: segment " + number + " is too large or too small.";
+    default:
+      return "";
+  }
+}
+
+/// A search with what the caller has set. The views are the caller's arrays in the caller's numbering.
+struct Handle {
+  Settings settings;
+  Search search;
+  std::optional<MotionTracker> tracker;
+  double tracked_expansion = 0.0;
+  double tracked_distance = 0.0;
+  Scene scene;
+  Index base = 0;
+  bool built = false;
+
+  // Node numbers from 0, and results in the caller's numbering; not used if that is from 0 as well.
+  Array<Index> connectivity;
+  Array<Index> nodes;
+  Array<Index> node_group;
+  Array<Index> segment_group;
+  Array<Offset> first;
+  Array<Index> node;
+
+  std::int32_t status = CELLSEARCH_OK;
+  std::int64_t error_index = -1;
+  std::array<char, 512> message{};
+
+  void set_error(std::int32_t code, std::int64_t index, const char* text) noexcept {
+    status = code;
+    error_index = index;
+    const std::size_t length = std::min(std::strlen(text), message.size() - 1);
+    std::memcpy(message.data(), text, length);
+    message[length] = '\0';
+  }
+
+  void set_error(const Error& error) {
+    const std::int32_t code = status_of(error.kind());
+    const bool shifted = base != 0 && error.index() >= 0 && code != CELLSEARCH_BAD_DOMAIN;
+    const std::int64_t index = std::int64_t{error.index()} + (shifted ? base : 0);
+    const std::string own = shifted ? message_from_one(code, std::to_string(index)) : "";
+    set_error(code, index, own.empty() ? error.what() : own.c_str());
+  }
+
+  /// A search with other settings. Those that cannot be followed throw, and the old ones stay.
+  void apply(const Settings& wanted) {
+    search = Search(wanted);
+    settings = wanted;
+    built = false;
+  }
+
+  std::span<const Index> from_zero(std::span<const Index> numbers, Array<Index>& copy) const {
+    if (base == 0) return numbers;
+    copy_shifted(numbers, -base, settings.threads, copy);
+    return copy;
+  }
+
+  void build() {
+    built = false;
+    Scene from_0 = scene;
+    from_0.segments = Segments(from_zero(scene.segments.nodes(), connectivity));
+    if (scene.nodes) from_0.nodes = from_zero(*scene.nodes, nodes);
+    from_0.groups.node_group = from_zero(scene.groups.node_group, node_group);
+    from_0.groups.segment_group = from_zero(scene.groups.segment_group, segment_group);
+    search.build(from_0);
+    built = true;
+  }
+
+  void demand_build() const {
+    demand(built, CELLSEARCH_NOT_BUILT, "There was no successful build since the last change.");
+  }
+
+  /// Keeps the memory of the tracker where it can.
+  void start_tracker(double expansion, double contact_distance) {
+    demand_build();
+    if (!tracker || tracked_expansion != expansion || tracked_distance != contact_distance) {
+      tracker.emplace(expansion, contact_distance, settings.threads);
+      tracked_expansion = expansion;
+      tracked_distance = contact_distance;
+    }
+    tracker->start(search.scene());
+  }
+
+  void query(const std::int64_t** rows, const std::int32_t** found_nodes, std::int64_t* pairs) {
+    demand_build();
+    const Candidates& found = search.query();
+    const Offset* row = found.first.data();
+    const Index* nodes_of_rows = found.node.data();
+    if (base != 0) {
+      copy_shifted<Offset>(found.first, base, settings.threads, first);
+      copy_shifted<Index>(found.node, base, settings.threads, node);
+      row = first.data();
+      nodes_of_rows = node.data();
+    }
+    if (rows != nullptr) *rows = row;
+    if (found_nodes != nullptr) *found_nodes = nodes_of_rows;
+    if (pairs != nullptr) *pairs = found.pairs();
+  }
+};
+
+}  // namespace cellsearch::c_interface
+
+/// Behind the opaque pointer.
+struct cellsearch_handle : cellsearch::c_interface::Handle {};
