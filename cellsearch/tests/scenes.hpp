@@ -82,15 +82,16 @@ Mesh crushed_tube(int nodes, std::uint64_t seed);
 /// Two folded sheets 0.3 edges apart, 10% of whose area is refined 8 times.
 Mesh refined_sheets(int nodes, std::uint64_t seed);
 
-/// Two folded sheets with spots refined in three steps, edges of 1, 1/10, 1/100 and 1/1000 in the
-/// proportion 12 : 29 : 29 : 30 of segments; the spots of one sheet face coarse segments of the other.
+/// Two folded sheets with spots refined in five steps of 4, from edges of 1 to edges of 1/1024; of 115
+/// segments 39 are coarse and 15, 15, 15, 15 and 16 of the finer sizes. The spots of one sheet face coarse
+/// segments of the other. Each segment is expanded by 0.1 of its own edge.
 Mesh steeply_refined_sheets(int nodes, std::uint64_t seed);
 
 /// Plates, profiles, tubes and boxes with edges of 0.5 to 3, in the shape of a vehicle and mostly empty
 /// space.
 Mesh vehicle_parts(int nodes, std::uint64_t seed);
 
-/// Small quadrilaterals and triangles at random places and in random positions.
+/// Small quadrilaterals and triangles at random places, four nodes for each of its own.
 Mesh small_soup(int nodes, std::uint64_t seed);
 
 /// The parts of vehicle_parts() scattered over a space a million times their size.

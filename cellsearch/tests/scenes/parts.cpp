@@ -197,17 +197,35 @@ Mesh sparse_parts(int nodes, std::uint64_t seed) {
 Mesh small_soup(int nodes, std::uint64_t seed) {
   Mesh mesh{.name = "small soup"};
   Random random(seed);
-  const int segments = std::max(1, nodes / 4);
-  const double nodes_per_volume = 0.5;
-  const double size = cube_root(1e9 * nodes / nodes_per_volume) / 1000.0;
-  for (int segment = 0; segment < segments; ++segment) {
-    const Point middle = random_point(random, size);
-    const double half = random.uniform(0.3, 0.9);
+  // Cubes of 4 x 4 x 4 segments, each at a random place in a cube of its own: a soup without cubes would have
+  // a larger share of its segments at its surface the smaller it is. Thirteen different ones take turns, or
+  // chance alone would make small scenes differ from large ones by some percent.
+  const std::uint64_t different_cubes = 13;
+  const int side = 4;
+  const int cube = side * side * side;
+  const double pitch = 1.5;
+  const int cubes = std::max(1, (nodes + 2 * cube) / (4 * cube));
+  const int wide = cube_root(cubes);
+  Point corner{};
+  const auto on_lattice = [](int number, int width) {
+    return std::array<int, 3>{number % width, number / width % width, number / width / width};
+  };
+  Random inside(seed);
+  for (int segment = 0; segment < cubes * cube; ++segment) {
+    if (segment % cube == 0) {
+      const int number = segment / cube;
+      const auto place = on_lattice(number, wide);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        corner[axis] = 8.0 * place[axis] + random.uniform(0.0, 1.0);
+      inside = Random(seed + 1 + static_cast<std::uint64_t>(number) % different_cubes);
+    }
+    const auto place = on_lattice(segment % cube, side);
+    Point middle = random_point(inside, pitch);
+    for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] += corner[axis] + pitch * place[axis];
+    const double half = inside.uniform(0.5, 1.0);
     const Index first = static_cast<Index>(mesh.node_count());
-    for (int corner = 0; corner < 4; ++corner) {
-      Point p = jittered(middle, half, random);
-      // Reflected at the faces, so that the density is the same up to them.
-      for (double& coordinate : p) coordinate = size - std::fabs(size - std::fabs(coordinate));
+    for (int node = 0; node < 4; ++node) {
+      const Point p = jittered(middle, half, inside);
       mesh.add_node(p[0], p[1], p[2]);
     }
     // Every eighth is a triangle, its fourth node a free one.

@@ -167,9 +167,8 @@ class SheetMaker {
 };
 
 /// A sheet's lattice and the length of its legs, such that the folded block is about a cube: with columns C,
-/// legs of C and 3.2 edges from leg to leg there are C^3 / 3.2 elements. Legs are whole waves, and whole
-/// periods of the spots too, so that small scenes have the same orientations in the same proportions as
-/// large ones.
+/// legs of C and 3.2 edges from leg to leg there are C^3 / 3.2 elements. Legs and columns are whole waves, so
+/// that small scenes have the same orientations in the same proportions as large ones.
 struct Block {
   Lattice lattice{};
   double leg = 0.0;
@@ -177,11 +176,10 @@ struct Block {
 
 Block block_of(double elements, const Spots& spots) {
   const int cube = cube_root(3.2 * elements);
-  const int across =
-      std::max(1, (cube + spots.period_columns / 2) / spots.period_columns) * spots.period_columns;
+  const int across = 16 * std::max(1, (cube + 8) / 16);
   const double along = elements / across / spots.period_rows;
   const int rows = std::max(1, static_cast<int>(along + 0.5)) * spots.period_rows;
-  return {{0.0, 0.0, 1.0, rows, across}, 10.0 * std::max(1, (cube + 5) / 10)};
+  return {{0.0, 0.0, 1.0, rows, across}, 10.0 * std::max(2, (cube + 5) / 10)};
 }
 
 void finish(Mesh& mesh) {
@@ -221,13 +219,13 @@ Mesh refined_sheets(int nodes, std::uint64_t seed) {
 Mesh steeply_refined_sheets(int nodes, std::uint64_t seed) {
   Mesh mesh{.name = "steeply refined sheets"};
   Random random(seed);
-  Refinement refinement{{5, 8, 0, 0, 1}, 10, 3};
-  const Block block = block_of(0.5 * nodes * 40.0 / 380.0, refinement.spots);
+  Refinement refinement{{5, 8, 1, 2, 1}, 4, 5};
+  const Block block = block_of(0.5 * nodes * 40.0 / 140.0, refinement.spots);
   for (const double offset : {-0.25, 0.25}) {
     SheetMaker maker(mesh, random, {block.leg, offset}, refinement);
     maker.add(block.lattice);
-    refinement.spots.first_row = 2;
-    refinement.spots.first_column = 4;
+    refinement.spots.first_row = 3;
+    refinement.spots.first_column = 6;
   }
   mesh.rotate(0.1, 0.081);
   // One expansion for all would reach a hundred edges beyond the smallest.
