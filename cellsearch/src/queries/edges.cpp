@@ -43,8 +43,8 @@ Array<Index> unique_edges(const Segments& segments, std::span<const std::uint8_t
     edges.push_back((static_cast<std::uint64_t>(std::min(from, to)) << 32) |
                     static_cast<std::uint64_t>(std::max(from, to)));
   }
-  Array<std::uint64_t> scratch;
-  radix_sort(edges, scratch);
+  Array<std::uint64_t> scratch(edges.size());
+  radix_sort(std::span(edges), std::span(scratch), [](std::uint64_t edge) { return edge; });
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   Array<Index> nodes(2 * edges.size());
   for (std::size_t edge = 0; edge < edges.size(); ++edge) {
