@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# cmake -DPREFIX=installed -DWORK=folder -DCOMPILER=compiler -DLANGUAGE=C|Fortran -DPKG_CONFIG=program -P this
+# A user with a compiler and pkg-config only: compiles the example by what pkg-config says, after the installed tree
+# was moved to another place, and looks at what it prints.
+file(REMOVE_RECURSE ${WORK})
+file(MAKE_DIRECTORY ${WORK})
+file(COPY ${PREFIX}/ DESTINATION ${WORK}/moved)
+file(GLOB_RECURSE description ${WORK}/moved/*/cellsearch.pc)
+get_filename_component(folder ${description} DIRECTORY)
+set(ENV{PKG_CONFIG_PATH} ${folder})
+
+function(run result)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE output ERROR_VARIABLE output
+    RESULT_VARIABLE status OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${ARGN}: ${output}")
+  endif()
+  set(${result} "${output}" PARENT_SCOPE)
+endfunction()
+
+set(examples ${CMAKE_CURRENT_LIST_DIR}/../../examples)
+if(LANGUAGE STREQUAL "C")
+  set(sources ${examples}/c_example.c)
+  set(expected "segment 0: 4 5 6 7\nsegment 1: 0 1 2 3")
+else()
+  run(module ${PKG_CONFIG} --variable=fortran_source cellsearch)
+  set(sources ${module} ${examples}/fortran_example.f90)
+  set(expected "segment 1: 5 6 7 8\nsegment 2: 1 2 3 4")
+endif()
+foreach(kind "" --static)
+  run(flags ${PKG_CONFIG} ${kind} --cflags --libs cellsearch)
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  if(NOT "${flags}" MATCHES "${WORK}")
+    message(FATAL_ERROR "The flags do not follow the moved tree: ${flags}")
+  endif()
+  run(compiled ${COMPILER} ${sources} ${flags} -o two_plates)
+  run(output ${WORK}/two_plates)
+  if(NOT output STREQUAL expected)
+    message(FATAL_ERROR "Printed: ${output}")
+  endif()
+endforeach()
