@@ -97,6 +97,7 @@ class MotionTracker {
   /// The positions at the start [length], 3 numbers per watched node in the order of the list(s): all that
   /// this object remembers between updates. Writable, so that a program that restarts can put them back.
   std::span<double> reference() { return reference_; }
+  std::span<const double> reference() const { return reference_; }
 
  private:
   struct Range;
