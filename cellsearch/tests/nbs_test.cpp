@@ -46,7 +46,7 @@ TEST(BodyLists, ForgetOneListAndTakeItsBodiesAgain) {
   EXPECT_EQ(lists.integers(), 2);
 }
 
-// Nodes at 0.5, 1.5, ..., 9.5 along x, all with y = z = 0.5; territories of 0.99 around nodes 0, 3 and 9.
+// Nodes at 0.5, 1.5, ..., 9.5 along x, all with y = z = 0.5; territories of 1.98 around nodes 0, 3 and 9.
 // The extent of 9 gives 9 cells of 1: nodes 0..8 in cells 0..8, and node 9, on the upper end, in cell 8 too.
 // Node 0 meets those of cells 0 1, node 3 those of 2 3 4, node 9 those of 7 8: 2 + 3 + 3 nodes.
 TEST(Nbs, MeetsTheNodesOfItsCellAndTheNeighbours) {
@@ -55,7 +55,7 @@ TEST(Nbs, MeetsTheNodesOfItsCellAndTheNeighbours) {
     scene.positions.insert(scene.positions.end(), {node + 0.5, 0.5, 0.5});
   }
   scene.connectivity = {0, 0, 0, 0, 3, 3, 3, 3, 9, 9, 9, 9};
-  scene.expansion = 0.495;
+  scene.expansion = 0.99;
   Nbs nbs;
   nbs.build(scene.input(123.0));  // the wanted edge does not matter
   EXPECT_EQ(nbs.axis(0).count, 9);
@@ -68,9 +68,10 @@ TEST(Nbs, MeetsTheNodesOfItsCellAndTheNeighbours) {
   EXPECT_EQ(rows.cell_visits, 2 + 3 + 2);
 }
 
-// A lattice of 7 x 7 x 7 nodes a unit apart, and a territory of 1.5 around the one in the middle and the one
-// in the first corner: 4 cells of 1.5 along each axis, with the nodes 0 1 | 2 | 3 4 | 5 6. The middle is in
-// the third of them and meets the last three: 5 nodes along each axis. The corner meets 0 1 2.
+// A lattice of 7 x 7 x 7 nodes a unit apart, and territories of almost 3 around the one in the middle and the
+// one in the first corner: 4 cells of 1.5 along each axis, with the nodes 0 1 | 2 | 3 4 | 5 6. The middle is
+// in the third of them and meets the last three: 5 nodes along each axis. The corner meets 0 1 2. Inside the
+// territories are the next nodes on all sides: 3^3 - 1 and 2^3 - 1.
 TEST(Nbs, MeetsTwentySevenCellsInSpace) {
   FinderScene scene;
   for (int z = 0; z < 7; ++z) {
@@ -82,13 +83,13 @@ TEST(Nbs, MeetsTwentySevenCellsInSpace) {
   }
   const Index middle = 3 + 7 * (3 + 7 * 3);
   scene.connectivity = {middle, middle, middle, middle, 0, 0, 0, 0};
-  scene.expansion = 0.7499;
+  scene.expansion = 1.4998;
   Nbs nbs;
   nbs.build(scene.input(1.0));
   EXPECT_EQ(nbs.cells(), 4 * 4 * 4);
   const FinderRows rows(nbs, scene);
   EXPECT_EQ(rows.raw_visits, 5 * 5 * 5 + 3 * 3 * 3);
-  EXPECT_TRUE(rows.nodes.empty());
+  EXPECT_EQ(rows.ends, (std::vector<Offset>{26, 26 + 7}));
 }
 
 // A strip of `small` territories of 1 and a last one of `size`.

@@ -80,10 +80,10 @@ void Nbs::make_cells(double largest) {
   for (int axis = 0; axis < 3; ++axis) {
     farthest = std::max({farthest, std::fabs(bounds_.lo[axis]), std::fabs(bounds_.hi[axis])});
   }
-  // Half a territory is half a cell at most; the additions keep the difference of two cell numbers at 1
-  // although the centre, the coordinate's distance from lo and the number of the cell are all rounded.
+  // A node is at most half a territory from the centre. What is added keeps the difference of the two cell
+  // numbers at 1 although the centre, the distance from the first cell and the number itself are all rounded.
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const double width = largest * (1.0 + 0x1p-20) + 8.0 * epsilon * (farthest + largest);
+  const double width = (0.5 + 0x1p-20) * largest + 8.0 * epsilon * (farthest + largest);
   const std::size_t bodies = input_.scene.participants() + bodies_.size();
   const Index most = static_cast<Index>(std::min(bodies, static_cast<std::size_t>(AxisCells::most_cells)));
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -53,9 +53,11 @@ class BodyLists {
 /// there is nothing to sort or to search.
 ///
 /// Here two kinds of bodies meet. A segment is a body as large as its territory, with the territory's centre;
-/// a node is a body of size 0. Cells are a little larger than the largest territory, so a node inside a
-/// territory is no further than half a cell from its centre along each axis, hence in the same cell or in one
-/// of its 26 neighbours: nothing is missed. But cells of that size cost small territories many visits: the
+/// a node is a body of size 0. The original makes a cell as wide as the centres of two bodies in contact can
+/// be apart, the size of the largest body; between a territory and a point that is half the largest
+/// territory, and so wide (and a little wider, for rounding) are the cells here. A node inside a territory is
+/// no further than a cell from its centre along each axis, hence in the same cell or in one of its 26
+/// neighbours: nothing is missed. But cells made for the largest territory cost small ones many visits: the
 /// method is for bodies of similar size, and build() refuses a scene whose largest territory exceeds
 /// `size_limit` times the mean one with Error(UnsuitedMethod), naming the segment. The size of a territory is
 /// the longest side of its box. Nodes outside a given domain, and segments that are not active or do not
