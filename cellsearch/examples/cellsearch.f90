@@ -13,6 +13,7 @@ module cellsearch
   public :: cellsearch_set_nodes, cellsearch_set_node_radius, cellsearch_set_active
   public :: cellsearch_set_exclude_neighbours, cellsearch_set_groups
   public :: cellsearch_build, cellsearch_find, cellsearch_visit, cellsearch_statistics, cellsearch_verify
+  public :: cellsearch_segment_pairs, cellsearch_edges, cellsearch_edge_pairs, cellsearch_nearest
   public :: cellsearch_motion_start, cellsearch_motion_update, cellsearch_motion_steps, cellsearch_interval
 
   integer(c_int32_t), parameter, public :: cellsearch_ok = 0, cellsearch_bad_layout = 1, &
@@ -238,6 +239,46 @@ module cellsearch
       integer(c_int32_t) :: status
     end function
 
+    function c_segment_pairs(handle, exclude_shared_nodes, first, second, pairs) result(status) &
+      bind(C, name="cellsearch_segment_pairs")
+      import :: c_ptr, c_int32_t, c_int64_t
+      type(c_ptr), value :: handle
+      integer(c_int32_t), value :: exclude_shared_nodes
+      type(c_ptr), intent(out) :: first, second
+      integer(c_int64_t), intent(out) :: pairs
+      integer(c_int32_t) :: status
+    end function
+
+    function c_edges(handle, nodes, edges) result(status) bind(C, name="cellsearch_edges")
+      import :: c_ptr, c_int32_t, c_int64_t
+      type(c_ptr), value :: handle
+      type(c_ptr), intent(out) :: nodes
+      integer(c_int64_t), intent(out) :: edges
+      integer(c_int32_t) :: status
+    end function
+
+    function c_edge_pairs(handle, expansion, exclude_shared_nodes, first, second, pairs) result(status) &
+      bind(C, name="cellsearch_edge_pairs")
+      import :: c_ptr, c_int32_t, c_int64_t, c_double
+      type(c_ptr), value :: handle
+      real(c_double), value :: expansion
+      integer(c_int32_t), value :: exclude_shared_nodes
+      type(c_ptr), intent(out) :: first, second
+      integer(c_int64_t), intent(out) :: pairs
+      integer(c_int32_t) :: status
+    end function
+
+    function c_nearest(handle, neighbours, largest_distance, exclude_connected, first, node, distance, count) &
+      result(status) bind(C, name="cellsearch_nearest")
+      import :: c_ptr, c_int32_t, c_int64_t, c_double
+      type(c_ptr), value :: handle
+      integer(c_int32_t), value :: neighbours, exclude_connected
+      real(c_double), value :: largest_distance
+      type(c_ptr), intent(out) :: first, node, distance
+      integer(c_int64_t), intent(out) :: count
+      integer(c_int32_t) :: status
+    end function
+
     function c_error_message(handle) result(text) bind(C, name="cellsearch_error_message")
       import :: c_ptr
       type(c_ptr), value :: handle
@@ -275,6 +316,78 @@ contains
     if (status /= cellsearch_ok) return
     call c_f_pointer(first_of, first, [segments + 1])
     call c_f_pointer(node_of, node, [pairs])
+  end function
+
+  !> Pairs i < j of segments: those of i are second(first(i):first(i + 1) - 1). The arrays of this and of the functions
+  !> below belong to the handle and hold until the next call of the same function; after an error they are null.
+  function cellsearch_segment_pairs(handle, segments, exclude_shared_nodes, first, second) result(status)
+    type(c_ptr), intent(in) :: handle
+    integer(c_int64_t), intent(in) :: segments !< as many as were set
+    logical, intent(in) :: exclude_shared_nodes
+    integer(c_int64_t), pointer, intent(out) :: first(:)
+    integer(c_int32_t), pointer, intent(out) :: second(:)
+    integer(c_int32_t) :: status
+    type(c_ptr) :: first_of, second_of
+    integer(c_int64_t) :: pairs
+    nullify (first, second)
+    status = c_segment_pairs(handle, merge(1_c_int32_t, 0_c_int32_t, exclude_shared_nodes), first_of, second_of, pairs)
+    if (status /= cellsearch_ok) return
+    call c_f_pointer(first_of, first, [segments + 1])
+    call c_f_pointer(second_of, second, [pairs])
+  end function
+
+  !> The different edges of the active segments: nodes(1, e) < nodes(2, e).
+  function cellsearch_edges(handle, nodes) result(status)
+    type(c_ptr), intent(in) :: handle
+    integer(c_int32_t), pointer, intent(out) :: nodes(:, :)
+    integer(c_int32_t) :: status
+    type(c_ptr) :: nodes_of
+    integer(c_int64_t) :: edges
+    nullify (nodes)
+    status = c_edges(handle, nodes_of, edges)
+    if (status == cellsearch_ok) call c_f_pointer(nodes_of, nodes, [2_c_int64_t, edges])
+  end function
+
+  !> Pairs e < f of these edges, rows as for segments. `edges`: their number, size(nodes, 2).
+  function cellsearch_edge_pairs(handle, edges, expansion, exclude_shared_nodes, first, second) result(status)
+    type(c_ptr), intent(in) :: handle
+    integer(c_int64_t), intent(in) :: edges
+    real(c_double), intent(in) :: expansion !< [length]
+    logical, intent(in) :: exclude_shared_nodes
+    integer(c_int64_t), pointer, intent(out) :: first(:)
+    integer(c_int32_t), pointer, intent(out) :: second(:)
+    integer(c_int32_t) :: status
+    type(c_ptr) :: first_of, second_of
+    integer(c_int64_t) :: pairs
+    nullify (first, second)
+    status = c_edge_pairs(handle, expansion, merge(1_c_int32_t, 0_c_int32_t, exclude_shared_nodes), first_of, &
+                          second_of, pairs)
+    if (status /= cellsearch_ok) return
+    call c_f_pointer(first_of, first, [edges + 1])
+    call c_f_pointer(second_of, second, [pairs])
+  end function
+
+  !> The nearest nodes of node p: node(first(p):first(p + 1) - 1), at the distances [length] in the same places.
+  function cellsearch_nearest(handle, nodes, neighbours, largest_distance, exclude_connected, first, node, distance) &
+    result(status)
+    type(c_ptr), intent(in) :: handle
+    integer(c_int64_t), intent(in) :: nodes !< as many as were set
+    integer(c_int32_t), intent(in) :: neighbours
+    real(c_double), intent(in) :: largest_distance !< [length]
+    logical, intent(in) :: exclude_connected
+    integer(c_int64_t), pointer, intent(out) :: first(:)
+    integer(c_int32_t), pointer, intent(out) :: node(:)
+    real(c_double), pointer, intent(out) :: distance(:)
+    integer(c_int32_t) :: status
+    type(c_ptr) :: first_of, node_of, distance_of
+    integer(c_int64_t) :: count
+    nullify (first, node, distance)
+    status = c_nearest(handle, neighbours, largest_distance, merge(1_c_int32_t, 0_c_int32_t, exclude_connected), &
+                       first_of, node_of, distance_of, count)
+    if (status /= cellsearch_ok) return
+    call c_f_pointer(first_of, first, [nodes + 1])
+    call c_f_pointer(node_of, node, [count])
+    call c_f_pointer(distance_of, distance, [count])
   end function
 
   !> One sentence about the last error of the handle; empty after success.

@@ -15,9 +15,12 @@
 
 #include "cellsearch/array.hpp"
 #include "cellsearch/cellsearch.h"
+#include "cellsearch/edge_pairs.hpp"
 #include "cellsearch/error.hpp"
 #include "cellsearch/motion_tracker.hpp"
+#include "cellsearch/nearest_nodes.hpp"
 #include "cellsearch/search.hpp"
+#include "cellsearch/segment_pairs.hpp"
 #include "parallel.hpp"
 
 namespace cellsearch::c_interface {
@@ -104,6 +107,52 @@ inline std::string message_from_one(std::int32_t status, const std::string& numb
   }
 }
 
+/// Rows that were given out in the caller's numbering; not used if that is from 0.
+struct LentRows {
+  Array<Offset> first;
+  Array<Index> entries;
+
+  /// Each of the three places may be null.
+  void lend(const Array<Offset>& found_first, const Array<Index>& found_entries, Index base, int threads,
+            const std::int64_t** rows, const std::int32_t** row_entries, std::int64_t* count) {
+    if (base != 0) {
+      copy_shifted<Offset>(found_first, base, threads, first);
+      copy_shifted<Index>(found_entries, base, threads, entries);
+    }
+    if (rows != nullptr) *rows = base == 0 ? found_first.data() : first.data();
+    if (row_entries != nullptr) *row_entries = base == 0 ? found_entries.data() : entries.data();
+    if (count != nullptr) *count = static_cast<std::int64_t>(found_entries.size());
+  }
+};
+
+/// A search object of a further query, kept for its memory as long as its settings are the same.
+template <class Kind>
+struct Kept {
+  std::optional<Kind> search;
+  std::array<double, 4> key{};
+
+  template <class Settings>
+  Kind& with(const std::array<double, 4>& wanted, const Settings& settings) {
+    if (!search || key != wanted) {
+      search.emplace(settings);
+      key = wanted;
+    }
+    return *search;
+  }
+};
+
+/// What the queries beside the one of nodes and segments keep.
+struct FurtherQueries {
+  Kept<SegmentPairSearch> segment_search;
+  LentRows segment_pairs;
+  Array<Index> edges;       // from 0
+  Array<Index> lent_edges;  // as the caller counts
+  Kept<EdgePairSearch> edge_search;
+  LentRows edge_pairs;
+  Kept<NearestSearch> nearest_search;
+  LentRows nearest;
+};
+
 /// A search with what the caller has set. The views are the caller's arrays in the caller's numbering.
 struct Handle {
   Settings settings;
@@ -115,13 +164,13 @@ struct Handle {
   Index base = 0;
   bool built = false;
 
-  // Node numbers from 0, and results in the caller's numbering; not used if that is from 0 as well.
+  // Node numbers from 0; not used if the caller counts from 0 as well.
   Array<Index> connectivity;
   Array<Index> nodes;
   Array<Index> node_group;
   Array<Index> segment_group;
-  Array<Offset> first;
-  Array<Index> node;
+  LentRows candidates;
+  FurtherQueries further;
 
   std::int32_t status = CELLSEARCH_OK;
   std::int64_t error_index = -1;
@@ -156,14 +205,19 @@ struct Handle {
     return copy;
   }
 
-  void build() {
-    built = false;
+  /// The scene with all numbers from 0.
+  Scene scene_from_zero() {
     Scene from_0 = scene;
     from_0.segments = Segments(from_zero(scene.segments.nodes(), connectivity));
     if (scene.nodes) from_0.nodes = from_zero(*scene.nodes, nodes);
     from_0.groups.node_group = from_zero(scene.groups.node_group, node_group);
     from_0.groups.segment_group = from_zero(scene.groups.segment_group, segment_group);
-    search.build(from_0);
+    return from_0;
+  }
+
+  void build() {
+    built = false;
+    search.build(scene_from_zero());
     built = true;
   }
 
@@ -185,17 +239,7 @@ struct Handle {
   void query(const std::int64_t** rows, const std::int32_t** found_nodes, std::int64_t* pairs) {
     demand_build();
     const Candidates& found = search.query();
-    const Offset* row = found.first.data();
-    const Index* nodes_of_rows = found.node.data();
-    if (base != 0) {
-      copy_shifted<Offset>(found.first, base, settings.threads, first);
-      copy_shifted<Index>(found.node, base, settings.threads, node);
-      row = first.data();
-      nodes_of_rows = node.data();
-    }
-    if (rows != nullptr) *rows = row;
-    if (found_nodes != nullptr) *found_nodes = nodes_of_rows;
-    if (pairs != nullptr) *pairs = found.pairs();
+    candidates.lend(found.first, found.node, base, settings.threads, rows, found_nodes, pairs);
   }
 };
 
@@ -203,3 +247,30 @@ struct Handle {
 
 /// Behind the opaque pointer.
 struct cellsearch_handle : cellsearch::c_interface::Handle {};
+
+namespace cellsearch::c_interface {
+
+/// Runs `call` and turns whatever it throws into the status of the handle: nothing gets out.
+template <class Call>
+std::int32_t guarded(cellsearch_handle* handle, const Call& call) noexcept {
+  if (handle == nullptr) return CELLSEARCH_BAD_ARGUMENT;
+  handle->set_error(CELLSEARCH_OK, -1, "");
+  try {
+    try {
+      call(*handle);
+    } catch (const Error& error) {
+      handle->set_error(error);
+    } catch (const Refusal& refusal) {
+      handle->set_error(refusal.status, -1, refusal.message);
+    }
+  } catch (const std::bad_alloc&) {
+    handle->set_error(CELLSEARCH_OUT_OF_MEMORY, -1, "Memory ran out.");
+  } catch (const std::exception& error) {
+    handle->set_error(CELLSEARCH_INTERNAL_ERROR, -1, error.what());
+  } catch (...) {
+    handle->set_error(CELLSEARCH_INTERNAL_ERROR, -1, "Something unknown was thrown.");
+  }
+  return handle->status;
+}
+
+}  // namespace cellsearch::c_interface

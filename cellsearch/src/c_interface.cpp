@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <limits>
-#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,37 +19,14 @@
 
 using cellsearch::Index;
 using cellsearch::c_interface::demand;
+using cellsearch::c_interface::guarded;
 using cellsearch::c_interface::Handle;
 using cellsearch::c_interface::largest_count;
-using cellsearch::c_interface::Refusal;
 
 namespace {
 
 /// Ends a walk over the candidates.
 struct Stop {};
-
-/// Runs `call` and turns whatever it throws into the status of the handle: nothing gets out.
-template <class Call>
-int32_t guarded(cellsearch_handle* handle, const Call& call) noexcept {
-  if (handle == nullptr) return CELLSEARCH_BAD_ARGUMENT;
-  handle->set_error(CELLSEARCH_OK, -1, "");
-  try {
-    try {
-      call(*handle);
-    } catch (const cellsearch::Error& error) {
-      handle->set_error(error);
-    } catch (const Refusal& refusal) {
-      handle->set_error(refusal.status, -1, refusal.message);
-    }
-  } catch (const std::bad_alloc&) {
-    handle->set_error(CELLSEARCH_OUT_OF_MEMORY, -1, "Memory ran out.");
-  } catch (const std::exception& error) {
-    handle->set_error(CELLSEARCH_INTERNAL_ERROR, -1, error.what());
-  } catch (...) {
-    handle->set_error(CELLSEARCH_INTERNAL_ERROR, -1, "Something unknown was thrown.");
-  }
-  return handle->status;
-}
 
 /// The same for a call that changes what the next build looks at.
 template <class Call>

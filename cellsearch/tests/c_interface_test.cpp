@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The C interface gives what the C++ one gives, in both ways of counting, and lets nothing out but codes.
+// The C interface gives what the C++ one gives, in both ways of counting.
+#include "cellsearch/cellsearch.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "cellsearch/cellsearch.h"
+#include "c_program.hpp"
+#include "cellsearch/edge_pairs.hpp"
+#include "cellsearch/edges.hpp"
+#include "cellsearch/nearest_nodes.hpp"
 #include "cellsearch/search.hpp"
 #include "cellsearch/search_interval.hpp"
+#include "cellsearch/segment_pairs.hpp"
 #include "scenes.hpp"
 
 namespace cellsearch {
@@ -22,55 +25,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Destroy {
-  void operator()(cellsearch_handle* handle) const { cellsearch_destroy(handle); }
-};
-using Handle = std::unique_ptr<cellsearch_handle, Destroy>;
-
-std::vector<Index> shifted(std::span<const Index> numbers, Index base) {
-  std::vector<Index> result(numbers.begin(), numbers.end());
-  for (Index& number : result) number += base;
-  return result;
-}
-
-/// A scene in the numbering of a C or Fortran program, with the handle that views it.
-struct Program {
-  Index base;
-  std::vector<double> positions;
-  std::size_t stride;
-  std::vector<Index> segments;
-  std::vector<Index> nodes;
-  Handle handle{cellsearch_create()};
-
-  Program(const scenes::Mesh& mesh, Index index_base)
-      : base(index_base),
-        positions(mesh.positions),
-        stride(mesh.stride),
-        segments(shifted(mesh.segments, base)) {
-    cellsearch_handle* own = handle.get();
-    EXPECT_EQ(cellsearch_set_index_base(own, base), CELLSEARCH_OK);
-    const auto count = static_cast<int64_t>(mesh.node_count());
-    EXPECT_EQ(cellsearch_set_positions(own, count, positions.data(), static_cast<int64_t>(stride)),
-              CELLSEARCH_OK);
-    EXPECT_EQ(cellsearch_set_segments(own, static_cast<int64_t>(mesh.segment_count()), segments.data()),
-              CELLSEARCH_OK);
-    EXPECT_EQ(cellsearch_set_expansion(own, mesh.expansion), CELLSEARCH_OK);
-    if (!mesh.segment_expansion.empty()) {
-      EXPECT_EQ(cellsearch_set_segment_expansion(own, mesh.segment_expansion.data()), CELLSEARCH_OK);
-    }
-    if (mesh.nodes) {
-      nodes = shifted(*mesh.nodes, base);
-      nodes.reserve(1);  // an empty list still has an address
-      EXPECT_EQ(cellsearch_set_nodes(own, static_cast<int64_t>(nodes.size()), nodes.data()), CELLSEARCH_OK);
-    }
-    if (mesh.domain) {
-      EXPECT_EQ(cellsearch_set_domain(own, mesh.domain->box.lo.data(), mesh.domain->box.hi.data(),
-                                      mesh.domain->cells.data()),
-                CELLSEARCH_OK);
-    }
-  }
-};
 
 /// What a handle finds, counted from 0 as the C++ interface does.
 Candidates found_by(cellsearch_handle* handle, Index base, std::size_t segments) {
@@ -220,181 +174,6 @@ TEST(CInterface, TellsItsVersion) {
   EXPECT_EQ(std::string(cellsearch_version()), CELLSEARCH_VERSION);
 }
 
-/// A wrong input: what it does to two plates of which it may change everything.
-struct Wrong {
-  const char* name;
-  int32_t status;
-  int64_t index;  ///< counted from 0; -1: none
-  const char* message_from_one;
-  std::function<void(Program&)> spoil;
-};
-
-const std::vector<Wrong>& wrong_inputs() {
-  static const std::vector<Wrong> all{
-      {"coordinate", CELLSEARCH_NON_FINITE_COORDINATE, 5, "Node 6 ",
-       [](Program& program) { program.positions[5 * program.stride + 1] = nan; }},
-      {"connectivity", CELLSEARCH_BAD_CONNECTIVITY, 1, "Segment 2 ",
-       [](Program& program) { program.segments[6] = program.base - 1; }},
-      {"connectivity beyond", CELLSEARCH_BAD_CONNECTIVITY, 0, "Segment 1 ",
-       [](Program& program) { program.segments[3] = program.base + 8; }},
-      {"smallest number", CELLSEARCH_BAD_CONNECTIVITY, 0, "Segment 1 ",
-       [](Program& program) { program.segments[3] = std::numeric_limits<Index>::min(); }},
-      {"common expansion", CELLSEARCH_BAD_EXPANSION, -1, "The expansion is -1",
-       [](Program& program) { cellsearch_set_expansion(program.handle.get(), -1.0); }},
-      {"expansion", CELLSEARCH_BAD_EXPANSION, 1, "segment 2 ",
-       [](Program& program) {
-         static const std::array<double, 2> bad{0.0, infinity};
-         cellsearch_set_segment_expansion(program.handle.get(), bad.data());
-       }},
-      {"list of nodes", CELLSEARCH_BAD_NODE_LIST, 2, "Entry 3 ",
-       [](Program& program) {
-         program.nodes = shifted(std::vector<Index>{0, 4, 4, 7}, program.base);
-         cellsearch_set_nodes(program.handle.get(), 4, program.nodes.data());
-       }},
-      {"radius", CELLSEARCH_BAD_RADIUS, 3, "node 4 ",
-       [](Program& program) {
-         static const std::array<double, 8> bad{0, 0, 0, -1, 0, 0, 0, 0};
-         cellsearch_set_node_radius(program.handle.get(), bad.data());
-       }},
-      {"group of a node", CELLSEARCH_BAD_NODE_GROUP, 2, "node 3 ",
-       [](Program& program) {
-         static const std::array<std::uint8_t, 1> allow{1};
-         static std::vector<Index> of_nodes;
-         static std::vector<Index> of_segments;
-         of_nodes = shifted(std::vector<Index>{0, 0, 1, 0, 0, 0, 0, 0}, program.base);
-         of_segments = shifted(std::vector<Index>{0, 0}, program.base);
-         cellsearch_set_groups(program.handle.get(), 1, of_nodes.data(), of_segments.data(), allow.data());
-       }},
-      {"group of a segment", CELLSEARCH_BAD_SEGMENT_GROUP, 1, "segment 2 ",
-       [](Program& program) {
-         static const std::array<std::uint8_t, 1> allow{1};
-         static std::vector<Index> of_nodes;
-         static std::vector<Index> of_segments;
-         of_nodes = shifted(std::vector<Index>(8, 0), program.base);
-         of_segments = shifted(std::vector<Index>{0, -1}, program.base);
-         cellsearch_set_groups(program.handle.get(), 1, of_nodes.data(), of_segments.data(), allow.data());
-       }},
-      {"stale array", CELLSEARCH_BAD_LAYOUT, -1, "expansions",
-       [](Program& program) {
-         static const std::array<double, 2> good{0.0, 0.0};
-         cellsearch_set_segment_expansion(program.handle.get(), good.data());
-         cellsearch_set_segments(program.handle.get(), 1, program.segments.data());
-       }},
-      {"no node", CELLSEARCH_EMPTY_INPUT, -1, "node",
-       [](Program& program) { cellsearch_set_positions(program.handle.get(), 0, nullptr, 3); }},
-  };
-  return all;
-}
-
-scenes::Mesh two_plates() {
-  scenes::Mesh mesh;
-  for (const double z : {0.0, 0.25}) {
-    const Index first = mesh.add_node(0, 0, z);
-    mesh.add_node(1, 0, z);
-    mesh.add_node(1, 1, z);
-    mesh.add_node(0, 1, z);
-    mesh.add_segment(first, first + 1, first + 2, first + 3);
-  }
-  mesh.expansion = 0.25;
-  return mesh;
-}
-
-TEST(CInterface, ReportsBadScenesInTheNumberingOfTheCaller) {
-  for (const Wrong& wrong : wrong_inputs()) {
-    for (const Index base : {0, 1}) {
-      Program program(two_plates(), base);
-      cellsearch_handle* handle = program.handle.get();
-      ASSERT_EQ(cellsearch_find(handle, nullptr, nullptr, nullptr), CELLSEARCH_OK);
-      wrong.spoil(program);
-      ASSERT_EQ(cellsearch_error_code(handle), CELLSEARCH_OK) << cellsearch_error_message(handle);
-      EXPECT_EQ(cellsearch_build(handle), wrong.status) << wrong.name;
-      EXPECT_EQ(cellsearch_error_code(handle), wrong.status);
-      EXPECT_EQ(cellsearch_error_index(handle), wrong.index < 0 ? -1 : wrong.index + base) << wrong.name;
-      const std::string message = cellsearch_error_message(handle);
-      if (base == 1) {
-        EXPECT_NE(message.find(wrong.message_from_one), std::string::npos) << message;
-      }
-      EXPECT_GT(message.size(), 10U);
-      // There is nothing to query, and a call that works clears the error.
-      EXPECT_EQ(cellsearch_query(handle, nullptr, nullptr, nullptr), CELLSEARCH_NOT_BUILT);
-      EXPECT_EQ(cellsearch_error_index(handle), -1);
-      EXPECT_EQ(cellsearch_set_threads(handle, 2), CELLSEARCH_OK);
-      EXPECT_EQ(std::string(cellsearch_error_message(handle)), "");
-    }
-  }
-}
-
-TEST(CInterface, RefusesBadSettingsAndKeepsTheOldOnes) {
-  const Program program(two_plates(), 1);
-  cellsearch_handle* handle = program.handle.get();
-  ASSERT_EQ(cellsearch_build(handle), CELLSEARCH_OK);
-  const std::array<double, 3> zero{0, 0, 0};
-  const std::array<double, 3> one{1, 1, 1};
-  const std::array<int32_t, 3> cells{2, 2, 2};
-  const std::array<int32_t, 3> no_cells{2, 0, 2};
-  EXPECT_EQ(cellsearch_set_index_base(handle, 2), CELLSEARCH_BAD_SETTING);
-  EXPECT_EQ(cellsearch_set_threads(handle, 0), CELLSEARCH_BAD_SETTING);
-  EXPECT_EQ(cellsearch_set_cell_factor(handle, 0.0), CELLSEARCH_BAD_SETTING);
-  EXPECT_EQ(cellsearch_set_cell_factor(handle, nan), CELLSEARCH_BAD_SETTING);
-  EXPECT_EQ(cellsearch_set_cells_per_node(handle, infinity), CELLSEARCH_BAD_SETTING);
-  EXPECT_EQ(cellsearch_set_domain(handle, zero.data(), one.data(), no_cells.data()), CELLSEARCH_BAD_DOMAIN);
-  EXPECT_EQ(cellsearch_error_index(handle), 1);  // axes are counted from 0
-  EXPECT_EQ(cellsearch_set_domain(handle, one.data(), zero.data(), cells.data()), CELLSEARCH_BAD_DOMAIN);
-  EXPECT_EQ(cellsearch_set_domain(handle, zero.data(), nullptr, cells.data()), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_set_positions(handle, 8, program.positions.data(), 2), CELLSEARCH_BAD_LAYOUT);
-  EXPECT_EQ(cellsearch_set_positions(handle, int64_t{1} << 31, program.positions.data(), 3),
-            CELLSEARCH_BAD_LAYOUT);
-  EXPECT_EQ(cellsearch_set_segments(handle, int64_t{1} << 31, program.segments.data()),
-            CELLSEARCH_BAD_LAYOUT);
-  int64_t pairs = 0;
-  EXPECT_EQ(cellsearch_query(handle, nullptr, nullptr, &pairs), CELLSEARCH_OK);
-  EXPECT_EQ(pairs, 8);
-  // Cells over half of the plates, and over all again.
-  const std::array<double, 3> half{0.5, 1, 1};
-  EXPECT_EQ(cellsearch_set_domain(handle, zero.data(), half.data(), cells.data()), CELLSEARCH_OK);
-  EXPECT_EQ(cellsearch_query(handle, nullptr, nullptr, &pairs), CELLSEARCH_NOT_BUILT);
-  EXPECT_EQ(cellsearch_find(handle, nullptr, nullptr, &pairs), CELLSEARCH_OK);
-  EXPECT_EQ(pairs, 4);
-  EXPECT_EQ(cellsearch_set_domain(handle, nullptr, nullptr, nullptr), CELLSEARCH_OK);
-  EXPECT_EQ(cellsearch_find(handle, nullptr, nullptr, &pairs), CELLSEARCH_OK);
-  EXPECT_EQ(pairs, 8);
-}
-
-TEST(CInterface, SurvivesNullPointersAndNegativeNumbers) {
-  cellsearch_handle* no_handle = nullptr;
-  EXPECT_EQ(cellsearch_build(no_handle), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_error_code(no_handle), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_error_index(no_handle), -1);
-  EXPECT_NE(std::string(cellsearch_error_message(no_handle)), "");
-  cellsearch_destroy(no_handle);
-
-  const Program program(two_plates(), 0);
-  cellsearch_handle* handle = program.handle.get();
-  ASSERT_EQ(cellsearch_build(handle), CELLSEARCH_OK);
-  EXPECT_EQ(cellsearch_set_method(handle, nullptr), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_set_positions(handle, 8, nullptr, 3), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_set_positions(handle, -8, program.positions.data(), 3), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_set_segments(handle, 2, nullptr), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_set_segments(handle, -2, program.segments.data()), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_set_nodes(handle, -1, program.segments.data()), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_set_groups(handle, -1, nullptr, nullptr, nullptr), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_set_groups(handle, 1, nullptr, nullptr, nullptr), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_visit(handle, nullptr, nullptr), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_statistics(handle, nullptr), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_verify(handle, nullptr, nullptr), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_motion_steps(handle, nullptr, 3, 1.0, 10, nullptr), CELLSEARCH_BAD_ARGUMENT);
-  EXPECT_EQ(cellsearch_query(handle, nullptr, nullptr, nullptr), CELLSEARCH_OK);
-
-  const Handle fresh(cellsearch_create());
-  int64_t number = 0;
-  cellsearch_counts counts{};
-  EXPECT_EQ(cellsearch_query(fresh.get(), nullptr, nullptr, nullptr), CELLSEARCH_NOT_BUILT);
-  EXPECT_EQ(cellsearch_statistics(fresh.get(), &counts), CELLSEARCH_NOT_BUILT);
-  EXPECT_EQ(cellsearch_verify(fresh.get(), &number, &number), CELLSEARCH_NOT_BUILT);
-  EXPECT_EQ(cellsearch_motion_start(fresh.get(), 1.0, 0.0), CELLSEARCH_NOT_BUILT);
-  EXPECT_EQ(cellsearch_build(fresh.get()), CELLSEARCH_EMPTY_INPUT);
-}
-
 TEST(CInterface, HasNoCandidatesWithoutSegmentsOrNodes) {
   const Program program(two_plates(), 1);
   int64_t pairs = -1;
@@ -447,6 +226,68 @@ TEST(CInterface, WatchesTheMotion) {
   EXPECT_NE(std::string(cellsearch_error_message(handle)).find("Node 3 "), std::string::npos);
   EXPECT_EQ(cellsearch_interval(2.5, 1.25, 0.5, 0.25, 100), search_interval(2.5, 1.25, 0.5, 0.25, 100));
   EXPECT_EQ(cellsearch_interval(2.5, 1.25, 0.5, 0.25, 100), 10);
+}
+
+/// Rows as the C++ interface has them, from what a handle lent.
+template <class Number>
+std::vector<Number> numbers_from_zero(const Number* numbers, int64_t count, Index base) {
+  std::vector<Number> result(numbers, numbers + count);
+  for (Number& number : result) number -= base;
+  return result;
+}
+
+TEST(CInterface, AnswersTheFurtherQueriesAsTheCppInterfaceDoes) {
+  const scenes::Mesh mesh = scenes::folded_sheets(600, 3);
+  std::vector<std::uint8_t> active(mesh.segment_count(), 1);
+  for (std::size_t s = 0; s < active.size(); s += 7) active[s] = 0;
+  Scene scene = mesh.scene();
+  scene.segment_active = active;
+  const auto as_vector = [](const auto& array) { return std::vector(array.begin(), array.end()); };
+  for (const Index base : {0, 1}) {
+    for (const bool exclude : {false, true}) {
+      const Program program(mesh, base);
+      cellsearch_handle* handle = program.handle.get();
+      ASSERT_EQ(cellsearch_set_active(handle, active.data()), CELLSEARCH_OK);
+      const int64_t* first = nullptr;
+      const int32_t* entries = nullptr;
+      int64_t count = 0;
+      const auto rows = static_cast<int64_t>(mesh.segment_count()) + 1;
+
+      const Pairs pairs = SegmentPairSearch({.exclude_shared_nodes = exclude}).find(scene);
+      ASSERT_GT(pairs.count(), 100);
+      ASSERT_EQ(cellsearch_segment_pairs(handle, exclude, &first, &entries, &count), CELLSEARCH_OK);
+      EXPECT_EQ(numbers_from_zero(first, rows, base), as_vector(pairs.first));
+      EXPECT_EQ(numbers_from_zero(entries, count, base), as_vector(pairs.second));
+
+      const Array<Index> edges = unique_edges(scene.segments, active);
+      ASSERT_EQ(cellsearch_edges(handle, &entries, &count), CELLSEARCH_OK);
+      EXPECT_EQ(numbers_from_zero(entries, 2 * count, base), as_vector(edges));
+
+      EdgeScene edge_scene;
+      edge_scene.positions = scene.positions;
+      edge_scene.edges = Edges(edges);
+      edge_scene.expansion = 0.125;
+      const Pairs edge_pairs = EdgePairSearch({.exclude_shared_nodes = exclude}).find(edge_scene);
+      ASSERT_GT(edge_pairs.count(), 100);
+      ASSERT_EQ(cellsearch_edge_pairs(handle, 0.125, exclude, &first, &entries, &count), CELLSEARCH_OK);
+      EXPECT_EQ(numbers_from_zero(first, edge_pairs.rows() + 1, base), as_vector(edge_pairs.first));
+      EXPECT_EQ(numbers_from_zero(entries, count, base), as_vector(edge_pairs.second));
+
+      const double* distance = nullptr;
+      for (const Index neighbours : {1, 4}) {
+        const NearestNodes nearest =
+            NearestSearch({.neighbours = neighbours, .largest_distance = 1.5, .exclude_connected = exclude})
+                .find(scene);
+        ASSERT_GT(nearest.count(), 100);
+        ASSERT_EQ(cellsearch_nearest(handle, neighbours, 1.5, exclude, &first, &entries, &distance, &count),
+                  CELLSEARCH_OK);
+        EXPECT_EQ(numbers_from_zero(first, nearest.rows() + 1, base), as_vector(nearest.first));
+        EXPECT_EQ(numbers_from_zero(entries, count, base), as_vector(nearest.node));
+        EXPECT_EQ(std::vector(distance, distance + count), as_vector(nearest.distance));
+      }
+      EXPECT_EQ(cellsearch_query(handle, nullptr, nullptr, nullptr), CELLSEARCH_NOT_BUILT);
+    }
+  }
 }
 
 TEST(CInterface, HandlesAreIndependent) {

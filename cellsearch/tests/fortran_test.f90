@@ -27,7 +27,8 @@ program fortran_test
   integer(c_int32_t), target :: segments(4, 2), listed(2), node_group(8), segment_group(2), sums(2)
   integer(c_int8_t), target :: active(2), allow(2, 2)
   integer(c_int64_t), pointer :: first(:)
-  integer(c_int32_t), pointer :: node(:)
+  integer(c_int32_t), pointer :: node(:), edges(:, :)
+  real(c_double), pointer :: distance(:)
   type(c_ptr) :: search
   type(cellsearch_counts) :: counts
   integer(c_int64_t) :: segment, other
@@ -107,6 +108,16 @@ program fortran_test
   call check('verified', segment == 0 .and. other == 0)
   call check('statistics', cellsearch_statistics(search, counts) == cellsearch_ok)
   call check('counts', counts%segments == 2 .and. counts%participants == 8 .and. counts%candidates >= 8)
+
+  call check('pairs', cellsearch_segment_pairs(search, 2_c_int64_t, .true., first, node) == cellsearch_ok)
+  call check('one pair', all(first == [1, 2, 2]) .and. all(node == [2]))
+  call check('edges', cellsearch_edges(search, edges) == cellsearch_ok)
+  call check('8 edges', size(edges, 2) == 8 .and. all(edges(:, 2) == [1, 4]) .and. all(edges(:, 8) == [7, 8]))
+  call check('edge pairs', cellsearch_edge_pairs(search, 8_c_int64_t, 0.125d0, .true., first, node) == cellsearch_ok)
+  ! Each lower edge meets the upper one over it and the two beside that, the opposite lower one does not count: too far.
+  call check('12 edge pairs', size(node) == 12 .and. first(9) == 13 .and. all(node(:first(2) - 1) == [5, 6, 7]))
+  call check('nearest', cellsearch_nearest(search, 8_c_int64_t, 1, 1d0, .true., first, node, distance) == cellsearch_ok)
+  call check('the plate above', all(node == [5, 6, 7, 8, 1, 2, 3, 4]) .and. maxval(abs(distance - 0.25d0)) < 1d-15)
 
   call check('motion', cellsearch_motion_start(search, 0.25d0, 0.125d0) == cellsearch_ok)
   velocities = 0

@@ -185,6 +185,38 @@ int32_t cellsearch_statistics(cellsearch_handle* handle, cellsearch_counts* coun
     that one of the two lacks, or base - 1 if they are equal. CELLSEARCH_NOT_BUILT. */
 int32_t cellsearch_verify(cellsearch_handle* handle, int64_t* segment, int64_t* node);
 
+/* ---- further queries; they need no build, look at the scene during the call only, and cost O(N + results)
+   time. Each result belongs to the handle and holds until the next call of the same function, or the handle's
+   end. Status codes are those of a build. ---- */
+
+/** Which segments are near which: all pairs i < j whose boxes, each expanded by its own expansion, have a
+   point in common (for all segments within d of each other set the expansion d / 2). `exclude_shared_nodes`:
+   not 0 leaves out pairs with a node in common. Flags of activity and groups count (either of the two
+   directions is enough), what concerns nodes does not. Rows as in cellsearch_query(): row i holds its j > i,
+   ascending; `first`: segments + 1 numbers, `second`: `pairs` numbers; each may be null. */
+int32_t cellsearch_segment_pairs(cellsearch_handle* handle, int32_t exclude_shared_nodes,
+                                 const int64_t** first, const int32_t** second, int64_t* pairs);
+
+/** The different edges of the active segments: two node numbers each, the smaller first, ascending. `nodes`:
+   2 * `edges` numbers. Each may be null. */
+int32_t cellsearch_edges(cellsearch_handle* handle, const int32_t** nodes, int64_t* edges);
+
+/** Which edges are near which: all pairs i < j of the edges of cellsearch_edges(), numbered in its order from
+   the index base, whose boxes, each expanded by `expansion` [length], have a point in common.
+   `exclude_shared_nodes` and the rows as above. CELLSEARCH_BAD_EXPANSION. The edges of cellsearch_edges() are
+   found anew. */
+int32_t cellsearch_edge_pairs(cellsearch_handle* handle, double expansion, int32_t exclude_shared_nodes,
+                              const int64_t** first, const int32_t** second, int64_t* pairs);
+
+/** For each node that takes part the nearest `neighbours` others that take part, >= 1, but none farther away
+   than `largest_distance` [length], >= 0, may be infinite. `exclude_connected`: not 0 leaves out nodes that
+   share an active segment with it. Rows by node, taking part or not, in each by ascending distance, then
+   number; `first`: nodes + 1 numbers, `node` and `distance` [length]: `count` numbers; each may be null.
+   CELLSEARCH_BAD_SETTING. */
+int32_t cellsearch_nearest(cellsearch_handle* handle, int32_t neighbours, double largest_distance,
+                           int32_t exclude_connected, const int64_t** first, const int32_t** node,
+                           const double** distance, int64_t* count);
+
 /* ---- how long the candidates stay complete ---- */
 
 /** Starts to watch the motion, from the positions of the last build, which must not have changed since. Every
