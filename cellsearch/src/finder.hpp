@@ -21,7 +21,7 @@ struct FinderInput {
   CellGrid grid;
   std::optional<Box> limit;  ///< the user's domain: only nodes inside count; not set: all of them
   int threads = 1;
-  double cell_edge = 0.0;  ///< asked for by the settings [length]; `grid` may have larger cells; 0: no segment
+  double cell_edge = 0.0;  ///< wanted by the settings [length]; `grid` may have larger cells; 0: no segment
 };
 
 /// Rows found for a run of consecutive segments. Belongs to one thread while it is filled.

@@ -55,7 +55,7 @@ AxisCells BucketSort::divide(int axis, Index begin, Index end, std::vector<Index
   return cells;
 }
 
-/// Divides one slab along y, and its strips along z. An empty slab has one strip without a bucket.
+/// Divides one slab along y, and its strips along z. An empty slab has no strip, an empty strip no bucket.
 void BucketSort::divide_slab(Index begin, Index end) {
   const Index first_strip = static_cast<Index>(buckets_of_strip_.size());
   if (begin == end) {

@@ -16,10 +16,11 @@ namespace cellsearch {
 /// along z into buckets. A segment looks into the slabs that its territory reaches, in each of them into the
 /// strips, in each of these into the buckets.
 ///
-/// The literature gives the nesting. Ours are: each slab and strip divides the interval that its own nodes
-/// take up, into no more parts than it has nodes, so that there are at most N of each kind however empty the
-/// space is; the width of a part is the cell edge of the settings, as for the other methods (DYNA3D takes it
-/// from the longest segments); the sorting is by counting. O(N) time and memory for similar sizes.
+/// The literature gives the nesting; the manual itself could not be read. Ours are: each slab and strip
+/// divides the interval that its own nodes take up, into no more parts than it has nodes, so that there are
+/// at most N of each kind however empty the space is; the width of a part is the cell edge of the settings,
+/// as for the other methods (DYNA3D's, as far as we know, comes from the longest segments); the sorting is by
+/// counting. O(N) time and memory for similar sizes.
 class BucketSort final : public Finder {
  public:
   void build(const FinderInput& input) override;
