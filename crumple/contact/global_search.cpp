@@ -38,26 +38,7 @@ struct Range {
       high[axis] = std::max(high[axis], a[axis]);
     }
   }
-  Vec3 extent() const { return {high[0] - low[0], high[1] - low[1], high[2] - low[2]}; }
 };
-
-/// Range of value(place) over all places. Smallest and largest do not depend on the order.
-template <class Value>
-Range range_of(Index places, int threads, const Value& value) {
-  std::vector<Range> parts(pieces(places, piece));
-  parallel_for(pieces(places, piece), threads, [&](Index part) {
-    Range range;
-    for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) range.include(value(i));
-    parts[part] = range;
-  });
-  Range whole = parts.front();
-  for (const Range& range : parts)
-    for (int axis = 0; axis < 3; ++axis) {
-      whole.low[axis] = std::min(whole.low[axis], range.low[axis]);
-      whole.high[axis] = std::max(whole.high[axis], range.high[axis]);
-    }
-  return whole;
-}
 
 cellsearch::Settings settings_of(const model::SearchSettings& settings, int threads) {
   cellsearch::Settings found;
@@ -81,9 +62,20 @@ cellsearch::Settings settings_of(const model::SearchSettings& settings, int thre
   return found;
 }
 
-std::span<const double> coordinates(const domain::NodeFields& nodes) {
+cellsearch::Positions view(const AlignedArray<Vec3>& values) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  return {&nodes.position.front().x, 3 * nodes.position.size()};
+  return std::span<const double>(&values.front().x, 3 * values.size());
+}
+
+Vec3 vector_of(const cellsearch::Point& a) {
+  return {a[0], a[1], a[2]};
+}
+
+[[noreturn]] void rethrow(const cellsearch::Error& error, const Surface& surface) {
+  if (error.kind() != cellsearch::ErrorKind::NonFiniteCoordinate) throw Error(error.what());
+  throw NumericalError("The position of node " +
+                       std::to_string(surface.node_id[surface.place[error.index()]]) +
+                       " is not a finite number any more.");
 }
 
 /// Largest distance along an axis between a point and the bounding box of a segment.
@@ -102,7 +94,8 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
     : surface_(&surface),
       threads_(threads),
       cells_(settings_of(settings, threads).domain),
-      search_(settings_of(settings, threads)) {
+      search_(settings_of(settings, threads)),
+      motion_(0, 0, threads) {
   const double largest_distance = 2 * surface.largest_half_thickness;
   if (settings.expansion > 0) {
     if (settings.expansion <= largest_distance)
@@ -117,51 +110,45 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
   common_expansion_ = surface.largest_half_thickness + statistics_.margin;
   segment_expansion_ = surface.half_thickness;
   statistics_.expansion = largest_distance + statistics_.margin;
+  // A margin that is not finite comes from a bad position or setting, which the first search will name.
+  if (!std::isfinite(statistics_.margin)) return;
+  motion_ =
+      cellsearch::MotionTracker(statistics_.expansion, statistics_.expansion - statistics_.margin, threads);
 }
 
 void GlobalSearch::update(const domain::Domain& domain) {
-  if (!searched_.empty()) {
-    const Vec3 motion = motion_since_search(domain);
+  if (statistics_.searches > 0) {
+    try {
+      motion_.update(view(domain.nodes.position));
+    } catch (const cellsearch::Error& error) {
+      rethrow(error, *surface_);
+    }
     // Between two steps no pair comes nearer than at the worse of the two.
-    consumed_ = std::max(consumed_, norm(motion));
-    if (std::max({motion.x, motion.y, motion.z}) < statistics_.margin) return;
+    consumed_ = std::max(consumed_, norm(vector_of(motion_.motion())));
+    if (!motion_.due()) return;
   }
   search(domain);
   consumed_ = norm(step_motion(domain));
 }
 
-/// Largest relative displacement of any two nodes since the last search, along each axis.
-Vec3 GlobalSearch::motion_since_search(const domain::Domain& domain) const {
-  const auto& x = domain.nodes.position;
-  return range_of(surface_->node_count(), threads_,
-                  [&](Index i) { return x[surface_->nodes[i]] - searched_[i]; })
-      .extent();
-}
-
-/// The same for the step that led to now.
+/// Largest relative motion of any two nodes in the step that led to now, along each axis.
 Vec3 GlobalSearch::step_motion(const domain::Domain& domain) const {
-  const auto& v = domain.nodes.velocity;
-  return domain.clock.step *
-         range_of(surface_->node_count(), threads_, [&](Index i) { return v[surface_->nodes[i]]; }).extent();
+  return domain.clock.step * vector_of(motion_.relative_speed(view(domain.nodes.velocity)));
 }
 
 void GlobalSearch::search(const domain::Domain& domain) {
   cellsearch::Scene scene;
-  scene.positions = cellsearch::Positions(coordinates(domain.nodes));
+  scene.positions = view(domain.nodes.position);
   scene.segments = cellsearch::Segments(surface_->connectivity);
   scene.expansion = common_expansion_;
   scene.segment_expansion = segment_expansion_;
   scene.nodes = std::span<const cellsearch::Index>(surface_->nodes);
   try {
     sort_by_node(search_.find(scene));
+    motion_.start(scene.positions, surface_->nodes);
   } catch (const cellsearch::Error& error) {
-    if (error.kind() != cellsearch::ErrorKind::NonFiniteCoordinate) throw Error(error.what());
-    throw NumericalError("The position of node " +
-                         std::to_string(surface_->node_id[surface_->place[error.index()]]) +
-                         " is not a finite number any more.");
+    rethrow(error, *surface_);
   }
-  searched_.resize(surface_->nodes.size());
-  for (Index i = 0; i < surface_->node_count(); ++i) searched_[i] = domain.nodes.position[surface_->nodes[i]];
   measure_slack(domain);
   ++statistics_.searches;
   statistics_.candidates += static_cast<long>(segment_.size());
@@ -193,7 +180,7 @@ void GlobalSearch::measure_slack(const domain::Domain& domain) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
       double smallest = std::numeric_limits<double>::max();
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
-        const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), searched_[i]);
+        const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), searched(i));
         slack_[pair] = std::sqrt(nearest.distance_squared) - surface_->contact_distance(i, segment_[pair]);
         smallest = std::min(smallest, slack_[pair]);
       }
@@ -212,7 +199,8 @@ void GlobalSearch::verify(const domain::Domain& domain) const {
   const SurfaceAt at{surface_, {x.data(), domain.nodes.velocity.data(), 0}};
   for (Index i = 0; i < surface.node_count(); ++i) {
     const Index node = surface.nodes[i];
-    if (cells_ && !cells_->box.contains(&searched_[i].x)) continue;
+    const Vec3 searched_at = searched(i);
+    if (cells_ && !cells_->box.contains(&searched_at.x)) continue;
     for (Index s = 0; s < surface.segments(); ++s) {
       const double distance = surface.contact_distance(i, s);
       if (surface.owns(s, node) || box_gap(surface, x, s, x[node]) > distance || listed(i, s)) continue;
@@ -226,7 +214,7 @@ void GlobalSearch::verify(const domain::Domain& domain) const {
 }
 
 void GlobalSearch::declare(domain::StateList& list) {
-  list.add("contact_searched_position", "length", domain::Entity::Contact, 3, std::span(searched_));
+  list.add("contact_searched_position", "length", domain::Entity::Contact, 3, motion_.reference());
 }
 
 }  // namespace crumple::contact

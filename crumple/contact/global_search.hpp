@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include <cellsearch/motion_tracker.hpp>
 #include <cellsearch/search.hpp>
 
-#include "base/aligned_array.hpp"
 #include "base/index.hpp"
 #include "contact/statistics.hpp"
 #include "contact/surface.hpp"
@@ -54,7 +55,11 @@ class GlobalSearch {
   void search(const domain::Domain& domain);
   void sort_by_node(const cellsearch::Candidates& found);
   void measure_slack(const domain::Domain& domain);
-  Vec3 motion_since_search(const domain::Domain& domain) const;
+  /// Position at the last search.
+  Vec3 searched(Index place) const {
+    const double* x = motion_.reference().data() + 3 * static_cast<std::size_t>(place);
+    return {x[0], x[1], x[2]};
+  }
   Vec3 step_motion(const domain::Domain& domain) const;
   bool listed(Index place, Index segment) const;
 
@@ -64,7 +69,7 @@ class GlobalSearch {
   cellsearch::Search search_;
   double common_expansion_ = 0;
   std::vector<double> segment_expansion_;
-  AlignedArray<Vec3> searched_;  ///< positions at the last search, by place; empty before the first
+  cellsearch::MotionTracker motion_;  ///< of the surface's nodes, by place, since the last search
   std::vector<std::int64_t> first_;
   std::vector<Index> segment_;
   std::vector<double> slack_;
