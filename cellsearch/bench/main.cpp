@@ -141,9 +141,12 @@ class Bench {
     }
     Protocol protocol;
     protocol.threads = threads;
-    // Short runs are repeated more often, up to fifty times.
-    const double more = std::clamp(1e5 / static_cast<double>(mesh.node_count()), 1.0, 10.0);
-    protocol.repeats = static_cast<int>(options_.repeats * more);
+    protocol.repeats = options_.repeats;
+    // Short runs vary more. One repeat is for those who only want to see that it works.
+    if (options_.repeats > 1) {
+      const double more = std::clamp(1e5 / static_cast<double>(mesh.node_count()), 1.0, 10.0);
+      protocol.repeats = static_cast<int>(options_.repeats * more);
+    }
     protocol.seconds = options_.seconds;
     protocol.progress = [&](const std::string& text) { progress_(text); };
     const Results results = measure(mesh, family.number, kinds, protocol);

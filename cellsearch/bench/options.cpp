@@ -109,7 +109,7 @@ Usage: cellsearch-bench [options]
   --threads T,T,...     numbers of threads (default: 1); methods that know only one run with one only
   --order ORDER         numbering of nodes and segments: natural (default) or shuffled
   --repeats R           measurements of each method, of which the median counts (default: 5; scenes below
-                        100 000 nodes are measured more often)
+                        100 000 nodes are measured up to 10 times as often, unless R is 1)
   --seconds S           a method that has used S seconds on a scene is not repeated again (default: 20)
   --csv FILE            write scene,nodes,segments,method,threads,build_ns,query_ns,bytes_per_node,pairs,hash
                         (times in ns per segment)
