@@ -28,6 +28,11 @@ module cellsearch
     integer(c_int64_t) :: segments, participants, nodes_in_domain, cells, bytes, cell_visits, raw_visits, candidates
   end type
 
+  type, bind(C) :: cellsearch_neighbours
+    type(c_ptr) :: first, node, distance
+    integer(c_int64_t) :: count
+  end type
+
   interface
     !> A new handle; c_null_ptr if memory ran out. Its index base is 0: call cellsearch_set_index_base(handle, 1).
     function cellsearch_create() result(handle) bind(C)
@@ -268,14 +273,13 @@ module cellsearch
       integer(c_int32_t) :: status
     end function
 
-    function c_nearest(handle, neighbours, largest_distance, exclude_connected, first, node, distance, count) &
-      result(status) bind(C, name="cellsearch_nearest")
-      import :: c_ptr, c_int32_t, c_int64_t, c_double
+    function c_nearest(handle, neighbours, largest_distance, exclude_connected, found) result(status) &
+      bind(C, name="cellsearch_nearest")
+      import :: c_ptr, c_int32_t, c_double, cellsearch_neighbours
       type(c_ptr), value :: handle
       integer(c_int32_t), value :: neighbours, exclude_connected
       real(c_double), value :: largest_distance
-      type(c_ptr), intent(out) :: first, node, distance
-      integer(c_int64_t), intent(out) :: count
+      type(cellsearch_neighbours), intent(out) :: found
       integer(c_int32_t) :: status
     end function
 
@@ -379,15 +383,13 @@ contains
     integer(c_int32_t), pointer, intent(out) :: node(:)
     real(c_double), pointer, intent(out) :: distance(:)
     integer(c_int32_t) :: status
-    type(c_ptr) :: first_of, node_of, distance_of
-    integer(c_int64_t) :: count
+    type(cellsearch_neighbours) :: found
     nullify (first, node, distance)
-    status = c_nearest(handle, neighbours, largest_distance, merge(1_c_int32_t, 0_c_int32_t, exclude_connected), &
-                       first_of, node_of, distance_of, count)
+    status = c_nearest(handle, neighbours, largest_distance, merge(1_c_int32_t, 0_c_int32_t, exclude_connected), found)
     if (status /= cellsearch_ok) return
-    call c_f_pointer(first_of, first, [nodes + 1])
-    call c_f_pointer(node_of, node, [count])
-    call c_f_pointer(distance_of, distance, [count])
+    call c_f_pointer(found%first, first, [nodes + 1])
+    call c_f_pointer(found%node, node, [found%count])
+    call c_f_pointer(found%distance, distance, [found%count])
   end function
 
   !> One sentence about the last error of the handle; empty after success.

@@ -107,21 +107,31 @@ inline std::string message_from_one(std::int32_t status, const std::string& numb
   }
 }
 
+/// Rows as they are given out.
+struct RowsView {
+  const std::int64_t* first;
+  const std::int32_t* entries;
+  std::int64_t count;
+
+  /// Each of the three places may be null.
+  void give(const std::int64_t** rows, const std::int32_t** row_entries, std::int64_t* entry_count) const {
+    if (rows != nullptr) *rows = first;
+    if (row_entries != nullptr) *row_entries = entries;
+    if (entry_count != nullptr) *entry_count = count;
+  }
+};
+
 /// Rows that were given out in the caller's numbering; not used if that is from 0.
 struct LentRows {
   Array<Offset> first;
   Array<Index> entries;
 
-  /// Each of the three places may be null.
-  void lend(const Array<Offset>& found_first, const Array<Index>& found_entries, Index base, int threads,
-            const std::int64_t** rows, const std::int32_t** row_entries, std::int64_t* count) {
-    if (base != 0) {
-      copy_shifted<Offset>(found_first, base, threads, first);
-      copy_shifted<Index>(found_entries, base, threads, entries);
-    }
-    if (rows != nullptr) *rows = base == 0 ? found_first.data() : first.data();
-    if (row_entries != nullptr) *row_entries = base == 0 ? found_entries.data() : entries.data();
-    if (count != nullptr) *count = static_cast<std::int64_t>(found_entries.size());
+  RowsView lend(const Array<Offset>& found_first, const Array<Index>& found, Index base, int threads) {
+    const auto count = static_cast<std::int64_t>(found.size());
+    if (base == 0) return {found_first.data(), found.data(), count};
+    copy_shifted<Offset>(found_first, base, threads, first);
+    copy_shifted<Index>(found, base, threads, entries);
+    return {first.data(), entries.data(), count};
   }
 };
 
@@ -239,7 +249,7 @@ struct Handle {
   void query(const std::int64_t** rows, const std::int32_t** found_nodes, std::int64_t* pairs) {
     demand_build();
     const Candidates& found = search.query();
-    candidates.lend(found.first, found.node, base, settings.threads, rows, found_nodes, pairs);
+    candidates.lend(found.first, found.node, base, settings.threads).give(rows, found_nodes, pairs);
   }
 };
 

@@ -10,6 +10,7 @@
 #include "cellsearch/edges.hpp"
 
 using cellsearch::Index;
+using cellsearch::c_interface::demand;
 using cellsearch::c_interface::FurtherQueries;
 using cellsearch::c_interface::guarded;
 using cellsearch::c_interface::Handle;
@@ -46,7 +47,7 @@ int32_t cellsearch_segment_pairs(cellsearch_handle* handle, int32_t exclude_shar
     auto& search = own.further.segment_search.with({exclude ? 1.0 : 0.0, static_cast<double>(threads)},
                                                    cellsearch::SegmentPairSettings{exclude, threads});
     const cellsearch::Pairs& found = search.find(own.scene_from_zero());
-    own.further.segment_pairs.lend(found.first, found.second, own.base, threads, first, second, pairs);
+    own.further.segment_pairs.lend(found.first, found.second, own.base, threads).give(first, second, pairs);
   });
 }
 
@@ -75,23 +76,25 @@ int32_t cellsearch_edge_pairs(cellsearch_handle* handle, double expansion, int32
     auto& search = own.further.edge_search.with({exclude ? 1.0 : 0.0, static_cast<double>(threads)},
                                                 cellsearch::EdgePairSettings{exclude, threads});
     const cellsearch::Pairs& found = search.find(scene);
-    own.further.edge_pairs.lend(found.first, found.second, own.base, threads, first, second, pairs);
+    own.further.edge_pairs.lend(found.first, found.second, own.base, threads).give(first, second, pairs);
   });
 }
 
 int32_t cellsearch_nearest(cellsearch_handle* handle, int32_t neighbours, double largest_distance,
-                           int32_t exclude_connected, const int64_t** first, const int32_t** node,
-                           const double** distance, int64_t* count) {
+                           int32_t exclude_connected, cellsearch_neighbours* found) {
   return guarded(handle, [&](Handle& own) {
+    demand(found != nullptr, CELLSEARCH_BAD_ARGUMENT, "The place for the nearest nodes is null.");
+    *found = {nullptr, nullptr, nullptr, 0};
     const int threads = own.settings.threads;
     const bool exclude = exclude_connected != 0;
     auto& search = own.further.nearest_search.with(
         {exclude ? 1.0 : 0.0, static_cast<double>(threads), static_cast<double>(neighbours),
          largest_distance},
         cellsearch::NearestSettings{neighbours, largest_distance, exclude, threads});
-    const cellsearch::NearestNodes& found = search.find(own.scene_from_zero());
-    own.further.nearest.lend(found.first, found.node, own.base, threads, first, node, count);
-    if (distance != nullptr) *distance = found.distance.data();
+    const cellsearch::NearestNodes& nearest = search.find(own.scene_from_zero());
+    own.further.nearest.lend(nearest.first, nearest.node, own.base, threads)
+        .give(&found->first, &found->node, &found->count);
+    found->distance = nearest.distance.data();
   });
 }
 

@@ -184,11 +184,11 @@ TEST(CErrors, RefusesFurtherQueriesOfBadScenes) {
   for (const Index base : {0, 1}) {
     Program program(two_plates(), base);
     cellsearch_handle* handle = program.handle.get();
-    EXPECT_EQ(cellsearch_nearest(handle, 0, 1.0, 0, nullptr, nullptr, nullptr, nullptr),
-              CELLSEARCH_BAD_SETTING);
-    EXPECT_EQ(cellsearch_nearest(handle, 1, nan, 0, nullptr, nullptr, nullptr, nullptr),
-              CELLSEARCH_BAD_SETTING);
-    EXPECT_EQ(cellsearch_nearest(handle, 1, infinity, 0, nullptr, nullptr, nullptr, nullptr), CELLSEARCH_OK);
+    cellsearch_neighbours nearest{};
+    EXPECT_EQ(cellsearch_nearest(handle, 1, 1.0, 0, nullptr), CELLSEARCH_BAD_ARGUMENT);
+    EXPECT_EQ(cellsearch_nearest(handle, 0, 1.0, 0, &nearest), CELLSEARCH_BAD_SETTING);
+    EXPECT_EQ(cellsearch_nearest(handle, 1, nan, 0, &nearest), CELLSEARCH_BAD_SETTING);
+    EXPECT_EQ(cellsearch_nearest(handle, 1, infinity, 0, &nearest), CELLSEARCH_OK);
     EXPECT_EQ(cellsearch_edge_pairs(handle, -1.0, 0, nullptr, nullptr, nullptr), CELLSEARCH_BAD_EXPANSION);
     EXPECT_EQ(cellsearch_edge_pairs(handle, 0.5, 0, nullptr, nullptr, nullptr), CELLSEARCH_OK);
     program.segments[6] = base + 8;

@@ -273,17 +273,16 @@ TEST(CInterface, AnswersTheFurtherQueriesAsTheCppInterfaceDoes) {
       EXPECT_EQ(numbers_from_zero(first, edge_pairs.rows() + 1, base), as_vector(edge_pairs.first));
       EXPECT_EQ(numbers_from_zero(entries, count, base), as_vector(edge_pairs.second));
 
-      const double* distance = nullptr;
+      cellsearch_neighbours found{};
       for (const Index neighbours : {1, 4}) {
         const NearestNodes nearest =
             NearestSearch({.neighbours = neighbours, .largest_distance = 1.5, .exclude_connected = exclude})
                 .find(scene);
         ASSERT_GT(nearest.count(), 100);
-        ASSERT_EQ(cellsearch_nearest(handle, neighbours, 1.5, exclude, &first, &entries, &distance, &count),
-                  CELLSEARCH_OK);
-        EXPECT_EQ(numbers_from_zero(first, nearest.rows() + 1, base), as_vector(nearest.first));
-        EXPECT_EQ(numbers_from_zero(entries, count, base), as_vector(nearest.node));
-        EXPECT_EQ(std::vector(distance, distance + count), as_vector(nearest.distance));
+        ASSERT_EQ(cellsearch_nearest(handle, neighbours, 1.5, exclude, &found), CELLSEARCH_OK);
+        EXPECT_EQ(numbers_from_zero(found.first, nearest.rows() + 1, base), as_vector(nearest.first));
+        EXPECT_EQ(numbers_from_zero(found.node, found.count, base), as_vector(nearest.node));
+        EXPECT_EQ(std::vector(found.distance, found.distance + found.count), as_vector(nearest.distance));
       }
       EXPECT_EQ(cellsearch_query(handle, nullptr, nullptr, nullptr), CELLSEARCH_NOT_BUILT);
     }

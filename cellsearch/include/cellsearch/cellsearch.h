@@ -208,14 +208,21 @@ int32_t cellsearch_edges(cellsearch_handle* handle, const int32_t** nodes, int64
 int32_t cellsearch_edge_pairs(cellsearch_handle* handle, double expansion, int32_t exclude_shared_nodes,
                               const int64_t** first, const int32_t** second, int64_t* pairs);
 
+/** Nearest nodes, one row per node whether it takes part or not, each by ascending distance, then number.
+   With `base` the index base, row p is node[first[p - base] - base] to node[first[p - base + 1] - base - 1].
+ */
+typedef struct cellsearch_neighbours {
+  const int64_t* first;   /**< nodes + 1 numbers */
+  const int32_t* node;    /**< `count` numbers */
+  const double* distance; /**< `count` distances [length], in the same places */
+  int64_t count;          /**< of all rows together */
+} cellsearch_neighbours;
+
 /** For each node that takes part the nearest `neighbours` others that take part, >= 1, but none farther away
    than `largest_distance` [length], >= 0, may be infinite. `exclude_connected`: not 0 leaves out nodes that
-   share an active segment with it. Rows by node, taking part or not, in each by ascending distance, then
-   number; `first`: nodes + 1 numbers, `node` and `distance` [length]: `count` numbers; each may be null.
-   CELLSEARCH_BAD_SETTING. */
+   share an active segment with it. After an error `found` holds null pointers. CELLSEARCH_BAD_SETTING. */
 int32_t cellsearch_nearest(cellsearch_handle* handle, int32_t neighbours, double largest_distance,
-                           int32_t exclude_connected, const int64_t** first, const int32_t** node,
-                           const double** distance, int64_t* count);
+                           int32_t exclude_connected, cellsearch_neighbours* found);
 
 /* ---- how long the candidates stay complete ---- */
 
