@@ -294,6 +294,7 @@ TEST(CInterface, HandlesAreIndependent) {
   Search search;
   const Candidates& expected = search.find(mesh.scene());
   std::vector<std::jthread> threads;
+  threads.reserve(4);
   for (int thread = 0; thread < 4; ++thread) {
     threads.emplace_back([&, thread] {
       for (int time = 0; time < 3; ++time) {

@@ -25,8 +25,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> random_points(int count, std::uint64_t seed) {
   scenes::Random random(seed);
-  std::vector<double> points;
-  for (int i = 0; i < 3 * count; ++i) points.push_back(random.uniform(-5.0, 5.0));
+  std::vector<double> points(3 * static_cast<std::size_t>(count));
+  for (double& x : points) x = random.uniform(-5.0, 5.0);
   return points;
 }
 
