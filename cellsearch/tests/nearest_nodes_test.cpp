@@ -168,6 +168,18 @@ TEST(NearestNodes, LookAtAsManyNodesInALargeMeshAsInASmallOne) {
   EXPECT_LT(visits[1], 150.0);
 }
 
+// A point far away puts all others into one cell of the order in space, which must go on inside that cell:
+// else the first guesses are those of a random order.
+TEST(NearestNodes, AreNotSlowedByAPointFarAway) {
+  scenes::Mesh mesh = scenes::random_soup(60000, 1, 1);
+  NearestSearch search({.neighbours = 4});
+  search.find(mesh.scene());
+  const Offset before = search.visits();
+  mesh.add_node(1e9, -1e9, 1e9);
+  search.find(mesh.scene());
+  EXPECT_LT(static_cast<double>(search.visits()), 1.5 * static_cast<double>(before));
+}
+
 TEST(NearestNodes, RefuseBadInput) {
   EXPECT_THROW(NearestSearch({.neighbours = 0}), Error);
   EXPECT_THROW(NearestSearch({.largest_distance = -1.0}), Error);
