@@ -16,9 +16,12 @@
 namespace cellsearch::bench {
 namespace {
 
+// There is one malloc in a process, and it is called before anything could be constructed.
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<bool> counting{false};
 std::atomic<std::int64_t> held_bytes{0};
 std::atomic<std::int64_t> peak_bytes{0};
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 #ifdef CELLSEARCH_BENCH_COUNTS
 void add(std::int64_t bytes) {
@@ -79,6 +82,7 @@ void MemoryCounter::reset_peak() {
 #ifdef CELLSEARCH_BENCH_COUNTS
 // The GNU C library lets a program replace these and keeps its own under the names with two underscores.
 extern "C" {
+// NOLINTBEGIN(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)
 
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -135,5 +139,6 @@ int munmap(void* address, std::size_t length) noexcept {
   return static_cast<int>(result);
 }
 
+// NOLINTEND(readability-identifier-naming,readability-inconsistent-declaration-parameter-name)
 }  // extern "C"
 #endif

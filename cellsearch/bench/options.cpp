@@ -76,7 +76,7 @@ void set_option(Options& options, const std::string& name, const std::string& va
 Options parse_options(const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
-    std::string name = arguments[k];
+    const std::string& name = arguments[k];
     if (name == "--help" || name == "-h") {
       options.help = true;
     } else if (name == "--list") {

@@ -151,11 +151,13 @@ Mesh crushed_tube(int nodes, std::uint64_t seed) {
   const int around = 4 * side;
   // As many tubes as make the bundle about as wide as it is high.
   const double nodes_per_volume = around * leg / pitch / (spacing * spacing);
-  const int wide = std::max(1, static_cast<int>(cube_root(nodes / nodes_per_volume) / spacing + 0.5));
-  const int rows = std::max(2, static_cast<int>(static_cast<double>(nodes) / (around * wide * wide) + 0.5));
+  const int wide = std::max(1, static_cast<int>(std::lround(cube_root(nodes / nodes_per_volume) / spacing)));
+  const int rows =
+      std::max(2, static_cast<int>(std::lround(static_cast<double>(nodes) / (around * wide * wide))));
   for (int tube = 0; tube < wide * wide; ++tube) {
     const double x = spacing * (tube % wide);
-    const double y = spacing * (tube / wide);
+    const int tube_row = tube / wide;
+    const double y = spacing * tube_row;
     add_patch(mesh, rows, around, true, [&](int row, int column) {
       const double phase = (row + 0.3) / leg;
       const double fold = std::floor(phase);

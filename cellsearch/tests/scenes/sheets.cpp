@@ -178,7 +178,7 @@ Block block_of(double elements, const Spots& spots) {
   const int cube = cube_root(3.2 * elements);
   const int across = 16 * std::max(1, (cube + 8) / 16);
   const double along = elements / across / spots.period_rows;
-  const int rows = std::max(1, static_cast<int>(along + 0.5)) * spots.period_rows;
+  const int rows = std::max(1, static_cast<int>(std::lround(along))) * spots.period_rows;
   return {{0.0, 0.0, 1.0, rows, across}, 10.0 * std::max(2, (cube + 5) / 10)};
 }
 
@@ -193,7 +193,8 @@ Mesh folded_sheets(int nodes, std::uint64_t seed) {
   Mesh mesh{.name = "folded sheets"};
   Random random(seed);
   Block block = block_of(0.5 * nodes, {});
-  block.lattice.rows = std::max(1, static_cast<int>(0.5 * nodes / (block.lattice.columns + 1) + 0.5) - 1);
+  block.lattice.rows =
+      std::max(1, static_cast<int>(std::lround(0.5 * nodes / (block.lattice.columns + 1))) - 1);
   for (const double offset : {-0.25, 0.25}) {
     SheetMaker maker(mesh, random, {block.leg, offset}, {});
     maker.add(block.lattice);
