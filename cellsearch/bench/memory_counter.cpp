@@ -77,6 +77,12 @@ void MemoryCounter::reset_peak() {
   peak_bytes = held_bytes.load();
 }
 
+void give_back_free_memory() {
+#ifdef CELLSEARCH_BENCH_COUNTS
+  malloc_trim(0);
+#endif
+}
+
 }  // namespace cellsearch::bench
 
 #ifdef CELLSEARCH_BENCH_COUNTS

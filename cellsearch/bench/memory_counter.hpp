@@ -24,4 +24,7 @@ class MemoryCounter {
   static void reset_peak();
 };
 
+/// Hands memory that is free, but kept by the C library for the next who asks, back to the system.
+void give_back_free_memory();
+
 }  // namespace cellsearch::bench

@@ -4,6 +4,7 @@
 
 #include "cellsearch/search.hpp"
 #include "contestant.hpp"
+#include "memory_counter.hpp"
 
 namespace cellsearch::bench {
 namespace {
@@ -30,7 +31,10 @@ class FreshMethod : public Contestant {
     search_->build(scene);
   }
   const Candidates& query() override { return search_->query(); }
-  void forget() override { search_.reset(); }
+  void forget() override {
+    search_.reset();
+    give_back_free_memory();
+  }
 
  private:
   Settings settings_;
