@@ -96,9 +96,17 @@ void PointGrid::collect(const Level& level, const Box& box, Array<Index>& found)
 }
 
 void PointGrid::collect_run(Index begin, Index end, const Box& box, Array<Index>& found) const {
-  for (Index place = begin; place < end; ++place) {
-    if (box.contains(sorted_.data() + 3 * at(place))) found.push_back(points_[at(place)]);
+  // Written in any case and kept if inside: whether a point is inside cannot be predicted.
+  const std::size_t before = found.size();
+  found.resize(before + at(end - begin));
+  Index* to = found.data() + before;
+  const double* xyz = sorted_.data() + 3 * at(begin);
+  for (Index place = begin; place < end; ++place, xyz += 3) {
+    *to = points_[at(place)];
+    to += (xyz[0] >= box.lo[0]) & (xyz[0] <= box.hi[0]) & (xyz[1] >= box.lo[1]) & (xyz[1] <= box.hi[1]) &
+          (xyz[2] >= box.lo[2]) & (xyz[2] <= box.hi[2]);
   }
+  found.resize(static_cast<std::size_t>(to - found.data()));
 }
 
 Offset PointGrid::bytes() const {
