@@ -103,8 +103,10 @@ void PointGrid::collect_run(Index begin, Index end, const Box& box, Array<Index>
   const double* xyz = sorted_.data() + 3 * at(begin);
   for (Index place = begin; place < end; ++place, xyz += 3) {
     *to = points_[at(place)];
-    to += (xyz[0] >= box.lo[0]) & (xyz[0] <= box.hi[0]) & (xyz[1] >= box.lo[1]) & (xyz[1] <= box.hi[1]) &
-          (xyz[2] >= box.lo[2]) & (xyz[2] <= box.hi[2]);
+    const auto within = [&](int axis) {
+      return static_cast<int>(xyz[axis] >= box.lo[axis]) & static_cast<int>(xyz[axis] <= box.hi[axis]);
+    };
+    to += within(0) & within(1) & within(2);
   }
   found.resize(static_cast<std::size_t>(to - found.data()));
 }
