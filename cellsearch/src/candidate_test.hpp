@@ -38,6 +38,9 @@ class CandidateTest {
     return touches(box, node) && !scene_.segments.owns(segment, node) && (plain_ || passes(segment, node));
   }
 
+  /// Of the participants, 0 if the scene has no radii [length].
+  double largest_radius() const { return largest_radius_; }
+
   const Scene& scene() const { return scene_; }
 
  private:

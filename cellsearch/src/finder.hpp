@@ -8,6 +8,7 @@
 #include "cellsearch/array.hpp"
 #include "cellsearch/box.hpp"
 #include "cellsearch/cell_grid.hpp"
+#include "cellsearch/instruction_set.hpp"
 #include "cellsearch/method.hpp"
 #include "cellsearch/scene.hpp"
 #include "cellsearch/types.hpp"
@@ -19,8 +20,10 @@ struct FinderInput {
   Scene scene;
   CandidateTest test;
   CellGrid grid;
-  std::optional<Box> limit;  ///< the user's domain: only nodes inside count; not set: all of them
+  std::optional<Box> limit{};  ///< the user's domain: only nodes inside count; not set: all of them
   int threads = 1;
+  Box nodes{};                   ///< bounding box of the participants [length]
+  double asked_cell_edge = 0.0;  ///< by the settings, 0 if not [length]
   double cell_edge = 0.0;  ///< wanted by the settings [length]; `grid` may have larger cells; 0: no segment
 };
 
@@ -30,6 +33,7 @@ struct FoundRows {
   Array<Index>* nodes = nullptr;  ///< the rows, one after another; empty at the start
   Offset raw_visits = 0;          ///< nodes looked at, candidates or not
   Offset cell_visits = 0;         ///< cells looked into; 0 for methods without cells
+  Array<Index>* spare = nullptr;  ///< for the method to use as it likes
 };
 
 /// One method of finding candidates. The virtual calls happen once per build and per block of segments.
@@ -57,7 +61,7 @@ class Finder {
   virtual Offset nodes_in_domain() const = 0;
 };
 
-/// A new finder for `method`.
-std::unique_ptr<Finder> make_finder(Method method);
+/// A new finder for `method`; `set` is for the production method.
+std::unique_ptr<Finder> make_finder(Method method, InstructionSet set);
 
 }  // namespace cellsearch

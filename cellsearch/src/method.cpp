@@ -4,6 +4,7 @@
 #include <array>
 
 #include "finder.hpp"
+#include "production/production.hpp"
 #include "reference/brute_force.hpp"
 #include "reference/bucket_sort.hpp"
 #include "reference/linked_cell.hpp"
@@ -22,11 +23,11 @@ struct NamedMethod {
 constexpr std::array named_methods{
     NamedMethod{Method::LinkedCell, "linked-cell"},     NamedMethod{Method::BucketSort, "bucket-sort"},
     NamedMethod{Method::PositionCode, "position-code"}, NamedMethod{Method::Nbs, "nbs"},
-    NamedMethod{Method::BruteForce, "brute-force"},
+    NamedMethod{Method::BruteForce, "brute-force"},     NamedMethod{Method::Production, "production"},
 };
 
-constexpr std::array method_list{Method::LinkedCell, Method::BucketSort, Method::PositionCode, Method::Nbs,
-                                 Method::BruteForce};
+constexpr std::array method_list{Method::LinkedCell, Method::BucketSort, Method::PositionCode,
+                                 Method::Nbs,        Method::BruteForce, Method::Production};
 static_assert(method_list.size() == named_methods.size());
 
 }  // namespace
@@ -46,7 +47,7 @@ std::optional<Method> method_named(std::string_view name) {
   return std::nullopt;
 }
 
-std::unique_ptr<Finder> make_finder(Method method) {
+std::unique_ptr<Finder> make_finder(Method method, InstructionSet set) {
   switch (method) {
     case Method::LinkedCell:
       return std::make_unique<LinkedCell>();
@@ -58,6 +59,8 @@ std::unique_ptr<Finder> make_finder(Method method) {
       return std::make_unique<Nbs>();
     case Method::BruteForce:
       return std::make_unique<BruteForce>();
+    case Method::Production:
+      return std::make_unique<Production>(set);
   }
   return nullptr;
 }

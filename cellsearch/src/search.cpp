@@ -8,16 +8,28 @@
 #include "finder.hpp"
 #include "neighbour_lists.hpp"
 #include "parallel.hpp"
+#include "production/quick_checks.hpp"
 
 namespace cellsearch {
 
 Search::Search(const Settings& settings)
-    : settings_(settings),
-      finder_(make_finder(settings.method)),
-      neighbours_(std::make_unique<NeighbourLists>()) {
+    : settings_(settings), neighbours_(std::make_unique<NeighbourLists>()), block_spare_(1) {
   check_settings(settings);
+  instruction_set_ = instruction_set();
+  finder_ = make_finder(settings.method, instruction_set_);
   if (finder_ == nullptr) throw Error(ErrorKind::BadSetting, -1, "There is no such search method.");
   if (settings.domain) grid_ = CellGrid(*settings.domain);
+}
+
+InstructionSet Search::instruction_set() const {
+  const std::vector<InstructionSet> available = instruction_sets();
+  if (!settings_.instruction_set) return available.back();
+  if (std::find(available.begin(), available.end(), *settings_.instruction_set) == available.end()) {
+    throw Error(ErrorKind::BadSetting, -1,
+                "This processor does not have the instruction set \"" +
+                    std::string(name_of(*settings_.instruction_set)) + "\".");
+  }
+  return *settings_.instruction_set;
 }
 
 Search::~Search() = default;
@@ -28,17 +40,27 @@ void Search::build(const Scene& scene) {
   // If a check throws there must be nothing to query.
   scene_ = Scene{};
   statistics_ = Statistics{};
-  const SceneSummary summary = check_scene(scene, settings_.threads);
+  SceneSummary summary;
+  const bool production = settings_.method == Method::Production;
+  const auto quick =
+      production ? production::quick_checks(scene, instruction_set_, settings_.threads) : std::nullopt;
+  summary = quick ? *quick : check_scene(scene, settings_.threads);
   const Offset participants = static_cast<Offset>(scene.participants());
-  if (!settings_.domain) {
+  const double edge = settings_.cell_edge.value_or(settings_.cell_factor * summary.mean_edge);
+  if (!settings_.domain && !production) {
     const double limit = settings_.cells_per_node * static_cast<double>(participants);
     const Offset max_cells = static_cast<Offset>(std::clamp(limit, 1.0, 2147483647.0));
-    grid_ = CellGrid(automatic_domain(summary.nodes, settings_.cell_factor * summary.mean_edge, max_cells));
+    grid_ = CellGrid(automatic_domain(summary.nodes, edge, max_cells));
   }
   neighbours_->build(scene);
-  FinderInput input{scene, CandidateTest(scene, neighbours_.get(), summary.largest_radius), grid_,
-                    std::nullopt, settings_.threads};
-  input.cell_edge = settings_.cell_factor * summary.mean_edge;
+  FinderInput input;
+  input.scene = scene;
+  input.test = CandidateTest(scene, neighbours_.get(), summary.largest_radius);
+  input.grid = grid_;
+  input.threads = settings_.threads;
+  input.cell_edge = edge;
+  input.asked_cell_edge = settings_.cell_edge.value_or(0.0);
+  input.nodes = summary.nodes;
   if (settings_.domain) input.limit = settings_.domain->box;
   finder_->build(input);
   scene_ = scene;
@@ -60,6 +82,7 @@ const Candidates& Search::query() {
     block_nodes_.resize(static_cast<std::size_t>(blocks - 1));
   }
   block_rows_.resize(static_cast<std::size_t>(blocks));
+  if (block_spare_.size() < block_rows_.size()) block_spare_.resize(block_rows_.size());
   const auto nodes_of = [&](int block) -> Array<Index>& {
     return block == 0 ? candidates_.node : block_nodes_[static_cast<std::size_t>(block - 1)];
   };
@@ -68,6 +91,7 @@ const Candidates& Search::query() {
     Array<Index>& nodes = nodes_of(block);
     nodes.clear();
     FoundRows rows{candidates_.first.data() + range.begin + 1, &nodes};
+    rows.spare = &block_spare_[static_cast<std::size_t>(block)];
     finder_->query(range.begin, range.end, rows);
     block_rows_[static_cast<std::size_t>(block)] = {0, rows.raw_visits, rows.cell_visits};
   });
@@ -98,6 +122,7 @@ Index Search::query_batch(Index begin) {
   const Index end = std::min(segments(), begin + batch_size);
   batch_nodes_.clear();
   FoundRows rows{batch_ends_.data(), &batch_nodes_};
+  rows.spare = &block_spare_[0];
   finder_->query(begin, end, rows);
   statistics_.raw_visits += rows.raw_visits;
   statistics_.cell_visits += rows.cell_visits;

@@ -88,7 +88,8 @@ TEST(Search, IgnoresNonFiniteNodesThatNeitherListNorSegmentNames) {
 // the 2 segments looks at all of them.
 TEST(Search, CountsCellsMemoryAndVisits) {
   const TwoPlates plates;
-  Search search({.domain = CellDomain{Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, {1, 1, 1}}});
+  Search search(
+      {.method = Method::LinkedCell, .domain = CellDomain{Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, {1, 1, 1}}});
   search.find(plates.scene);
   EXPECT_EQ(search.statistics().cells, 1);
   EXPECT_EQ(search.statistics().bytes, 4 * (1 + 8));
@@ -104,7 +105,8 @@ TEST(Search, VisitsOnlyCellsOfTheTerritory) {
   TwoPlates plates;
   for (const double x : {0.0, 0.5, 1.0}) plates.positions.insert(plates.positions.end(), {x, 0.5, 0.9});
   plates.scene.positions = Positions(plates.positions);
-  Search search({.domain = CellDomain{Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, {2, 2, 4}}});
+  Search search(
+      {.method = Method::LinkedCell, .domain = CellDomain{Box{{0.0, 0.0, 0.0}, {1.0, 1.0, 1.0}}, {2, 2, 4}}});
   search.find(plates.scene);
   EXPECT_EQ(search.statistics().cells, 16);
   EXPECT_EQ(search.statistics().bytes, 4 * (16 + 11));
@@ -146,7 +148,7 @@ TEST(Search, LetsAVisitorThrow) {
 
 TEST(Search, CanBeMovedAfterABuild) {
   const TwoPlates plates;
-  Search search;
+  Search search({.method = Method::LinkedCell});
   search.build(plates.scene);
   Search moved(std::move(search));
   EXPECT_EQ(moved.query().pairs(), 8);
@@ -185,7 +187,7 @@ TEST(Search, MakesCellsOfTheMeanEdge) {
   Scene scene;
   scene.positions = Positions(positions);
   scene.segments = Segments(connectivity);
-  Search search({.cells_per_node = 100.0});
+  Search search({.method = Method::LinkedCell, .cells_per_node = 100.0});
   search.build(scene);
   EXPECT_EQ(search.grid().domain().cells, (std::array<Index, 3>{8, 4, 1}));
   EXPECT_EQ(search.statistics().cells, 32);
@@ -196,7 +198,7 @@ TEST(Search, VisitsAsManyNodesPerSegmentInALargeMeshAsInASmallOne) {
   std::vector<double> visits;
   for (const int nodes : {20000, 80000, 320000}) {
     const scenes::Mesh mesh = scenes::folded_sheets(nodes, 1);
-    Search search;
+    Search search({.method = Method::LinkedCell});
     search.find(mesh.scene());
     const Statistics& statistics = search.statistics();
     visits.push_back(static_cast<double>(statistics.raw_visits) / static_cast<double>(statistics.segments));

@@ -14,6 +14,7 @@ enum class Method {
   PositionCode,  ///< "position-code": sorted cell numbers and binary search, O(N log N)
   Nbs,           ///< "nbs": no binary search, bodies of similar size only: else Error(UnsuitedMethod)
   BruteForce,    ///< "brute-force": every node against every segment, O(N^2); the oracle
+  Production,    ///< "production": the one to use: linear for any layout, and the fastest
 };
 
 /// All methods, in the order of the enumeration.

@@ -11,6 +11,7 @@
 #include "cellsearch/candidates.hpp"
 #include "cellsearch/cell_grid.hpp"
 #include "cellsearch/error.hpp"
+#include "cellsearch/instruction_set.hpp"
 #include "cellsearch/method.hpp"
 #include "cellsearch/scene.hpp"
 #include "cellsearch/types.hpp"
@@ -22,18 +23,27 @@ class NeighbourLists;
 
 /// How to search. The defaults suit any scene.
 struct Settings {
-  Method method = Method::LinkedCell;
+  Method method = Method::Production;
 
   /// The cells, possibly over part of the model only (then nodes outside are never candidates, whatever the
   /// method). Not set: the bounding box of the participating nodes at each build, so that none is missed.
   std::optional<CellDomain> domain{};
 
-  /// Automatic cells: cell edge over mean segment edge, > 0. The paper advises 1 or a little more.
+  /// Edge of the cells [length], > 0. Not set: chosen by the method. Larger ones are taken where these would
+  /// be too many.
+  std::optional<double> cell_edge{};
+
+  /// The paper's methods, automatic cells: cell edge over mean segment edge, > 0. The paper advises 1 or a
+  /// little more.
   double cell_factor = 1.0;
 
-  /// Automatic cells: at most this many cells per participating node, > 0, so that memory does not grow with
-  /// the empty volume of a sparse scene.
+  /// The paper's methods, automatic cells: at most this many cells per participating node, > 0, so that
+  /// memory does not grow with the empty volume of a sparse scene.
   double cells_per_node = 4.0;
+
+  /// Instruction set of the production method. Not set: the best that this processor has. The results are
+  /// bitwise the same for any.
+  std::optional<InstructionSet> instruction_set{};
 
   /// Number of threads, >= 1. The results are bitwise the same for any number.
   int threads = 1;
@@ -124,9 +134,11 @@ class Search {
   };
 
   Index segments() const { return static_cast<Index>(scene_.segments.count()); }
+  InstructionSet instruction_set() const;
   Index query_batch(Index begin);
 
   Settings settings_;
+  InstructionSet instruction_set_ = InstructionSet::Portable;
   Scene scene_;
   CellGrid grid_;
   Statistics statistics_;
@@ -134,6 +146,7 @@ class Search {
   std::unique_ptr<Finder> finder_;
   std::unique_ptr<NeighbourLists> neighbours_;
   std::vector<BlockRows> block_rows_;
+  std::vector<Array<Index>> block_spare_;
   std::vector<Array<Index>> block_nodes_;  // what each block of segments found, before it is joined
   std::array<Offset, batch_size> batch_ends_{};
   Array<Index> batch_nodes_;

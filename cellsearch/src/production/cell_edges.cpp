@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "production/cell_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace cellsearch::production {
+namespace {
+
+constexpr Index most_samples = 512;
+constexpr int classes = 96;
+constexpr double classes_per_octave = 4.0;
+/// Cells per node that are always affordable, with a grid of its own for what is crowded.
+constexpr double most_cells_per_node = 5.0;
+
+/// Territories of about one size.
+struct SizeClass {
+  double weight = 0.0;   ///< share of the segments
+  double along = 0.0;    ///< mean extent along the run axis [length]
+  double across = 0.0;   ///< mean of the larger of the other extents [length]
+  double spacing = 0.0;  ///< mean distance of nodes [length]
+};
+
+struct Sample {
+  std::array<SizeClass, classes> sizes{};
+  double largest = 0.0;
+  int run_axis = 0;
+};
+
+/// Segment `number` of `count` samples: spread evenly, but not in step with the rows of a mesh.
+Index sampled_segment(Index number, Index count, Index segments) {
+  const Offset stride = segments / count;
+  const Offset shift = (Offset{number} * 2654435761LL) % stride;
+  return static_cast<Index>(Offset{number} * segments / count / stride * stride + shift) % segments;
+}
+
+std::array<double, 3> extents_of(const Box& box) {
+  return {box.hi[0] - box.lo[0], box.hi[1] - box.lo[1], box.hi[2] - box.lo[2]};
+}
+
+/// The axis along which nodes move most from a segment to the next.
+int numbering_axis(const Scene& scene, Index samples, Index segments) {
+  std::array<double, 3> moved{};
+  for (Index i = 0; i < samples; ++i) {
+    const Index segment = sampled_segment(i, samples, segments);
+    if (segment + 1 >= segments) continue;
+    const double* from = scene.positions[scene.segments[segment][0]];
+    const double* to = scene.positions[scene.segments[segment + 1][0]];
+    for (std::size_t axis = 0; axis < 3; ++axis) moved[axis] += std::fabs(to[axis] - from[axis]);
+  }
+  return static_cast<int>(std::max_element(moved.begin(), moved.end()) - moved.begin());
+}
+
+Sample take_sample(const FinderInput& input) {
+  const Scene& scene = input.scene;
+  const Index segments = static_cast<Index>(scene.segments.count());
+  const Index samples = std::min(segments, most_samples);
+  Sample sample;
+  sample.run_axis = numbering_axis(scene, samples, segments);
+  const std::size_t run = static_cast<std::size_t>(sample.run_axis);
+  struct One {
+    double along;
+    double across;
+    double spacing;
+  };
+  std::array<One, most_samples> all;
+  for (Index i = 0; i < samples; ++i) {
+    const Index segment = sampled_segment(i, samples, segments);
+    const Box box = input.test.culling_box(segment);
+    const std::array<double, 3> extent = extents_of(box);
+    const double across = std::max(extent[(run + 1) % 3], extent[(run + 2) % 3]);
+    const double longest = std::max(across, extent[run]);
+    // Expanded territories say nothing of the distance of nodes where the expansion is most of them.
+    const double bare = longest - 2.0 * scene.expansion_of(segment);
+    all[static_cast<std::size_t>(i)] = {extent[run], across, std::max(bare, 0.1 * longest)};
+    sample.largest = std::max(sample.largest, longest);
+  }
+  for (Index i = 0; i < samples; ++i) {
+    const One& one = all[static_cast<std::size_t>(i)];
+    const double longest = std::max(one.along, one.across);
+    if (!(longest > 0.0) || !std::isfinite(sample.largest)) continue;
+    const double octaves = std::log2(sample.largest / longest) * classes_per_octave;
+    SizeClass& size = sample.sizes[static_cast<std::size_t>(std::min(octaves, double{classes - 1}))];
+    size.weight += 1.0;
+    size.along += one.along;
+    size.across += one.across;
+    size.spacing += one.spacing;
+  }
+  for (SizeClass& size : sample.sizes) {
+    if (!(size.weight > 0.0)) continue;
+    size.along /= size.weight;
+    size.across /= size.weight;
+    size.spacing /= size.weight;
+    size.weight /= samples;
+  }
+  return sample;
+}
+
+/// Nodes per area of a square with the spacing as edge: more than one, where surfaces are near each other.
+constexpr double layers = 2.0;
+
+/// Estimated time for a segment [ns]. The constants were fitted to runs of cellsearch-bench; only the place
+/// of the minimum matters, and it is flat.
+double query_cost(const SizeClass& size, const CellEdges& edges) {
+  const double across = size.across / edges.cross;
+  const double rows = (1.0 + across) * (1.0 + across);
+  const double in_run = layers * (size.along + edges.run) * edges.cross / (size.spacing * size.spacing);
+  const double several_entries =
+      std::max(std::clamp(across - 1.0, 0.0, 1.0), std::clamp((in_run - 8.0) / 16.0, 0.0, 1.0));
+  const double entries = 0.25 * rows * (1.0 + in_run / 16.0);
+  double cost = 14.0 + several_entries * (12.0 + 6.0 * entries);
+  // Beyond what the bytes of the lattice tell apart, rows are visited one by one.
+  if (across > 2.9 || size.along / edges.run > 5.0) cost += 40.0 + rows * (10.0 + 2.0 * in_run);
+  return cost;
+}
+
+double cost_of(const Sample& sample, const CellEdges& edges, double cells_per_node) {
+  double cost = 1.5 * cells_per_node;
+  for (const SizeClass& size : sample.sizes) {
+    if (size.weight > 0.0) cost += size.weight * query_cost(size, edges);
+  }
+  return cost;
+}
+
+/// Edges that make about `cells` cells, for nodes of which nothing better is known.
+CellEdges edges_for(const Box& box, int run_axis, double cells) {
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, 0.5 * box.hi[axis] - 0.5 * box.lo[axis]);
+  CellEdges edges{run_axis, longest / 2048.0, longest / 1024.0};
+  while (cells_for(box, edges) > cells && edges.run < longest) {
+    edges.run *= 1.1;
+    edges.cross *= 1.1;
+  }
+  return edges;
+}
+
+}  // namespace
+
+CellEdges choose_edges(const FinderInput& input, const Box& box, Index nodes) {
+  const double affordable = most_cells_per_node * nodes + 1024.0;
+  if (nodes == 0 || input.scene.segments.count() == 0) return edges_for(box, 0, 0.25 * nodes + 1.0);
+  const Sample sample = take_sample(input);
+  if (!(sample.largest > 0.0) || !std::isfinite(sample.largest))
+    return edges_for(box, sample.run_axis, 0.25 * nodes + 1.0);
+  CellEdges best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int step = -4; step < classes; ++step) {
+    const double cross = sample.largest * std::exp2(-step / classes_per_octave);
+    for (const double ratio : {0.34, 0.5, 0.75, 1.0}) {
+      const CellEdges edges{sample.run_axis, ratio * cross, cross};
+      const double cells = cells_for(box, edges);
+      if (cells > affordable) continue;
+      const double cost = cost_of(sample, edges, cells / nodes);
+      if (cost < least) {
+        least = cost;
+        best = edges;
+      }
+    }
+  }
+  // Sparse: the nodes are few spots in a large box. Coarse cells then, each of which is divided by itself.
+  if (!(least < std::numeric_limits<double>::infinity()))
+    return edges_for(box, sample.run_axis, nodes / 32.0 + 1.0);
+  return best;
+}
+
+}  // namespace cellsearch::production

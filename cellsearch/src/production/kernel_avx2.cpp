@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "production/kernel_tables.hpp"
+#include "production/kernel_x86.hpp"
+
+namespace cellsearch::production {
+
+const Kernels& avx2_kernels() {
+  static constexpr Kernels table = x86_kernels<InstructionSet::Avx2>;
+  return table;
+}
+
+}  // namespace cellsearch::production
