@@ -193,6 +193,9 @@ void check_settings(const Settings& settings) {
   if (!(settings.cells_per_node > 0.0) || !std::isfinite(settings.cells_per_node)) {
     fail("The number of cells per node must be positive and finite.");
   }
+  if (settings.cell_edge && !(*settings.cell_edge > 0.0 && std::isfinite(*settings.cell_edge))) {
+    fail("The edge of the cells must be positive and finite.");
+  }
 }
 
 void check_positions(const Positions& positions) {

@@ -22,7 +22,6 @@ struct FinderInput {
   CellGrid grid;
   std::optional<Box> limit{};  ///< the user's domain: only nodes inside count; not set: all of them
   int threads = 1;
-  Box nodes{};                   ///< bounding box of the participants [length]
   double asked_cell_edge = 0.0;  ///< by the settings, 0 if not [length]
   double cell_edge = 0.0;  ///< wanted by the settings [length]; `grid` may have larger cells; 0: no segment
 };

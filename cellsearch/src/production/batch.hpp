@@ -50,10 +50,11 @@ struct Batch {
   std::array<LatticeBox, batch_segments> boxes;
   std::array<Entry, batch_entries> entries;
   std::array<std::uint64_t, batch_entries> masks;
-  std::array<std::uint32_t, batch_segments> ends;     ///< of the hits of each segment
-  std::array<std::uint32_t, batch_segments> refused;  ///< hits that turned out to be none
-  std::array<bool, batch_segments> too_many;          ///< the row of this segment is not among the hits
+  std::array<std::uint32_t, batch_segments> ends;  ///< of the hits of each segment
+  std::array<bool, batch_segments> too_many;       ///< the row of this segment is not among the hits
   bool any_too_many;
+  int many_count;  ///< entries with more than four hits
+  int long_count;  ///< segments with more than one entry
   int entry_count;
   Offset raw_visits;
   Offset cell_visits;

@@ -26,6 +26,7 @@ struct SizeClass {
 struct Sample {
   std::array<SizeClass, classes> sizes{};
   double largest = 0.0;
+  double smallest = std::numeric_limits<double>::infinity();
   int run_axis = 0;
 };
 
@@ -76,6 +77,7 @@ Sample take_sample(const FinderInput& input) {
     const double bare = longest - 2.0 * scene.expansion_of(segment);
     all[static_cast<std::size_t>(i)] = {extent[run], across, std::max(bare, 0.1 * longest)};
     sample.largest = std::max(sample.largest, longest);
+    sample.smallest = std::min(sample.smallest, longest);
   }
   for (Index i = 0; i < samples; ++i) {
     const One& one = all[static_cast<std::size_t>(i)];
@@ -98,28 +100,36 @@ Sample take_sample(const FinderInput& input) {
   return sample;
 }
 
-/// Nodes per area of a square with the spacing as edge: more than one, where surfaces are near each other.
-constexpr double layers = 2.0;
+/// Nodes expected in a run through the cells of a territory, if surfaces were single.
+double single_run(const SizeClass& size, const CellEdges& edges) {
+  return (size.along + edges.run) * edges.cross / (size.spacing * size.spacing);
+}
+
+double rows_of(const SizeClass& size, const CellEdges& edges) {
+  const double across = 1.0 + size.across / edges.cross;
+  return across * across;
+}
 
 /// Estimated time for a segment [ns]. The constants were fitted to runs of cellsearch-bench; only the place
 /// of the minimum matters, and it is flat.
-double query_cost(const SizeClass& size, const CellEdges& edges) {
+double query_cost(const SizeClass& size, const CellEdges& edges, double layers) {
   const double across = size.across / edges.cross;
-  const double rows = (1.0 + across) * (1.0 + across);
-  const double in_run = layers * (size.along + edges.run) * edges.cross / (size.spacing * size.spacing);
-  const double several_entries =
-      std::max(std::clamp(across - 1.0, 0.0, 1.0), std::clamp((in_run - 8.0) / 16.0, 0.0, 1.0));
-  const double entries = 0.25 * rows * (1.0 + in_run / 16.0);
-  double cost = 14.0 + several_entries * (12.0 + 6.0 * entries);
+  const double rows = rows_of(size, edges);
+  const double in_run = layers * single_run(size, edges);
+  const double third_row = std::clamp(across - 1.0, 0.0, 1.0);
+  const double wide = 1.0 - (1.0 - third_row) * (1.0 - third_row);
+  const double long_run = std::clamp((in_run - 6.0) / 14.0, 0.0, 1.0);
+  const double tests = rows * (1.0 + in_run / 16.0);
+  double cost = 20.0 + wide * (20.0 + 2.5 * tests) + long_run * (6.0 + 5.0 * rows * in_run / 16.0);
   // Beyond what the bytes of the lattice tell apart, rows are visited one by one.
   if (across > 2.9 || size.along / edges.run > 5.0) cost += 40.0 + rows * (10.0 + 2.0 * in_run);
   return cost;
 }
 
-double cost_of(const Sample& sample, const CellEdges& edges, double cells_per_node) {
-  double cost = 1.5 * cells_per_node;
+double cost_of(const Sample& sample, const CellEdges& edges, double layers, double cells_per_node) {
+  double cost = 2.0 * cells_per_node;
   for (const SizeClass& size : sample.sizes) {
-    if (size.weight > 0.0) cost += size.weight * query_cost(size, edges);
+    if (size.weight > 0.0) cost += size.weight * query_cost(size, edges, layers);
   }
   return cost;
 }
@@ -138,7 +148,7 @@ CellEdges edges_for(const Box& box, int run_axis, double cells) {
 
 }  // namespace
 
-CellEdges choose_edges(const FinderInput& input, const Box& box, Index nodes) {
+CellEdges choose_edges(const FinderInput& input, const Box& box, Index nodes, double layers) {
   const double affordable = most_cells_per_node * nodes + 1024.0;
   if (nodes == 0 || input.scene.segments.count() == 0) return edges_for(box, 0, 0.25 * nodes + 1.0);
   const Sample sample = take_sample(input);
@@ -148,11 +158,11 @@ CellEdges choose_edges(const FinderInput& input, const Box& box, Index nodes) {
   double least = std::numeric_limits<double>::infinity();
   for (int step = -4; step < classes; ++step) {
     const double cross = sample.largest * std::exp2(-step / classes_per_octave);
-    for (const double ratio : {0.34, 0.5, 0.75, 1.0}) {
+    for (const double ratio : {0.4, 0.6, 0.9}) {
       const CellEdges edges{sample.run_axis, ratio * cross, cross};
       const double cells = cells_for(box, edges);
       if (cells > affordable) continue;
-      const double cost = cost_of(sample, edges, cells / nodes);
+      const double cost = cost_of(sample, edges, layers, cells / nodes);
       if (cost < least) {
         least = cost;
         best = edges;
@@ -161,8 +171,27 @@ CellEdges choose_edges(const FinderInput& input, const Box& box, Index nodes) {
   }
   // Sparse: the nodes are few spots in a large box. Coarse cells then, each of which is divided by itself.
   if (!(least < std::numeric_limits<double>::infinity()))
-    return edges_for(box, sample.run_axis, nodes / 32.0 + 1.0);
+    best = edges_for(box, sample.run_axis, nodes / 32.0 + 1.0);
+  best.smallest_territory = sample.smallest;
   return best;
+}
+
+double measure_layers(const FinderInput& input, const NodeGrid& grid, const CellEdges& edges) {
+  if (input.scene.participants() == 0 || input.scene.segments.count() == 0) return usual_layers;
+  const Sample sample = take_sample(input);
+  double expected = 0.0;
+  for (const SizeClass& size : sample.sizes) {
+    if (size.weight > 0.0) expected += size.weight * rows_of(size, edges) * single_run(size, edges);
+  }
+  const Index segments = static_cast<Index>(input.scene.segments.count());
+  const Index samples = std::min(segments, most_samples);
+  Offset nodes = 0;
+  Offset cells = 0;
+  const auto count = [&](std::uint32_t first, std::uint32_t last) { nodes += last - first; };
+  for (Index i = 0; i < samples; ++i)
+    grid.visit(input.test.culling_box(sampled_segment(i, samples, segments)), cells, count);
+  const double found = static_cast<double>(nodes) / samples;
+  return expected > 0.0 && std::isfinite(expected) ? std::clamp(found / expected, 0.2, 20.0) : usual_layers;
 }
 
 }  // namespace cellsearch::production

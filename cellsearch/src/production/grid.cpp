@@ -8,7 +8,8 @@
 namespace cellsearch::production {
 namespace {
 
-constexpr double most_cells_along = lattice_limit >> (fine_bits + cross_bits);
+// Nodes that have moved a little since the grid was made must not reach the limit.
+constexpr double most_cells_along = (lattice_limit / 2) >> (fine_bits + cross_bits);
 
 /// Half the extent, which is finite even where the extent is not.
 double half_extent(const Box& box, int axis) {
@@ -55,7 +56,7 @@ Grid make_grid(const Box& nodes, const CellEdges& edges) {
     grid.step[axis] = static_cast<std::int32_t>(step);
     const double largest = std::max(std::fabs(nodes.lo[axis]), std::fabs(nodes.hi[axis]));
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * largest * scale;
-    grid.margin[axis] = 4 + static_cast<std::int32_t>(std::min(rounding, double{lattice_limit}));
+    grid.margin[axis] = 3 + static_cast<std::int32_t>(std::min(rounding, 0.25 * lattice_limit));
     step *= grid.cells[axis] + 1;
   }
   grid.cell_count = step;

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t no_place = 0xffffffffU;
 
 /// Cells in rows, and within them a fine lattice to which coordinates are rounded.
 ///
-/// A coordinate x becomes trunc(x * scale + offset), cut to +-2^28. This never decreases with x, also in
+/// A coordinate x becomes trunc(x * scale + offset), cut to +-2^29. This never decreases with x, also in
 /// floating point, and therefore loses nothing: lo <= x <= hi implies the same of the rounded numbers. What
 /// lies strictly inside in the lattice is inside, what lies outside is outside, and only what is next to a
 /// face must be looked at again in double precision.
@@ -41,22 +41,27 @@ struct alignas(32) Grid {
 };
 
 /// Bits of the lattice number below the eight that the vector test compares.
-inline constexpr int fine_bits = 8;
+inline constexpr int fine_bits = 10;
 /// Bits within a cell, along the run axis and across it.
 inline constexpr int run_bits = 5;
 inline constexpr int cross_bits = 6;
 /// Largest lattice number that a coordinate is cut to.
-inline constexpr std::int32_t lattice_limit = 1 << 28;
-/// A cell with more nodes has a grid of its own, if its nodes can be told apart.
+inline constexpr std::int32_t lattice_limit = 1 << 29;
+/// A cell with no more nodes is never divided. One with more is if the territories in it are much smaller
+/// than it, and one with far more in any case, if its nodes can be told apart.
 inline constexpr std::uint32_t most_in_cell = 64;
+inline constexpr std::uint32_t most_in_any_cell = 512;
+/// Territories are much smaller than a cell if they are smaller than this part of its edge.
+inline constexpr double much_smaller = 0.015;
 /// Entries that may be read beyond the last sorted node.
 inline constexpr std::size_t padding = 128;
 
 /// Cell edges of a grid.
 struct CellEdges {
   int run_axis = 0;
-  double run = 0.0;    ///< along the run axis [length]
-  double cross = 0.0;  ///< across it [length]
+  double run = 0.0;                 ///< along the run axis [length]
+  double cross = 0.0;               ///< across it [length]
+  double smallest_territory = 0.0;  ///< by its largest extent, in a sample; 0: not known [length]
 };
 
 /// Numbers of cells that `make_grid` would use for a box, with the empty ones; never overflows.

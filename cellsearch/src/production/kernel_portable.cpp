@@ -36,7 +36,7 @@ std::int32_t clamp(const Grid& grid, std::size_t axis, std::int32_t fine) {
   return std::clamp(fine, 0, grid.top[axis]);
 }
 
-void classify(const SortInput& input, Index begin, Index end, std::uint32_t* counts) {
+NodeRange classify(const SortInput& input, Index begin, Index end, std::uint32_t* counts) {
   const Grid& grid = input.grid;
   for (Index node = begin; node < end; ++node) {
     const double* xyz = input.positions[node];
@@ -49,6 +49,7 @@ void classify(const SortInput& input, Index begin, Index end, std::uint32_t* cou
     record.place = static_cast<std::uint32_t>(cell);
     if (counts != nullptr) ++counts[cell];
   }
+  return measure(input.positions, begin, end);
 }
 
 void place(const SortInput& input, const SortOutput& output, Index begin, Index end, std::uint32_t* next) {
@@ -134,7 +135,7 @@ class Query {
       const std::int32_t fine = input_.table.records[node].fine[axis];
       const std::int32_t nearest = std::min(fine - lo_[axis], hi_[axis] - fine);
       if (nearest < 0) return;
-      near_face = near_face || nearest <= 4 * grid_.margin[axis];
+      near_face = near_face || nearest <= 2 * grid_.margin[axis] + 2;
     }
     const Index* own = input_.connectivity + 4 * static_cast<std::size_t>(segment);
     if (node == own[0] || node == own[1] || node == own[2] || node == own[3]) return;

@@ -81,7 +81,8 @@ struct Kernels {
   std::uint32_t (*largest)(std::span<const Index> numbers);
   /// Writes the records of nodes begin..end-1, cells as places, and counts them by cell unless `counts` is
   /// null.
-  void (*classify)(const SortInput&, Index begin, Index end, std::uint32_t* counts);
+  /// Measures them on the way.
+  NodeRange (*classify)(const SortInput&, Index begin, Index end, std::uint32_t* counts);
   /// Puts nodes begin..end-1 at the places that `next` counts up by cell, and notes the places.
   void (*place)(const SortInput&, const SortOutput&, Index begin, Index end, std::uint32_t* next);
   /// Finder::query.

@@ -2,6 +2,7 @@
 #include "production/node_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "parallel.hpp"
@@ -13,12 +14,21 @@ namespace {
 constexpr int most_sorting_threads = 4;
 
 /// Cells of a divided cell per node in it, at most.
-constexpr double cells_per_node = 3.0;
+constexpr double cells_per_node = 2.0;
 
 std::int32_t lattice_number(const Grid& grid, std::size_t axis, double coordinate) {
   const double place = coordinate * grid.scale[axis] + grid.offset[axis];
   if (!(place < lattice_limit)) return lattice_limit;
   return place > -lattice_limit ? static_cast<std::int32_t>(place) : -lattice_limit;
+}
+
+/// Largest edge of the cells of a grid [length].
+double cell_edge(const Grid& grid) {
+  double edge = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (grid.scale[axis] > 0.0) edge = std::max(edge, std::ldexp(1.0 / grid.scale[axis], grid.shift[axis]));
+  }
+  return edge;
 }
 
 /// Cell edges that divide `box`, which holds `nodes` nodes, with territories of about `size` [length] if
@@ -65,7 +75,18 @@ Offset NodeGrid::bytes() const {
          size(counts_) + size(spare_);
 }
 
-void NodeGrid::build(const NodeGridInput& input) {
+NodeRange NodeGrid::build(const NodeGridInput& input) {
+  grids_.clear();
+  grids_.push_back(make_grid(input.box, input.edges));
+  return sort(input);
+}
+
+NodeRange NodeGrid::build_again(const NodeGridInput& input) {
+  grids_.resize(1);
+  return sort(input);
+}
+
+NodeRange NodeGrid::sort(const NodeGridInput& input) {
   const std::size_t all = input.positions.count();
   count_ = static_cast<Index>(input.nodes ? input.nodes->size() : all);
   records_.resize(all);
@@ -75,17 +96,16 @@ void NodeGrid::build(const NodeGridInput& input) {
   node_.resize(static_cast<std::size_t>(count_) + padding);
   child_.clear();
   spare_.clear();
-  grids_.clear();
-  grids_.push_back(make_grid(input.box, input.edges));
   starts_.resize(static_cast<std::size_t>(grids_[0].cell_count) + 1);
-  sort_root(input);
+  const NodeRange range = sort_root(input);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     std::memset(coordinate_.data() + axis * stride_ + count_, 0, padding);
   }
   std::fill_n(node_.begin() + count_, padding, 0);
+  return range;
 }
 
-void NodeGrid::sort_root(const NodeGridInput& input) {
+NodeRange NodeGrid::sort_root(const NodeGridInput& input) {
   const Kernels& kernel = kernels(input.set);
   const Index all = static_cast<Index>(input.positions.count());
   const bool everybody = !input.nodes && !input.limit;
@@ -100,32 +120,49 @@ void NodeGrid::sort_root(const NodeGridInput& input) {
     return block == blocks - 1 ? starts_.data() + 1
                                : counts_.data() + static_cast<std::size_t>(block) * cells;
   };
+  std::array<NodeRange, most_sorting_threads> ranges;
   for_blocks(input.threads, blocks, [&](int block) {
     std::uint32_t* const counts = counts_of(block);
     std::memset(counts, 0, cells * sizeof(std::uint32_t));
     const BlockRange range(all, block, blocks);
-    kernel.classify(sort, range.begin, range.end, everybody ? counts : nullptr);
+    ranges[static_cast<std::size_t>(block)] =
+        kernel.classify(sort, range.begin, range.end, everybody ? counts : nullptr);
   });
-  if (!everybody) choose_participants(input);
-  std::uint32_t next = 0;
-  std::uint32_t most = 0;
-  starts_[0] = 0;
-  for (std::size_t cell = 0; cell < cells; ++cell) {
-    const std::uint32_t first = next;
-    for (int block = 0; block < blocks; ++block) {
-      std::uint32_t& count = counts_of(block)[cell];
-      const std::uint32_t here = count;
-      count = next;
-      next += here;
-    }
-    most = std::max(most, next - first);
+  for (int block = 1; block < blocks; ++block) {
+    ranges[0].box.include(ranges[static_cast<std::size_t>(block)].box);
+    ranges[0].finite = ranges[0].finite && ranges[static_cast<std::size_t>(block)].finite;
   }
-  crowded_ = most > most_in_cell;
-  count_ = static_cast<Index>(next);
+  if (!everybody) choose_participants(input);
+  count_ = static_cast<Index>(add_up(blocks, cells));
   for_blocks(input.threads, blocks, [&](int block) {
     const BlockRange range(all, block, blocks);
     kernel.place(sort, output, range.begin, range.end, counts_of(block));
   });
+  return ranges[0];
+}
+
+/// Turns the counts of all blocks into first places, cell by cell and block by block. Returns the number of
+/// nodes.
+std::uint32_t NodeGrid::add_up(int blocks, std::size_t cells) {
+  std::uint32_t* const last = starts_.data() + 1;
+  starts_[0] = 0;
+  std::uint32_t next = 0;
+  std::uint32_t most = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const std::uint32_t first = next;
+    for (int block = 0; block < blocks - 1; ++block) {
+      std::uint32_t& count = counts_[static_cast<std::size_t>(block) * cells + cell];
+      const std::uint32_t here = count;
+      count = next;
+      next += here;
+    }
+    const std::uint32_t here = last[cell];
+    last[cell] = next;
+    next += here;
+    most = std::max(most, next - first);
+  }
+  crowded_ = most > most_in_cell;
+  return next;
 }
 
 /// Counts those that take part and marks the others.
@@ -157,12 +194,13 @@ void NodeGrid::divide(const NodeGridInput& input, std::span<const float> sizes) 
     const Offset end = begin + grids_[parent].cell_count;
     for (Offset cell = begin; cell < end; ++cell) {
       const std::size_t at = static_cast<std::size_t>(cell);
-      if (starts_[at + 1] - starts_[at] > most_in_cell) divide_cell(input, sizes, cell);
+      if (starts_[at + 1] - starts_[at] > most_in_cell) divide_cell(input, sizes, parent, cell);
     }
   }
 }
 
-void NodeGrid::divide_cell(const NodeGridInput& input, std::span<const float> sizes, Offset cell) {
+void NodeGrid::divide_cell(const NodeGridInput& input, std::span<const float> sizes, std::size_t parent,
+                           Offset cell) {
   const std::uint32_t begin = starts_[static_cast<std::size_t>(cell)];
   const std::uint32_t end = starts_[static_cast<std::size_t>(cell) + 1];
   Box box;
@@ -174,16 +212,22 @@ void NodeGrid::divide_cell(const NodeGridInput& input, std::span<const float> si
     size += here;
     sized += here > 0.0 ? 1.0 : 0.0;
   }
-  const CellEdges edges =
-      edges_within(box, end - begin, sized > 0.0 ? size / sized : 0.0, input.edges.run_axis);
+  const double mean_size = sized > 0.0 ? size / sized : 0.0;
+  const bool small = mean_size > 0.0 && mean_size < much_smaller * cell_edge(grids_[parent]);
+  if (!small && end - begin <= most_in_any_cell) return;
+  const CellEdges edges = edges_within(box, end - begin, mean_size, input.edges.run_axis);
   Grid grid = make_grid(box, edges);
   if (grid.cells == std::array<Index, 3>{1, 1, 1}) return;
   const Offset before = static_cast<Offset>(starts_.size());
-  if (child_.empty()) child_.assign(starts_.size(), -1);
+  if (child_.empty()) child_.resize(starts_.size(), -1);
   grid.first_cell = before;
   child_[static_cast<std::size_t>(cell)] = static_cast<std::int32_t>(grids_.size());
-  starts_.resize(starts_.size() + static_cast<std::size_t>(grid.cell_count) + 1);
-  child_.resize(starts_.size(), -1);
+  const std::size_t needed = starts_.size() + static_cast<std::size_t>(grid.cell_count) + 1;
+  // Doubling would leave up to half of the memory unused.
+  if (starts_.capacity() < needed) starts_.reserve(needed + needed / 8);
+  if (child_.capacity() < needed) child_.reserve(needed + needed / 8);
+  starts_.resize(needed);
+  child_.resize(needed, -1);
   sort_child(input, grid, begin, end);
   grids_.push_back(grid);
 }

@@ -29,10 +29,14 @@ struct NodeGridInput {
 /// Nodes sorted into the cells of a grid; crowded cells have grids of their own, and so on, so that time and
 /// memory are linear for any layout. Memory is kept from one build to the next.
 class NodeGrid {
- public:
-  /// Sorts the nodes into the cells of one grid.
-  void build(const NodeGridInput& input);
+ public:  /// Sorts the nodes into the cells of one grid, chosen for input.box and input.edges. Returns the
+          /// range of all
+  /// nodes, taking part or not; unless that is finite the grid is of no use.
+  NodeRange build(const NodeGridInput& input);
 
+  /// The same with the grid of the last build, whatever input.box says; nodes outside it count as on its
+  /// border.
+  NodeRange build_again(const NodeGridInput& input);
   /// True if a cell of that grid has more than most_in_cell nodes.
   bool crowded() const { return crowded_; }
 
@@ -62,10 +66,11 @@ class NodeGrid {
  private:
   template <class Visit>
   void visit_grid(std::size_t number, const Box& box, Offset& cell_visits, const Visit& visit) const;
-
-  void sort_root(const NodeGridInput& input);
+  NodeRange sort(const NodeGridInput& input);
+  NodeRange sort_root(const NodeGridInput& input);
+  std::uint32_t add_up(int blocks, std::size_t cells);
   void choose_participants(const NodeGridInput& input);
-  void divide_cell(const NodeGridInput& input, std::span<const float> sizes, Offset cell);
+  void divide_cell(const NodeGridInput& input, std::span<const float> sizes, std::size_t parent, Offset cell);
   void sort_child(const NodeGridInput& input, const Grid& grid, std::uint32_t begin, std::uint32_t end);
 
   std::vector<Grid> grids_;

@@ -2,8 +2,10 @@
 #include "production/production.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "cellsearch/territory.hpp"
+#include "checks.hpp"
 #include "parallel.hpp"
 #include "production/cell_edges.hpp"
 
@@ -13,33 +15,109 @@ using production::CellEdges;
 using production::NodeGridInput;
 using production::QueryInput;
 
+namespace {
+
+/// After so many builds the cells are chosen anew, in case the territories have changed.
+constexpr int builds_with_same_cells = 15;
+
+/// Cells per node that a user may ask for.
+constexpr double most_asked_cells = 64.0;
+
+}  // namespace
+
 void Production::build(const FinderInput& input) {
   input_ = input;
   NodeGridInput nodes;
   nodes.positions = input.scene.positions;
   nodes.nodes = input.scene.nodes;
   nodes.limit = input.limit;
-  nodes.box = input.nodes;
-  // Without a node the box is empty; any other serves as well then.
-  if (nodes.box.empty()) nodes.box = Box{{0, 0, 0}, {0, 0, 0}};
   nodes.set = set_;
   nodes.threads = input.threads;
-  const Index count = static_cast<Index>(input.scene.participants());
-  if (input.asked_cell_edge > 0.0) {
-    nodes.edges = {0, input.asked_cell_edge, input.asked_cell_edge};
-    while (production::cells_for(nodes.box, nodes.edges) > 64.0 * count + 1024.0) {
+  if (!sort_again(nodes)) sort_anew(nodes);
+  out_of_lattice_ = reaches_out();
+  sizes_.clear();
+  if (grid_.crowded()) {
+    if (smallest_territory_ < production::much_smaller * largest_edge_) measure_sizes(input);
+    grid_.divide(nodes, sizes_);
+  }
+}
+
+/// Sorts into the cells of the last build, if it is of the same kind, not too many builds ago, and the nodes
+/// have not moved far. False if not.
+bool Production::sort_again(const NodeGridInput& nodes) {
+  const bool everybody = !nodes.nodes && !nodes.limit;
+  const Scene& scene = input_.scene;
+  const Layout layout{scene.positions.count(), scene.segments.count(), scene.expansion};
+  const bool usable = everybody && layout == layout_ && builds_left_ > 0;
+  layout_ = layout;
+  if (!usable) return false;
+  --builds_left_;
+  const production::NodeRange range = grid_.build_again(nodes);
+  if (!range.finite) return false;
+  all_nodes_ = range.box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double extent = box_.hi[axis] - box_.lo[axis];
+    const double now = range.box.hi[axis] - range.box.lo[axis];
+    const double moved = std::max(box_.lo[axis] - range.box.lo[axis], range.box.hi[axis] - box_.hi[axis]);
+    if (!(moved <= 0.05 * extent && now >= 0.8 * extent)) return false;
+  }
+  return true;
+}
+
+void Production::sort_anew(NodeGridInput& nodes) {
+  const Scene& scene = input_.scene;
+  box_ = measure(nodes);
+  // Without a node the box is empty; any other serves as well then.
+  if (box_.empty()) box_ = Box{{0, 0, 0}, {0, 0, 0}};
+  nodes.box = box_;
+  const Index count = static_cast<Index>(scene.participants());
+  if (input_.asked_cell_edge > 0.0) {
+    nodes.edges = {0, input_.asked_cell_edge, input_.asked_cell_edge};
+    while (production::cells_for(nodes.box, nodes.edges) > most_asked_cells * count + 1024.0) {
       nodes.edges.run *= 1.2;
       nodes.edges.cross *= 1.2;
     }
   } else {
-    nodes.edges = production::choose_edges(input, nodes.box, count);
+    nodes.edges = production::choose_edges(input_, nodes.box, count, layers_);
   }
+  all_nodes_ = grid_.build(nodes).box;
+  if (!(input_.asked_cell_edge > 0.0)) correct_edges(nodes, count);
+  smallest_territory_ = nodes.edges.smallest_territory;
+  largest_edge_ = std::max(nodes.edges.run, nodes.edges.cross);
+  builds_left_ = builds_with_same_cells;
+}
+
+/// How crowded the territories are shows only when the nodes are sorted.
+void Production::correct_edges(NodeGridInput& nodes, Index count) {
+  layers_ = production::measure_layers(input_, grid_, nodes.edges);
+  const CellEdges better = production::choose_edges(input_, nodes.box, count, layers_);
+  const auto differ = [](double a, double b) { return std::max(a, b) > 1.1 * std::min(a, b); };
+  if (!differ(better.cross, nodes.edges.cross) && !differ(better.run, nodes.edges.run)) return;
+  nodes.edges = better;
   grid_.build(nodes);
-  sizes_.clear();
-  if (grid_.crowded()) {
-    measure_sizes(input);
-    grid_.divide(nodes, sizes_);
+}
+
+/// Bounding box of those that take part. Throws if a coordinate that matters is not finite.
+Box Production::measure(const NodeGridInput& nodes) {
+  const Index count = static_cast<Index>(nodes.positions.count());
+  constexpr int blocks = 64;
+  std::array<production::NodeRange, blocks> ranges;
+  const production::Kernels& kernel = production::kernels(set_);
+  for_blocks(nodes.threads, blocks, [&](int block) {
+    const BlockRange range(count, block, blocks);
+    ranges[static_cast<std::size_t>(block)] = kernel.measure(nodes.positions, range.begin, range.end);
+  });
+  Box box;
+  bool finite = true;
+  for (const production::NodeRange& range : ranges) {
+    finite = finite && range.finite;
+    box.include(range.box);
   }
+  if (!finite) return check_scene(input_.scene, nodes.threads).nodes;
+  if (!nodes.nodes) return box;
+  box = Box{};
+  for (const Index node : *nodes.nodes) box.include(nodes.positions[node]);
+  return box;
 }
 
 /// The size of one territory around each node: enough to choose cells by.
@@ -54,7 +132,36 @@ void Production::measure_sizes(const FinderInput& input) {
   }
 }
 
+/// True if nodes or expansions are so far or large that their lattice numbers are cut. Only the exact test
+/// can tell then. Nodes without a part in the search may be anywhere.
+bool Production::reaches_out() const {
+  const Scene& scene = input_.scene;
+  double expansion = scene.expansion + input_.test.largest_radius();
+  double largest = 0.0;
+  for (const double more : scene.segment_expansion) largest = std::max(largest, more);
+  expansion += largest;
+  const production::Grid& grid = grid_.grids().front();
+  constexpr double limit = production::lattice_limit / 2;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto place = [&](double coordinate) { return coordinate * grid.scale[axis] + grid.offset[axis]; };
+    if (!(place(all_nodes_.lo[axis]) > -limit && place(all_nodes_.hi[axis]) < 1.5 * limit)) return true;
+    if (!(expansion * grid.scale[axis] < limit)) return true;
+  }
+  return false;
+}
+
+void Production::query_one_by_one(Index begin, Index end, FoundRows& rows) const {
+  for (Index segment = begin; segment < end; ++segment) {
+    if (input_.test.active(segment)) {
+      collect(segment, rows);
+      rows.nodes->insert(rows.nodes->end(), rows.spare->begin(), rows.spare->end());
+    }
+    rows.ends[segment - begin] = static_cast<Offset>(rows.nodes->size());
+  }
+}
+
 void Production::query(Index begin, Index end, FoundRows& rows) const {
+  if (out_of_lattice_) return query_one_by_one(begin, end, rows);
   const Scene& scene = input_.scene;
   QueryInput query;
   query.table = grid_.table();
@@ -81,7 +188,7 @@ void Production::collect(Index segment, FoundRows& rows) const {
     }
   };
   grid_.visit(input_.test.culling_box(segment), rows.cell_visits, test);
-  std::sort(rows.spare->begin(), rows.spare->end());
+  production::sort_row(rows.spare->data(), rows.spare->data() + rows.spare->size());
 }
 
 bool Production::accepts(Index segment, Index node) const {

@@ -22,9 +22,31 @@ class Production final : public Finder, private production::QueryHelp {
  private:
   void collect(Index segment, FoundRows& rows) const override;
   bool accepts(Index segment, Index node) const override;
+  bool sort_again(const production::NodeGridInput& nodes);
+  void sort_anew(production::NodeGridInput& nodes);
+  void correct_edges(production::NodeGridInput& nodes, Index count);
+  Box measure(const production::NodeGridInput& nodes);
+  bool reaches_out() const;
+  void query_one_by_one(Index begin, Index end, FoundRows& rows) const;
   void measure_sizes(const FinderInput& input);
 
+  /// What must be as before for the cells of the last build to be used again.
+  struct Layout {
+    std::size_t nodes = 0;
+    std::size_t segments = 0;
+    double expansion = 0.0;
+    bool operator==(const Layout&) const = default;
+  };
+
   InstructionSet set_;
+  Layout layout_;
+  int builds_left_ = 0;              ///< that may use the same cells
+  double layers_ = 2.0;              ///< see measure_layers()
+  double smallest_territory_ = 0.0;  ///< when the cells were chosen [length]
+  double largest_edge_ = 0.0;        ///< of the cells [length]
+  bool out_of_lattice_ = false;
+  Box all_nodes_;  ///< of all nodes, taking part or not [length]
+  Box box_;        ///< of the nodes when the cells were chosen [length]
   FinderInput input_;
   production::NodeGrid grid_;
   Array<float> sizes_;  ///< by node, of a territory around it; only if cells are crowded

@@ -14,11 +14,6 @@ namespace {
 // The same blocks for any number of threads.
 constexpr int check_blocks = 64;
 
-struct BlockChecks {
-  NodeRange range;
-  bool good = true;
-};
-
 bool ascends(std::span<const Index> list, BlockRange range, Index count) {
   bool good = true;
   for (Index i = range.begin; i < range.end; ++i) {
@@ -29,48 +24,36 @@ bool ascends(std::span<const Index> list, BlockRange range, Index count) {
   return good;
 }
 
-BlockChecks check_block(const Scene& scene, const Kernels& kernel, int block) {
-  BlockChecks checks;
+bool check_block(const Scene& scene, const Kernels& kernel, int block) {
   const Index nodes = static_cast<Index>(scene.positions.count());
-  const BlockRange range(nodes, block, check_blocks);
-  checks.range = kernel.measure(scene.positions, range.begin, range.end);
-  checks.good = checks.range.finite;
+  bool good = true;
   if (scene.nodes) {
     const BlockRange listed(static_cast<Index>(scene.nodes->size()), block, check_blocks);
-    checks.good = checks.good && ascends(*scene.nodes, listed, nodes);
-    checks.range.box = Box{};
-    for (Index i = listed.begin; checks.good && i < listed.end; ++i) {
-      checks.range.box.include(scene.positions[(*scene.nodes)[static_cast<std::size_t>(i)]]);
-    }
+    good = ascends(*scene.nodes, listed, nodes);
   }
   const BlockRange segments(static_cast<Index>(scene.segments.count()), block, check_blocks);
   const std::size_t first = static_cast<std::size_t>(segments.begin);
   const std::size_t count = static_cast<std::size_t>(segments.end) - first;
   const std::uint32_t largest = kernel.largest(scene.segments.nodes().subspan(4 * first, 4 * count));
-  checks.good = checks.good && largest < static_cast<std::uint32_t>(nodes);
+  good = good && (count == 0 || largest < static_cast<std::uint32_t>(nodes));
   if (!scene.segment_expansion.empty()) {
     for (const double expansion : scene.segment_expansion.subspan(first, count)) {
-      checks.good = checks.good && expansion >= 0.0 && std::isfinite(scene.expansion + expansion);
+      good = good && expansion >= 0.0 && std::isfinite(scene.expansion + expansion);
     }
   }
-  return checks;
+  return good;
 }
 
 }  // namespace
 
-std::optional<SceneSummary> quick_checks(const Scene& scene, InstructionSet set, int threads) {
+bool quick_checks(const Scene& scene, InstructionSet set, int threads) {
   check_layout(scene);
-  if (!scene.node_radius.empty() || scene.groups.count > 0) return std::nullopt;
+  if (!scene.node_radius.empty() || scene.groups.count > 0) return false;
   const Kernels& kernel = kernels(set);
-  std::array<BlockChecks, check_blocks> blocks;
+  std::array<bool, check_blocks> good{};
   for_blocks(threads, check_blocks,
-             [&](int block) { blocks[static_cast<std::size_t>(block)] = check_block(scene, kernel, block); });
-  SceneSummary summary;
-  for (const BlockChecks& block : blocks) {
-    if (!block.good) return std::nullopt;
-    summary.nodes.include(block.range.box);
-  }
-  return summary;
+             [&](int block) { good[static_cast<std::size_t>(block)] = check_block(scene, kernel, block); });
+  return std::find(good.begin(), good.end(), false) == good.end();
 }
 
 }  // namespace cellsearch::production
