@@ -41,7 +41,9 @@ void Search::build(const Scene& scene) {
   scene_ = Scene{};
   statistics_ = Statistics{};
   SceneSummary summary;
-  const bool production = settings_.method == Method::Production;  // The production method looks at the coordinates itself, while it sorts the nodes.
+  const bool production =
+      settings_.method ==
+      Method::Production;  // The production method looks at the coordinates itself, while it sorts the nodes.
   const bool quick = production && production::quick_checks(scene, instruction_set_, settings_.threads);
   if (!quick) summary = check_scene(scene, settings_.threads);
   const Offset participants = static_cast<Offset>(scene.participants());
@@ -58,7 +60,8 @@ void Search::build(const Scene& scene) {
   input.grid = grid_;
   input.threads = settings_.threads;
   input.cell_edge = edge;
-  input.asked_cell_edge = settings_.cell_edge.value_or(0.0);if (settings_.domain) input.limit = settings_.domain->box;
+  input.asked_cell_edge = settings_.cell_edge.value_or(0.0);
+  if (settings_.domain) input.limit = settings_.domain->box;
   finder_->build(input);
   scene_ = scene;
   statistics_.segments = segments();

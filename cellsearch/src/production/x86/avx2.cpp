@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "production/kernel_tables.hpp"
-#include "production/kernel_x86.hpp"
+#include "production/x86/kernels.hpp"
 
 namespace cellsearch::production {
 
-const Kernels& avx512_kernels() {
-  static constexpr Kernels table = x86_kernels<InstructionSet::Avx512>;
+const Kernels& avx2_kernels() {
+  static constexpr Kernels table = x86_kernels<InstructionSet::Avx2>;
   return table;
 }
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "production/batch.hpp"
+#include "production/kernels.hpp"
+#include "production/x86/hits.hpp"
+#include "production/x86/lanes.hpp"
+#include "production/x86/nodes.hpp"
+#include "production/x86/rows.hpp"
+#include "production/x86/runs.hpp"
+
+namespace cellsearch::production {
+namespace {
+
+/// Finder::query: 64 segments at a time through six loops, each short enough to keep the processor's window
+/// full: territories, runs, test, hits, faces, rows. docs/production.md explains them.
+template <InstructionSet set>
+void query(const QueryInput& input, Index begin, Index end, FoundRows& rows) {
+  using Runs = RunLoops<set>;
+  using Hit = HitLoops<set>;
+  using Rows = RowLoop<set>;
+  Batch batch;
+  typename Hit::Hits hits;
+  batch.raw_visits = 0;
+  batch.cell_visits = 0;
+  batch.too_many = {};
+  batch.any_too_many = false;
+  batch.long_count = 0;
+  for (Entry& entry : batch.entries) entry.base = {};
+  for (LatticeBox& box : batch.boxes) box.grid = 0;
+  Offset used = 0;
+  for (Index at = begin; at < end; at += batch_segments) {
+    const Index count = end - at < batch_segments ? end - at : batch_segments;
+    const bool long_runs = batch.long_count > batch_segments / 12;
+    if (input.child == nullptr) {
+      Runs::territories(input, at, count, batch);
+      long_runs ? Runs::template find_runs<false, Runs::LongRuns::Frequent>(input, at, count, batch)
+                : Runs::template find_runs<false, Runs::LongRuns::Rare>(input, at, count, batch);
+    } else {
+      Runs::nested_territories(input, at, count, batch);
+      Runs::template find_runs<true, Runs::LongRuns::Rare>(input, at, count, batch);
+    }
+    Hit::test(input.table, batch);
+    const bool many = batch.many_count > batch_segments / 12;
+    const std::uint32_t found = many ? Hit::template list_hits<8>(input, at, rows, batch, hits)
+                                     : Hit::template list_hits<4>(input, at, rows, batch, hits);
+    input.child == nullptr ? Hit::template check_faces<false>(input, at, found, batch, hits)
+                           : Hit::template check_faces<true>(input, at, found, batch, hits);
+    Index* const to = reserve(*rows.nodes, static_cast<std::size_t>(used), found + 16);
+    Offset* const ends = rows.ends + (at - begin);
+    const Offset before = used;
+    used += (many ? Rows::template write_rows<false>(count, batch, hits, to, before, ends)
+                  : Rows::template write_rows<true>(count, batch, hits, to, before, ends)) -
+            to;
+    if (batch.any_too_many) [[unlikely]] {
+      used = collect_rows(input, at, {batch.too_many.data(), static_cast<std::size_t>(count)}, rows, before,
+                          ends);
+      batch.too_many = {};
+      batch.any_too_many = false;
+    }
+  }
+  rows.raw_visits += batch.raw_visits;
+  rows.cell_visits += batch.cell_visits;
+  trim(*rows.nodes, static_cast<std::size_t>(used));
+}
+
+template <InstructionSet set>
+constexpr Kernels x86_kernels{NodeLoops<set>::measure, NodeLoops<set>::largest, NodeLoops<set>::classify,
+                              NodeLoops<set>::place, query<set>};
+}  // namespace
+}  // namespace cellsearch::production
