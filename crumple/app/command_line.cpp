@@ -77,7 +77,7 @@ void add_run_options(CLI::App& run, Options& options) {
       ->check(CLI::IsMember({"mixed", "double"}));
   run.add_option("--isa", options.isa, "Instruction set of the kernels [the fastest of this processor]")
       ->check(CLI::IsMember(isa_names()));
-  run.add_option("--search", options.search, "Method of the contact search [linked-cell]")
+  run.add_option("--search", options.search, "Method of the contact search [production]")
       ->check(CLI::IsMember(search_names()));
   run.add_option("--verify-search", options.verify_search,
                  "Compare the contact search with brute force every so many cycles; stop on a difference")

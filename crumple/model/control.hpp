@@ -39,7 +39,7 @@ struct OutputRequests {
 
 /// Global search settings: LS-DYNA has no card for them, `$crumple` comment lines and options set them.
 struct SearchSettings {
-  std::string method = "linked-cell";      ///< one of the names of cellsearch
+  std::string method = "production";       ///< one of the names of cellsearch
   double expansion = 0;                    ///< territory expansion c [length]; 0 lets the program choose
   bool has_cells = false;                  ///< cells and domain below are given
   std::array<Index, 3> cells{};            ///< Nx, Ny, Nz

@@ -55,7 +55,7 @@ TEST(Search, NoContactIsMissedDuringRandomMotion) {
     }
     EXPECT_GT(most, 20);
     EXPECT_GT(made.contacts[0].searches, 2);
-    EXPECT_EQ(made.contacts[0].method, "linked-cell");
+    EXPECT_EQ(made.contacts[0].method, "production");
     if (expansion == 0.5) {
       EXPECT_LT(made.contacts[0].searches, 100);
     }

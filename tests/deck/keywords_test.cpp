@@ -52,7 +52,7 @@ TEST(Control, DefaultsOfLsDyna) {
   EXPECT_EQ(model.shell_sections[0].shear_factor, 1.0);
   EXPECT_EQ(model.shell_sections[0].thickness_points, 2);
   EXPECT_EQ(model.shell_sections[0].thickness_rule, model::ThicknessRule::Gauss);
-  EXPECT_EQ(model.search.method, "linked-cell");
+  EXPECT_EQ(model.search.method, "production");
   EXPECT_TRUE(model.run.precision.empty());
 }
 
