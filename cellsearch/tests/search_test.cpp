@@ -44,6 +44,23 @@ TEST(Search, FindsTheOtherPlateAndNeverItsOwnNodes) {
   EXPECT_EQ(found.node, (Array<Index>{4, 5, 6, 7, 0, 1, 2, 3}));
 }
 
+TEST(Search, TellsHowFarNodesMayMove) {
+  TwoPlates plates;
+  Search search;
+  EXPECT_EQ(search.allowed_motion(0.0), 0.0);
+  search.build(plates.scene);
+  EXPECT_EQ(search.allowed_motion(0.125), 0.125);
+  EXPECT_EQ(search.allowed_motion(0.5), 0.0);
+  // Up to the limit the pair has been among the candidates; beyond it a pair may come from outside.
+  const double left = search.allowed_motion(0.125);
+  for (const double gap : {0.25, 0.2500001}) {
+    TwoPlates apart;
+    for (std::size_t node = 4; node < 8; ++node) apart.positions[3 * node + 2] = gap;
+    const bool found = search.find(apart.scene).pairs() > 0;
+    EXPECT_EQ(found, gap - left <= 0.125);
+  }
+}
+
 TEST(Search, FindsNothingBeyondTheExpansion) {
   TwoPlates plates;
   plates.scene.expansion = 0.2499;

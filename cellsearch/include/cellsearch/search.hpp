@@ -112,6 +112,14 @@ class Search {
     }
   }
 
+  /// How far nodes may move relative to segments along any axis, from the last build on, before a pair nearer
+  /// than `contact_distance` h may be missing among its candidates: c - h, at least 0 [length]. A pair is
+  /// near by the box of the segment. MotionTracker watches it.
+  double allowed_motion(double contact_distance) const {
+    const double left = scene_.expansion - contact_distance;
+    return left > 0.0 ? left : 0.0;
+  }
+
   /// The scene of the last build.
   const Scene& scene() const { return scene_; }
 
