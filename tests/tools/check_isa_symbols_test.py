@@ -27,11 +27,12 @@ class CheckIsaSymbols(unittest.TestCase):
         self.addCleanup(shutil.rmtree, build)
         (build / "CMakeCache.txt").write_text(f"CMAKE_BUILD_TYPE:STRING={build_type}\n")
         for number, (target, text) in enumerate(sources.items(), 1):
-            folder = build / "CMakeFiles" / f"{target}.dir"
-            folder.mkdir(parents=True)
-            (folder / "text.cpp").write_text(text)
-            subprocess.run(["g++", "-O3", "-c", f"-DUSER=user_{number}", f"-DWIDTH={number}", "text.cpp",
-                            "-o", "text.cpp.o"], cwd=folder, check=True)
+            target, _, name = target.partition("/")
+            file = build / "CMakeFiles" / f"{target}.dir" / (name or "text.cpp")
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+            subprocess.run(["g++", "-O3", "-c", f"-DUSER=user_{number}", f"-DWIDTH={number}", file.name,
+                            "-o", f"{file.name}.o"], cwd=file.parent, check=True)
         result = subprocess.run([sys.executable, str(ROOT / "tools" / "check_isa_symbols"), str(build)],
                                 capture_output=True, text=True)
         return result.returncode, result.stdout + result.stderr
@@ -56,6 +57,26 @@ class CheckIsaSymbols(unittest.TestCase):
 
     def test_names_that_differ(self):
         status, output = self.run_on({"crumple_elements_avx2": APART, "crumple_domain": APART})
+        self.assertEqual(status, 0, output)
+
+    def test_search_kernels_against_each_other(self):
+        status, output = self.run_on({"cellsearch/src/production/x86/avx2.cpp": SHARED,
+                                      "cellsearch/src/production/x86/avx512.cpp": SHARED})
+        self.assertEqual(status, 1, output)
+        self.assertIn("avx2, avx512", output)
+        self.assertIn("2 kernel objects of 2, 1 shared functions", output)
+
+    def test_search_kernels_against_the_rest_of_the_library(self):
+        for kernel in ("x86/avx2.cpp", "kernel_avx512.cpp"):
+            status, output = self.run_on({f"cellsearch/src/production/{kernel}": SHARED,
+                                          "cellsearch/src/search.cpp": SHARED})
+            self.assertEqual(status, 1, output)
+            self.assertIn("crumple::twice(double)", output)
+
+    def test_search_kernels_with_names_that_differ(self):
+        status, output = self.run_on({"cellsearch/src/production/x86/avx2.cpp": APART,
+                                      "cellsearch/src/production/x86/avx512.cpp": APART,
+                                      "cellsearch/src/production/kernel_portable.cpp": APART})
         self.assertEqual(status, 0, output)
 
     def test_only_release_builds_say_something(self):
