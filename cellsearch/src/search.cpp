@@ -12,6 +12,21 @@
 
 namespace cellsearch {
 
+namespace {
+
+/// A block of segments that begins at a multiple of what a method works on at a time: the counted visits must
+/// not depend on where blocks begin.
+BlockRange whole_batches(Index count, int block, int blocks) {
+  constexpr Index batch = 64;
+  const Index batches = count / batch + (count % batch == 0 ? 0 : 1);
+  BlockRange range(batches, block, blocks);
+  range.begin *= batch;
+  range.end = range.end == batches ? count : range.end * batch;
+  return range;
+}
+
+}  // namespace
+
 Search::Search(const Settings& settings)
     : settings_(settings), neighbours_(std::make_unique<NeighbourLists>()), block_spare_(1) {
   check_settings(settings);
@@ -41,9 +56,8 @@ void Search::build(const Scene& scene) {
   scene_ = Scene{};
   statistics_ = Statistics{};
   SceneSummary summary;
-  const bool production =
-      settings_.method ==
-      Method::Production;  // The production method looks at the coordinates itself, while it sorts the nodes.
+  // The production method looks at the coordinates itself, while it sorts the nodes.
+  const bool production = settings_.method == Method::Production;
   const bool quick = production && production::quick_checks(scene, instruction_set_, settings_.threads);
   if (!quick) summary = check_scene(scene, settings_.threads);
   const Offset participants = static_cast<Offset>(scene.participants());
@@ -87,7 +101,7 @@ const Candidates& Search::query() {
     return block == 0 ? candidates_.node : block_nodes_[static_cast<std::size_t>(block - 1)];
   };
   for_blocks(settings_.threads, blocks, [&](int block) {
-    const BlockRange range(count, block, blocks);
+    const BlockRange range = whole_batches(count, block, blocks);
     Array<Index>& nodes = nodes_of(block);
     nodes.clear();
     FoundRows rows{candidates_.first.data() + range.begin + 1, &nodes};
@@ -109,7 +123,7 @@ const Candidates& Search::query() {
     const Offset start = block_rows_[static_cast<std::size_t>(block)].start;
     const Array<Index>& nodes = nodes_of(block);
     std::copy(nodes.begin(), nodes.end(), candidates_.node.begin() + start);
-    const BlockRange range(count, block, blocks);
+    const BlockRange range = whole_batches(count, block, blocks);
     for (Index segment = range.begin; segment < range.end; ++segment) {
       candidates_.first[static_cast<std::size_t>(segment) + 1] += start;
     }

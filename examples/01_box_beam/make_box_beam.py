@@ -126,6 +126,7 @@ $ Written by make_box_beam.py. Units: m, kg, s.
 *TITLE
 Box beam onto a rigid wall (Wang, Cheng & Yao 2000, example 1)
 $ Cells of the size of the shells; the paper's are 60 x 8 x 8 over [0, 0.30] x [0, 0.04]^2.
+$crumple method=linked-cell
 $crumple cells={mesh.along},{cells},{cells}
 $crumple domain=0,0.30,0,{reach:g},0,{reach:g}
 $crumple expansion={EXPANSION * HALF_WIDTH / mesh.cells:g}

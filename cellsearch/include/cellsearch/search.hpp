@@ -49,7 +49,7 @@ struct Settings {
   int threads = 1;
 };
 
-/// What the last search did, counted. Independent of the number of threads.
+/// What the last search did, counted. Independent of the number of threads, but for the memory.
 struct Statistics {
   Offset segments = 0;         ///< rows of the result
   Offset participants = 0;     ///< nodes that took part
@@ -67,9 +67,10 @@ struct Statistics {
 ///     const cellsearch::Candidates& found = search.find(scene);
 ///     for (cellsearch::Index node : found.of(segment)) ...
 ///
-/// An object may be used by one thread at a time; different objects are independent. Time and memory are
-/// O(N) for elements of similar size in a compact domain (eq. 11, 12); with cells much smaller or larger
-/// than the segments, or a sparse domain, the printed method does more work but never misses a pair.
+/// An object may be used by one thread at a time; different objects are independent. Time and memory are O(N)
+/// for any layout with the production method, which also keeps its cells from one build to the next where it
+/// can (docs/production.md), and for elements of similar size in a compact domain with the printed one (eq.
+/// 11, 12).
 class Search {
  public:
   /// Throws Error(BadSetting) or Error(BadDomain).
@@ -126,7 +127,7 @@ class Search {
   /// The settings given at construction.
   const Settings& settings() const { return settings_; }
 
-  /// The cells of the last build (given or automatic); not meaningful for BruteForce.
+  /// The cells of the last build (given or automatic); not meaningful for BruteForce and Production.
   const CellGrid& grid() const { return grid_; }
 
   /// Counts of the last build and the queries since.

@@ -92,6 +92,8 @@ struct HitLoops {
   [[gnu::noinline]] static std::uint32_t add_helped(const QueryInput& input, Index segment,
                                                     std::uint32_t count, FoundRows& rows, int e, Batch& batch,
                                                     Hits& hits) {
+    const Offset raw_visits = rows.raw_visits;
+    const Offset cell_visits = rows.cell_visits;
     input.help->collect(segment, rows);
     const Index* const found = rows.spare->data();
     const std::size_t size = rows.spare->size();
@@ -100,6 +102,9 @@ struct HitLoops {
     const std::size_t kept = static_cast<std::size_t>(batch.entry_count - e) * entry_nodes;
     if (count + size + kept > hits.node.size()) {
       batch.too_many[j] = true;
+      // It will be collected, and counted, again.
+      rows.raw_visits = raw_visits;
+      rows.cell_visits = cell_visits;
       batch.any_too_many = true;
       return count;
     }

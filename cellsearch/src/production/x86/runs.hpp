@@ -141,8 +141,6 @@ struct RunLoops {
     return _mm_unpacklo_epi64(front, back);
   }
 
-  /// Loop 2: for each territory the runs of sorted nodes in the two rows of two layers that it covers. One
-  /// entry, if the runs are short and there are no more of them.
   /// What loop 2 does with runs of more than 16 nodes: where they are rare it branches, where they are not, a
   /// branch would be mispredicted too often, and each entry gets a second one for the next 16 nodes, kept if
   /// needed.
