@@ -141,7 +141,7 @@ bool Production::reaches_out() const {
   for (const double more : scene.segment_expansion) largest = std::max(largest, more);
   expansion += largest;
   const production::Grid& grid = grid_.grids().front();
-  constexpr double limit = production::lattice_limit / 2;
+  constexpr double limit = 0.5 * production::lattice_limit;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto place = [&](double coordinate) { return coordinate * grid.scale[axis] + grid.offset[axis]; };
     if (!(place(all_nodes_.lo[axis]) > -limit && place(all_nodes_.hi[axis]) < 1.5 * limit)) return true;
