@@ -58,6 +58,7 @@ std::vector<std::vector<Index>> rows_of(const Scene& scene) {
     const std::optional<Candidates> found = found_by(search, scene);
     if (!found) continue;
     std::vector<std::vector<Index>> its;
+    its.reserve(static_cast<std::size_t>(found->segments()));
     for (Index segment = 0; segment < found->segments(); ++segment) {
       its.emplace_back(found->of(segment).begin(), found->of(segment).end());
     }

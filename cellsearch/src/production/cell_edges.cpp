@@ -9,7 +9,7 @@
 namespace cellsearch::production {
 namespace {
 
-constexpr Index most_samples = 512;
+constexpr Index most_samples = 2048;
 constexpr int classes = 96;
 constexpr double classes_per_octave = 4.0;
 /// Cells per node that are always affordable, with a grid of its own for what is crowded.
@@ -26,6 +26,7 @@ struct SizeClass {
 struct Sample {
   std::array<SizeClass, classes> sizes{};
   double largest = 0.0;
+  double typical = 0.0;  ///< geometric mean
   double smallest = std::numeric_limits<double>::infinity();
   int run_axis = 0;
 };
@@ -79,10 +80,12 @@ Sample take_sample(const FinderInput& input) {
     sample.largest = std::max(sample.largest, longest);
     sample.smallest = std::min(sample.smallest, longest);
   }
+  double octaves_below = 0.0;
   for (Index i = 0; i < samples; ++i) {
     const One& one = all[static_cast<std::size_t>(i)];
     const double longest = std::max(one.along, one.across);
     if (!(longest > 0.0) || !std::isfinite(sample.largest)) continue;
+    octaves_below += std::log2(sample.largest / longest);
     const double octaves = std::log2(sample.largest / longest) * classes_per_octave;
     SizeClass& size = sample.sizes[static_cast<std::size_t>(std::min(octaves, double{classes - 1}))];
     size.weight += 1.0;
@@ -90,6 +93,7 @@ Sample take_sample(const FinderInput& input) {
     size.across += one.across;
     size.spacing += one.spacing;
   }
+  sample.typical = sample.largest * std::exp2(-octaves_below / samples);
   for (SizeClass& size : sample.sizes) {
     if (!(size.weight > 0.0)) continue;
     size.along /= size.weight;
@@ -156,8 +160,9 @@ CellEdges choose_edges(const FinderInput& input, const Box& box, Index nodes, do
     return edges_for(box, sample.run_axis, 0.25 * nodes + 1.0);
   CellEdges best;
   double least = std::numeric_limits<double>::infinity();
-  for (int step = -4; step < classes; ++step) {
-    const double cross = sample.largest * std::exp2(-step / classes_per_octave);
+  // From the typical size: the largest of a sample varies from one to the next.
+  for (int step = -classes / 2; step < classes / 2; ++step) {
+    const double cross = sample.typical * std::exp2(-step / classes_per_octave);
     for (const double ratio : {0.4, 0.6, 0.9}) {
       const CellEdges edges{sample.run_axis, ratio * cross, cross};
       const double cells = cells_for(box, edges);

@@ -33,11 +33,14 @@ void Production::build(const FinderInput& input) {
   nodes.limit = input.limit;
   nodes.set = set_;
   nodes.threads = input.threads;
+  nodes.edges = edges_;
   if (!sort_again(nodes)) sort_anew(nodes);
+  edges_ = nodes.edges;
   out_of_lattice_ = reaches_out();
   sizes_.clear();
   if (grid_.crowded()) {
-    if (smallest_territory_ < production::much_smaller * largest_edge_) measure_sizes(input);
+    const double edge = std::max(edges_.run, edges_.cross);
+    if (edges_.smallest_territory < production::much_smaller * edge) measure_sizes(input);
     grid_.divide(nodes, sizes_);
   }
 }
@@ -82,8 +85,6 @@ void Production::sort_anew(NodeGridInput& nodes) {
   }
   all_nodes_ = grid_.build(nodes).box;
   if (!(input_.asked_cell_edge > 0.0)) correct_edges(nodes, count);
-  smallest_territory_ = nodes.edges.smallest_territory;
-  largest_edge_ = std::max(nodes.edges.run, nodes.edges.cross);
   builds_left_ = builds_with_same_cells;
 }
 
@@ -161,6 +162,7 @@ void Production::query_one_by_one(Index begin, Index end, FoundRows& rows) const
 }
 
 void Production::query(Index begin, Index end, FoundRows& rows) const {
+  if (begin == end) return;
   if (out_of_lattice_) return query_one_by_one(begin, end, rows);
   const Scene& scene = input_.scene;
   QueryInput query;

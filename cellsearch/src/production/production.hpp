@@ -40,10 +40,9 @@ class Production final : public Finder, private production::QueryHelp {
 
   InstructionSet set_;
   Layout layout_;
-  int builds_left_ = 0;              ///< that may use the same cells
-  double layers_ = 2.0;              ///< see measure_layers()
-  double smallest_territory_ = 0.0;  ///< when the cells were chosen [length]
-  double largest_edge_ = 0.0;        ///< of the cells [length]
+  int builds_left_ = 0;          ///< that may use the same cells
+  double layers_ = 2.0;          ///< see measure_layers()
+  production::CellEdges edges_;  ///< of the cells in use
   bool out_of_lattice_ = false;
   Box all_nodes_;  ///< of all nodes, taking part or not [length]
   Box box_;        ///< of the nodes when the cells were chosen [length]

@@ -12,7 +12,7 @@ namespace cellsearch::production {
 namespace {
 
 /// Loops 3, 4 and 5 of a query: which nodes of the runs are inside.
-template <InstructionSet set>
+template <InstructionSet Set>
 struct HitLoops {
   /// 16 sorted coordinates of each of two runs.
   static __m256i two_runs(const std::uint8_t* from, std::uint32_t first, std::uint32_t second) {
@@ -35,7 +35,7 @@ struct HitLoops {
     const __m256i y = _mm256_sub_epi8(two_runs(table.y, first, second), lo[1]);
     const __m256i z = _mm256_sub_epi8(two_runs(table.z, first, second), lo[2]);
 #ifdef __AVX512BW__
-    if constexpr (set == InstructionSet::Avx512) {
+    if constexpr (Set == InstructionSet::Avx512) {
       const __mmask32 in_x =
           _mm256_mask_cmple_epu8_mask(_mm256_cmpgt_epi8_mask(lengths, number), x, width[0]);
       const __mmask32 in_y = _mm256_cmple_epu8_mask(y, width[1]);
@@ -87,18 +87,25 @@ struct HitLoops {
     std::array<std::uint8_t, batch_entries * entry_nodes + entry_nodes> owner;
   };
 
+  /// What a batch and its hits are written to.
+  struct Work {
+    Batch& batch;
+    Hits& hits;
+    FoundRows& rows;
+  };
+
   /// Adds the hits of segment `begin + j`, which is left to QueryHelp, unless they would leave no room for
   /// the entries after entry `e`: then its row is put in at the end.
-  [[gnu::noinline]] static std::uint32_t add_helped(const QueryInput& input, Index segment,
-                                                    std::uint32_t count, FoundRows& rows, int e, Batch& batch,
-                                                    Hits& hits) {
-    const Offset raw_visits = rows.raw_visits;
-    const Offset cell_visits = rows.cell_visits;
-    input.help->collect(segment, rows);
-    const Index* const found = rows.spare->data();
-    const std::size_t size = rows.spare->size();
+  [[gnu::noinline]] static std::uint32_t add_helped(const QueryInput& input, Index begin, std::uint32_t count,
+                                                    int e, Work work) {
+    auto& [batch, hits, rows] = work;
     const std::size_t j =
         static_cast<std::size_t>(batch.entries[static_cast<std::size_t>(e)].owner & (needs_help - 1));
+    const Offset raw_visits = rows.raw_visits;
+    const Offset cell_visits = rows.cell_visits;
+    input.help->collect(begin + static_cast<Index>(j), rows);
+    const Index* const found = rows.spare->data();
+    const std::size_t size = rows.spare->size();
     const std::size_t kept = static_cast<std::size_t>(batch.entry_count - e) * entry_nodes;
     if (count + size + kept > hits.node.size()) {
       batch.too_many[j] = true;
@@ -133,7 +140,7 @@ struct HitLoops {
 
   /// Loop 4: from bits to node numbers. The first `direct` of each entry are written in any case, without a
   /// branch.
-  template <std::uint32_t direct>
+  template <std::uint32_t Direct>
   [[gnu::noinline]] static std::uint32_t list_hits(const QueryInput& input, Index begin, FoundRows& rows,
                                                    Batch& batch, Hits& hits) {
     const Index* const nodes = input.table.nodes;
@@ -143,12 +150,12 @@ struct HitLoops {
       const Entry& entry = batch.entries[static_cast<std::size_t>(e)];
       const std::size_t j = static_cast<std::size_t>(entry.owner & (needs_help - 1));
       if ((entry.owner & needs_help) != 0) [[unlikely]] {
-        count = add_helped(input, begin + static_cast<Index>(j), count, rows, e, batch, hits);
+        count = add_helped(input, begin, count, e, {batch, hits, rows});
         batch.ends[j] = count;
         continue;
       }
 #ifdef __AVX512F__
-      if constexpr (set == InstructionSet::Avx512 && direct > 4) {
+      if constexpr (Set == InstructionSet::Avx512 && Direct > 4) {
         count = list_runs(nodes, entry, batch.masks[static_cast<std::size_t>(e)], j, count, hits);
         batch.ends[j] = count;
         continue;
@@ -164,9 +171,9 @@ struct HitLoops {
         _mm_prefetch(records + node, _MM_HINT_T0);
         mask = _blsr_u64(mask);
       };
-      for (std::uint32_t at = 0; at < direct; ++at) write(at);
-      if (found > direct) [[unlikely]] {
-        for (std::uint32_t at = direct; at < found; ++at) write(at);
+      for (std::uint32_t at = 0; at < Direct; ++at) write(at);
+      if (found > Direct) [[unlikely]] {
+        for (std::uint32_t at = Direct; at < found; ++at) write(at);
       }
       count += found;
       batch.ends[j] = count;
@@ -185,7 +192,7 @@ struct HitLoops {
   }
 
   /// Loop 5: hits next to a face are looked at again, with more bits and, if need be, in double precision.
-  template <bool nested>
+  template <bool Nested>
   [[gnu::noinline]] static void check_faces(const QueryInput& input, Index begin, std::uint32_t count,
                                             Batch& batch, Hits& hits) {
     const NodeRecord* const records = input.table.records;
@@ -210,7 +217,7 @@ struct HitLoops {
       const __m256i above = _mm256_sub_epi32(fine, both(one.lo.data(), other.lo.data()));
       const __m256i below = _mm256_sub_epi32(both(one.hi.data(), other.hi.data()), fine);
       const __m256i nearest = _mm256_min_epi32(above, below);
-      if constexpr (nested) safe = twice(both(safe_of(one.grid), safe_of(other.grid)));
+      if constexpr (Nested) safe = twice(both(safe_of(one.grid), safe_of(other.grid)));
       const auto signs = [](__m256i lanes) {
         return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(lanes)));
       };

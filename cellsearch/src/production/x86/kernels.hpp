@@ -14,11 +14,11 @@ namespace {
 
 /// Finder::query: 64 segments at a time through six loops, each short enough to keep the processor's window
 /// full: territories, runs, test, hits, faces, rows. docs/production.md explains them.
-template <InstructionSet set>
+template <InstructionSet Set>
 void query(const QueryInput& input, Index begin, Index end, FoundRows& rows) {
-  using Runs = RunLoops<set>;
-  using Hit = HitLoops<set>;
-  using Rows = RowLoop<set>;
+  using Runs = RunLoops<Set>;
+  using Hit = HitLoops<Set>;
+  using Rows = RowLoop<Set>;
   Batch batch;
   typename Hit::Hits hits;
   batch.raw_visits = 0;
@@ -34,24 +34,38 @@ void query(const QueryInput& input, Index begin, Index end, FoundRows& rows) {
     const bool long_runs = batch.long_count > batch_segments / 12;
     if (input.child == nullptr) {
       Runs::territories(input, at, count, batch);
-      long_runs ? Runs::template find_runs<false, Runs::LongRuns::Frequent>(input, at, count, batch)
-                : Runs::template find_runs<false, Runs::LongRuns::Rare>(input, at, count, batch);
+      if (long_runs) {
+        Runs::template find_runs<false, Runs::LongRuns::Frequent>(input, at, count, batch);
+      } else {
+        Runs::template find_runs<false, Runs::LongRuns::Rare>(input, at, count, batch);
+      }
     } else {
       Runs::nested_territories(input, at, count, batch);
       Runs::template find_runs<true, Runs::LongRuns::Rare>(input, at, count, batch);
     }
     Hit::test(input.table, batch);
     const bool many = batch.many_count > batch_segments / 12;
-    const std::uint32_t found = many ? Hit::template list_hits<8>(input, at, rows, batch, hits)
-                                     : Hit::template list_hits<4>(input, at, rows, batch, hits);
-    input.child == nullptr ? Hit::template check_faces<false>(input, at, found, batch, hits)
-                           : Hit::template check_faces<true>(input, at, found, batch, hits);
+    std::uint32_t found = 0;
+    if (many) {
+      found = Hit::template list_hits<8>(input, at, rows, batch, hits);
+    } else {
+      found = Hit::template list_hits<4>(input, at, rows, batch, hits);
+    }
+    if (input.child == nullptr) {
+      Hit::template check_faces<false>(input, at, found, batch, hits);
+    } else {
+      Hit::template check_faces<true>(input, at, found, batch, hits);
+    }
     Index* const to = reserve(*rows.nodes, static_cast<std::size_t>(used), found + 16);
     Offset* const ends = rows.ends + (at - begin);
     const Offset before = used;
-    used += (many ? Rows::template write_rows<false>(count, batch, hits, to, before, ends)
-                  : Rows::template write_rows<true>(count, batch, hits, to, before, ends)) -
-            to;
+    Index* behind = nullptr;
+    if (many) {
+      behind = Rows::template write_rows<false>(count, batch, hits, to, before, ends);
+    } else {
+      behind = Rows::template write_rows<true>(count, batch, hits, to, before, ends);
+    }
+    used += behind - to;
     if (batch.any_too_many) [[unlikely]] {
       used = collect_rows(input, at, {batch.too_many.data(), static_cast<std::size_t>(count)}, rows, before,
                           ends);
@@ -64,8 +78,8 @@ void query(const QueryInput& input, Index begin, Index end, FoundRows& rows) {
   trim(*rows.nodes, static_cast<std::size_t>(used));
 }
 
-template <InstructionSet set>
-constexpr Kernels x86_kernels{NodeLoops<set>::measure, NodeLoops<set>::largest, NodeLoops<set>::classify,
-                              NodeLoops<set>::place, query<set>};
+template <InstructionSet Set>
+constexpr Kernels x86_kernels{NodeLoops<Set>::measure, NodeLoops<Set>::largest, NodeLoops<Set>::classify,
+                              NodeLoops<Set>::place, query<Set>};
 }  // namespace
 }  // namespace cellsearch::production

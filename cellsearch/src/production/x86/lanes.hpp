@@ -36,7 +36,7 @@ inline int lane_bytes(int lane) {
 }
 
 /// A grid in registers.
-template <InstructionSet set>
+template <InstructionSet Set>
 struct GridLanes {
   __m128i top;
   __m128i shift;

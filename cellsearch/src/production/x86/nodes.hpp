@@ -12,7 +12,7 @@ namespace cellsearch::production {
 namespace {
 
 /// Loops over nodes: their range, their cells, their places.
-template <InstructionSet set>
+template <InstructionSet Set>
 struct NodeLoops {
   /// Bounding box of positions, and whether all are finite.
   struct Range {
@@ -65,7 +65,7 @@ struct NodeLoops {
 
   static NodeRange classify(const SortInput& input, Index begin, Index end, std::uint32_t* counts) {
     Range range;
-    const GridLanes<set> grid(input.grid);
+    const GridLanes<Set> grid(input.grid);
     const __m256d scale = _mm256_load_pd(input.grid.scale.data());
     const __m256d offset = _mm256_load_pd(input.grid.offset.data());
     const __m256d limit = _mm256_set1_pd(lattice_limit);
@@ -84,7 +84,7 @@ struct NodeLoops {
 
   static void place(const SortInput& input, const SortOutput& output, Index begin, Index end,
                     std::uint32_t* next) {
-    const GridLanes<set> grid(input.grid);
+    const GridLanes<Set> grid(input.grid);
     std::uint8_t* const x = output.x;
     std::uint8_t* const y = output.y;
     std::uint8_t* const z = output.z;

@@ -12,11 +12,11 @@ namespace cellsearch::production {
 namespace {
 
 /// Loop 6 of a query: the rows of the result, ascending.
-template <InstructionSet set>
+template <InstructionSet Set>
 struct RowLoop {
-  template <int upper>
+  template <int Upper>
   static __m256i exchange(__m256i v, __m256i other) {
-    return _mm256_blend_epi32(_mm256_min_epi32(v, other), _mm256_max_epi32(v, other), upper);
+    return _mm256_blend_epi32(_mm256_min_epi32(v, other), _mm256_max_epi32(v, other), Upper);
   }
 
   /// Sorts two numbers that ascend and then descend ..., step by step: the last three steps of a network for
@@ -84,9 +84,9 @@ struct RowLoop {
 
   /// Loop 6: the rows, ascending. Refused hits are the largest numbers and end behind the row. `few`: nearly
   /// all rows have at most four.
-  template <bool few>
+  template <bool Few>
   [[gnu::noinline]] static Index* write_rows(Index count, const Batch& batch,
-                                             const typename HitLoops<set>::Hits& hits, Index* to,
+                                             const typename HitLoops<Set>::Hits& hits, Index* to,
                                              Offset before, Offset* ends) {
     const Index* const start = to;
     const __m256i number = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
@@ -102,7 +102,7 @@ struct RowLoop {
         const __m256i valid = _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int>(found)), number);
         const __m256i loaded = _mm256_blendv_epi8(none, load8(from), valid);
         __m256i sorted = sort4(loaded);
-        if (!few || found > 4) {
+        if (!Few || found > 4) {
           sorted = exchange<0b11110000>(sorted, reversed(sorted));
           sorted = exchange<0b11001100>(sorted, _mm256_shuffle_epi32(sorted, 0x4e));
           sorted = exchange<0b10101010>(sorted, _mm256_shuffle_epi32(sorted, 0xb1));

@@ -13,7 +13,7 @@ namespace {
 
 /// Loops 1 and 2 of a query: the territories of a batch in the lattice, and the runs of sorted nodes to be
 /// tested.
-template <InstructionSet set>
+template <InstructionSet Set>
 struct RunLoops {
   /// Lattice units of an expansion, rounded outwards by what the lattice may be off.
   static __m128i lattice_expansion(double expansion, const Grid& grid) {
@@ -36,7 +36,7 @@ struct RunLoops {
   /// Loop 1: the territories in the lattice, from the rounded nodes.
   [[gnu::noinline]] static void territories(const QueryInput& input, Index begin, Index count, Batch& batch) {
     const Grid& root = input.grids[0];
-    const GridLanes<set> grid(root);
+    const GridLanes<Set> grid(root);
     const NodeRecord* const records = input.table.records;
     const Index* own = input.connectivity + 4 * static_cast<std::size_t>(begin);
     __m128i expansion = lattice_expansion(input.expansion, root);
@@ -87,7 +87,7 @@ struct RunLoops {
       std::int64_t at = 0;
       while (true) {
         const Grid& grid = input.grids[at];
-        const GridLanes<set> lanes(grid);
+        const GridLanes<Set> lanes(grid);
         const auto round = [&](__m256d xyz) {
           const __m256d place =
               _mm256_fmadd_pd(xyz, _mm256_load_pd(grid.scale.data()), _mm256_load_pd(grid.offset.data()));
@@ -148,16 +148,16 @@ struct RunLoops {
 
   /// Loop 2: for each territory the runs of sorted nodes in the two rows of two layers that it covers. One
   /// entry, if the runs are short and there are no more of them.
-  template <bool nested, LongRuns long_runs>
+  template <bool Nested, LongRuns LongRunsAre>
   [[gnu::noinline]] static void find_runs(const QueryInput& input, Index begin, Index count, Batch& batch) {
-    GridLanes<set> grid(input.grids[0]);
+    GridLanes<Set> grid(input.grids[0]);
     RunLanes lanes(input.grids[0]);
     [[maybe_unused]] std::int64_t lanes_of = 0;
     const std::uint32_t* const starts = input.table.starts;
     const std::uint8_t* const active = input.active == nullptr ? nullptr : input.active + begin;
     const __m128i bytes = _mm_setr_epi32(0x00000000, 0x04040404, 0x08080808, -1);
     const __m128i sixteen = _mm_set1_epi32(run_nodes);
-    const __m128i longest = long_runs == LongRuns::Rare ? sixteen : _mm_set1_epi32(2 * run_nodes);
+    const __m128i longest = LongRunsAre == LongRuns::Rare ? sixteen : _mm_set1_epi32(2 * run_nodes);
     const __m128i bit_numbers = _mm_setr_epi32(0, 16, 32, 48);
     __m128i visited = _mm_setzero_si128();
     Offset cells_visited = 0;
@@ -166,10 +166,10 @@ struct RunLoops {
     for (Index j = 0; j < count; ++j) {
       const LatticeBox& box = batch.boxes[static_cast<std::size_t>(j)];
       Entry& entry = batch.entries[static_cast<std::size_t>(entries++)];
-      if constexpr (nested) {
+      if constexpr (Nested) {
         if (box.grid != lanes_of) [[unlikely]] {
           lanes_of = box.grid;
-          grid = GridLanes<set>(input.grids[lanes_of]);
+          grid = GridLanes<Set>(input.grids[lanes_of]);
           lanes = RunLanes(input.grids[lanes_of]);
         }
       }
@@ -203,7 +203,7 @@ struct RunLoops {
         if (idle) {
           entry.length = {0, 0, 0, 0};
         } else {
-          entries += spread<nested>(input, lanes, j, entries - 1, batch) - 1;
+          entries += spread<Nested>(input, lanes, j, entries - 1, batch) - 1;
         }
         continue;
       }
@@ -211,7 +211,7 @@ struct RunLoops {
       const int rows =
           runs - _mm_popcnt_u32(static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(unneeded))));
       cells_visited += static_cast<Offset>(along) * rows;
-      if constexpr (long_runs == LongRuns::Frequent) {
+      if constexpr (LongRunsAre == LongRuns::Frequent) {
         Entry& second = batch.entries[static_cast<std::size_t>(entries)];
         const __m128i left = _mm_subs_epu16(length, sixteen);
         store4(second.lo.data(), low_bytes);
@@ -233,12 +233,12 @@ struct RunLoops {
 
   /// The entries of a segment that needs more than one; the first, at `at`, has been begun. Returns how many
   /// there are.
-  template <bool nested>
+  template <bool Nested>
   [[gnu::noinline]] static int spread(const QueryInput& input, const RunLanes& lanes, Index j, int at,
                                       Batch& batch) {
     const LatticeBox& box = batch.boxes[static_cast<std::size_t>(j)];
-    const Grid& of_box = input.grids[nested ? box.grid : 0];
-    const GridLanes<set> grid(of_box);
+    const Grid& of_box = input.grids[Nested ? box.grid : 0];
+    const GridLanes<Set> grid(of_box);
     const __m128i lo = grid.clamp(load4(box.lo.data()));
     const __m128i hi = grid.clamp(load4(box.hi.data()));
     alignas(16) std::array<std::int32_t, 4> cells;
@@ -265,7 +265,7 @@ struct RunLoops {
         std::uint32_t first = starts[0];
         const std::uint32_t last = starts[in_run];
         visits += last - first;
-        if constexpr (nested) {
+        if constexpr (Nested) {
           for (int k = 0; k < in_run; ++k) fits = fits && input.child[cell + k] < 0;
         }
         const int needed = static_cast<int>((last - first + run_nodes - 1) / run_nodes);
