@@ -8,6 +8,7 @@ module cellsearch
   private
   public :: cellsearch_create, cellsearch_destroy, cellsearch_error_index, cellsearch_message, cellsearch_version
   public :: cellsearch_set_index_base, cellsearch_set_method, cellsearch_set_threads, cellsearch_set_cell_factor
+  public :: cellsearch_set_cell_edge, cellsearch_set_instruction_set
   public :: cellsearch_set_cells_per_node, cellsearch_set_domain, cellsearch_set_positions
   public :: cellsearch_set_segments, cellsearch_set_expansion, cellsearch_set_segment_expansion
   public :: cellsearch_set_nodes, cellsearch_set_node_radius, cellsearch_set_active
@@ -62,6 +63,13 @@ module cellsearch
       import :: c_ptr, c_int32_t
       type(c_ptr), value :: handle
       integer(c_int32_t), value :: threads
+      integer(c_int32_t) :: status
+    end function
+
+    function cellsearch_set_cell_edge(handle, edge) result(status) bind(C)
+      import :: c_ptr, c_int32_t, c_double
+      type(c_ptr), value :: handle
+      real(c_double), value :: edge
       integer(c_int32_t) :: status
     end function
 
@@ -236,6 +244,13 @@ module cellsearch
       integer(c_int32_t) :: status
     end function
 
+    function c_set_instruction_set(handle, name) result(status) bind(C, name="cellsearch_set_instruction_set")
+      import :: c_ptr, c_int32_t, c_char
+      type(c_ptr), value :: handle
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int32_t) :: status
+    end function
+
     function c_find(handle, first, node, pairs) result(status) bind(C, name="cellsearch_find")
       import :: c_ptr, c_int32_t, c_int64_t
       type(c_ptr), value :: handle
@@ -303,6 +318,14 @@ contains
     character(len=*), intent(in) :: name
     integer(c_int32_t) :: status
     status = c_set_method(handle, trim(name)//c_null_char)
+  end function
+
+  !> The instruction set by its name; trailing blanks do not count; empty: the best.
+  function cellsearch_set_instruction_set(handle, name) result(status)
+    type(c_ptr), intent(in) :: handle
+    character(len=*), intent(in) :: name
+    integer(c_int32_t) :: status
+    status = c_set_instruction_set(handle, trim(name)//c_null_char)
   end function
 
   !> Searches. Segment s = 1 ... (index base 1) has the candidates node(first(s):first(s + 1) - 1). Both arrays belong

@@ -128,6 +128,27 @@ int32_t cellsearch_set_threads(cellsearch_handle* handle, int32_t threads) {
   });
 }
 
+int32_t cellsearch_set_cell_edge(cellsearch_handle* handle, double edge) {
+  return changed(handle, [&](Handle& own) {
+    cellsearch::Settings wanted = own.settings;
+    wanted.cell_edge = edge == 0.0 ? std::nullopt : std::optional<double>(edge);
+    own.apply(wanted);
+  });
+}
+
+int32_t cellsearch_set_instruction_set(cellsearch_handle* handle, const char* name) {
+  return changed(handle, [&](Handle& own) {
+    demand(name != nullptr, CELLSEARCH_BAD_ARGUMENT, "The name of the instruction set is null.");
+    cellsearch::Settings wanted = own.settings;
+    wanted.instruction_set = cellsearch::instruction_set_named(name);
+    if (!wanted.instruction_set && *name != '\0') {
+      throw cellsearch::Error(cellsearch::ErrorKind::BadSetting, -1,
+                              "There is no such instruction set; there are portable, avx2 and avx512.");
+    }
+    own.apply(wanted);
+  });
+}
+
 int32_t cellsearch_set_cell_factor(cellsearch_handle* handle, double factor) {
   return changed(handle, [&](Handle& own) {
     cellsearch::Settings wanted = own.settings;

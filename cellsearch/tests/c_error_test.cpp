@@ -121,6 +121,10 @@ TEST(CErrors, RefusesBadSettingsAndKeepsTheOldOnes) {
   EXPECT_EQ(cellsearch_set_threads(handle, 0), CELLSEARCH_BAD_SETTING);
   EXPECT_EQ(cellsearch_set_cell_factor(handle, 0.0), CELLSEARCH_BAD_SETTING);
   EXPECT_EQ(cellsearch_set_cell_factor(handle, nan), CELLSEARCH_BAD_SETTING);
+  EXPECT_EQ(cellsearch_set_cell_edge(handle, -1.0), CELLSEARCH_BAD_SETTING);
+  EXPECT_EQ(cellsearch_set_cell_edge(handle, nan), CELLSEARCH_BAD_SETTING);
+  EXPECT_EQ(cellsearch_set_instruction_set(handle, "guess"), CELLSEARCH_BAD_SETTING);
+  EXPECT_EQ(cellsearch_set_instruction_set(handle, nullptr), CELLSEARCH_BAD_ARGUMENT);
   EXPECT_EQ(cellsearch_set_cells_per_node(handle, infinity), CELLSEARCH_BAD_SETTING);
   EXPECT_EQ(cellsearch_set_domain(handle, zero.data(), one.data(), no_cells.data()), CELLSEARCH_BAD_DOMAIN);
   EXPECT_EQ(cellsearch_error_index(handle), 1);  // axes are counted from 0

@@ -166,6 +166,10 @@ TEST(CInterface, KnowsTheMethodsByName) {
     EXPECT_EQ(name, name_of(methods()[static_cast<std::size_t>(number)]));
     EXPECT_EQ(cellsearch_set_method(handle.get(), name.c_str()), CELLSEARCH_OK);
   }
+  EXPECT_EQ(cellsearch_set_instruction_set(handle.get(), "portable"), CELLSEARCH_OK);
+  EXPECT_EQ(cellsearch_set_instruction_set(handle.get(), ""), CELLSEARCH_OK);
+  EXPECT_EQ(cellsearch_set_cell_edge(handle.get(), 0.5), CELLSEARCH_OK);
+  EXPECT_EQ(cellsearch_set_cell_edge(handle.get(), 0.0), CELLSEARCH_OK);
   EXPECT_EQ(cellsearch_set_method(handle.get(), "guess"), CELLSEARCH_BAD_SETTING);
   EXPECT_NE(std::string(cellsearch_error_message(handle.get())).find(" brute-force"), std::string::npos);
 }

@@ -53,6 +53,10 @@ program fortran_test
   call check('method', cellsearch_set_method(search, 'linked-cell   ') == cellsearch_ok)
   call check('no message', len(cellsearch_message(search)) == 0)
   call check('threads', cellsearch_set_threads(search, 2) == cellsearch_ok)
+  call check('cell edge', cellsearch_set_cell_edge(search, 0.5d0) == cellsearch_ok)
+  call check('chosen cells', cellsearch_set_cell_edge(search, 0d0) == cellsearch_ok)
+  call check('instructions', cellsearch_set_instruction_set(search, 'portable') == cellsearch_ok)
+  call check('the best', cellsearch_set_instruction_set(search, ' ') == cellsearch_ok)
   call check('cell factor', cellsearch_set_cell_factor(search, 1.5d0) == cellsearch_ok)
   call check('cells per node', cellsearch_set_cells_per_node(search, 2d0) == cellsearch_ok)
   call check('bad domain', cellsearch_set_domain(search, [0d0, 1d0, 0d0], [1d0, 0d0, 1d0], [1, 2, 1]) &

@@ -86,6 +86,14 @@ const char* cellsearch_method_name(int32_t number);
 /** Number of threads, >= 1, else CELLSEARCH_BAD_SETTING. Results do not depend on it in any bit. */
 int32_t cellsearch_set_threads(cellsearch_handle* handle, int32_t threads);
 
+/** Edge of the cells [length], > 0, finite, else CELLSEARCH_BAD_SETTING; 0: chosen by the method again. Larger ones
+    are taken where these would be too many. */
+int32_t cellsearch_set_cell_edge(cellsearch_handle* handle, double edge);
+
+/** Instruction set of the production method by its name: "portable", "avx2", "avx512"; empty: the best that this
+    processor has. CELLSEARCH_BAD_SETTING if there is none of that name or the processor lacks it. */
+int32_t cellsearch_set_instruction_set(cellsearch_handle* handle, const char* name);
+
 /** Automatic cells: cell edge over mean segment edge, > 0, finite, else CELLSEARCH_BAD_SETTING. */
 int32_t cellsearch_set_cell_factor(cellsearch_handle* handle, double factor);
 
