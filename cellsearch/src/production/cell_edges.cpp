@@ -114,8 +114,8 @@ double rows_of(const SizeClass& size, const CellEdges& edges) {
   return across * across;
 }
 
-/// Estimated time for a segment [ns]. The constants were fitted to runs of cellsearch-bench; only the place
-/// of the minimum matters, and it is flat.
+/// Estimated time for a segment [ns]. The constants were set by hand, from runs with given cells on one
+/// machine; only the place of the minimum matters, and it is flat.
 double query_cost(const SizeClass& size, const CellEdges& edges, double layers) {
   const double across = size.across / edges.cross;
   const double rows = rows_of(size, edges);
