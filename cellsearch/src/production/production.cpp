@@ -29,7 +29,8 @@ void Production::build(const FinderInput& input) {
   input_ = input;
   NodeGridInput nodes;
   nodes.positions = input.scene.positions;
-  nodes.nodes = input.scene.nodes;
+  // A list of all nodes, strictly ascending, is no restriction.
+  if (input.scene.participants() != input.scene.positions.count()) nodes.nodes = input.scene.nodes;
   nodes.limit = input.limit;
   nodes.set = set_;
   nodes.threads = input.threads;
@@ -48,20 +49,20 @@ void Production::build(const FinderInput& input) {
 /// Sorts into the cells of the last build, if it is of the same kind, not too many builds ago, and the nodes
 /// have not moved far. False if not.
 bool Production::sort_again(const NodeGridInput& nodes) {
-  const bool everybody = !nodes.nodes && !nodes.limit;
   const Scene& scene = input_.scene;
-  const Layout layout{scene.positions.count(), scene.segments.count(), scene.expansion};
-  const bool usable = everybody && layout == layout_ && builds_left_ > 0;
+  const Layout layout{scene.positions.count(), scene.participants(), scene.segments.count(), scene.expansion};
+  const bool usable = !nodes.limit && layout == layout_ && builds_left_ > 0;
   layout_ = layout;
   if (!usable) return false;
   --builds_left_;
   const production::NodeRange range = grid_.build_again(nodes);
   if (!range.finite) return false;
   all_nodes_ = range.box;
+  const Box box = nodes.nodes ? box_of(*nodes.nodes) : range.box;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double extent = box_.hi[axis] - box_.lo[axis];
-    const double now = range.box.hi[axis] - range.box.lo[axis];
-    const double moved = std::max(box_.lo[axis] - range.box.lo[axis], range.box.hi[axis] - box_.hi[axis]);
+    const double now = box.hi[axis] - box.lo[axis];
+    const double moved = std::max(box_.lo[axis] - box.lo[axis], box.hi[axis] - box_.hi[axis]);
     if (!(moved <= 0.05 * extent && now >= 0.8 * extent)) return false;
   }
   return true;
@@ -115,9 +116,12 @@ Box Production::measure(const NodeGridInput& nodes) {
     box.include(range.box);
   }
   if (!finite) return check_scene(input_.scene, nodes.threads).nodes;
-  if (!nodes.nodes) return box;
-  box = Box{};
-  for (const Index node : *nodes.nodes) box.include(nodes.positions[node]);
+  return nodes.nodes ? box_of(*nodes.nodes) : box;
+}
+
+Box Production::box_of(std::span<const Index> nodes) const {
+  Box box;
+  for (const Index node : nodes) box.include(input_.scene.positions[node]);
   return box;
 }
 

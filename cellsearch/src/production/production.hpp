@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+
 #include "finder.hpp"
 #include "production/node_grid.hpp"
 
@@ -26,6 +28,7 @@ class Production final : public Finder, private production::QueryHelp {
   void sort_anew(production::NodeGridInput& nodes);
   void correct_edges(production::NodeGridInput& nodes, Index count);
   Box measure(const production::NodeGridInput& nodes);
+  Box box_of(std::span<const Index> nodes) const;
   bool reaches_out() const;
   void query_one_by_one(Index begin, Index end, FoundRows& rows) const;
   void measure_sizes(const FinderInput& input);
@@ -33,6 +36,7 @@ class Production final : public Finder, private production::QueryHelp {
   /// What must be as before for the cells of the last build to be used again.
   struct Layout {
     std::size_t nodes = 0;
+    std::size_t participants = 0;
     std::size_t segments = 0;
     double expansion = 0.0;
     bool operator==(const Layout&) const = default;
