@@ -47,6 +47,7 @@ class ProductionLinear : public testing::TestWithParam<scenes::Family> {
   static std::vector<Counts> counts_for(const std::vector<int>& numbers_of_nodes,
                                         const Settings& settings = {}) {
     std::vector<Counts> counts;
+    counts.reserve(numbers_of_nodes.size());
     for (const int nodes : numbers_of_nodes) counts.push_back(counts_of(GetParam().make(nodes, 1), settings));
     for (const Counts& one : counts) {
       const std::string size = std::to_string(static_cast<int>(one.nodes));
