@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cellsearch/search.hpp"
+#include "family_test_name.hpp"
 #include "scenes.hpp"
 
 namespace cellsearch {
@@ -120,11 +121,7 @@ TEST_P(ProductionLinear, DISABLED_VisitsAsMuchPerSegmentInLargeScenesNightly) {
 
 INSTANTIATE_TEST_SUITE_P(Families, ProductionLinear,
                          testing::ValuesIn(scenes::families().begin(), scenes::families().end()),
-                         [](const auto& family) {
-                           std::string name = family.param.name;
-                           for (char& letter : name) letter = letter == '-' ? '_' : letter;
-                           return name;
-                         });
+                         scenes::test_name);
 
 }  // namespace
 }  // namespace cellsearch

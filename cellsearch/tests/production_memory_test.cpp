@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "family_test_name.hpp"
 #include "production_check.hpp"
 #include "scenes.hpp"
 
@@ -128,11 +129,7 @@ TEST_P(ProductionMemory, IsKeptByAVisitToo) {
 
 INSTANTIATE_TEST_SUITE_P(Families, ProductionMemory,
                          testing::ValuesIn(scenes::families().begin(), scenes::families().end()),
-                         [](const auto& family) {
-                           std::string name = family.param.name;
-                           for (char& letter : name) letter = letter == '-' ? '_' : letter;
-                           return name;
-                         });
+                         scenes::test_name);
 
 }  // namespace
 }  // namespace cellsearch

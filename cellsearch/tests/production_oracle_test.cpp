@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cellsearch/error.hpp"
+#include "family_test_name.hpp"
 #include "production_check.hpp"
 #include "scenes.hpp"
 
@@ -98,11 +99,7 @@ TEST_P(ProductionScene, IsSearchedExactlyWithCellsOfAnySize) {
 
 INSTANTIATE_TEST_SUITE_P(Families, ProductionScene,
                          testing::ValuesIn(scenes::families().begin(), scenes::families().end()),
-                         [](const auto& family) {
-                           std::string name = family.param.name;
-                           for (char& letter : name) letter = letter == '-' ? '_' : letter;
-                           return name;
-                         });
+                         scenes::test_name);
 
 TEST(ProductionOracle, AgreesWithCellsOfAnySizeOnSmallMeshes) {
   for (std::uint64_t seed = 300; seed < 396; ++seed) {

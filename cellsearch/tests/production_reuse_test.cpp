@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "family_test_name.hpp"
 #include "production_check.hpp"
 #include "scenes.hpp"
 
@@ -252,11 +253,7 @@ TEST_P(ProductionMotion, IsFollowedWhereAllFallsIntoOnePointAndComesBack) {
 
 INSTANTIATE_TEST_SUITE_P(Families, ProductionMotion,
                          testing::ValuesIn(scenes::families().begin(), scenes::families().end()),
-                         [](const auto& family) {
-                           std::string name = family.param.name;
-                           for (char& letter : name) letter = letter == '-' ? '_' : letter;
-                           return name;
-                         });
+                         scenes::test_name);
 
 }  // namespace
 }  // namespace cellsearch
