@@ -23,6 +23,8 @@ void Domain::declare(StateList& list) {
     list.add(name, "by item", Entity::Shell, block.components, std::span(block.double_state));
     list.add(name + "_internal_energy", "energy", Entity::Run, 1, std::span(&block.internal_energy, 1));
     list.add(name + "_hourglass_energy", "energy", Entity::Run, 1, std::span(&block.hourglass_energy, 1));
+    list.add(name + "_eroded_energy", "energy", Entity::Run, 1, std::span(&block.eroded_energy, 1));
+    list.add(name + "_eroded", "-", Entity::Run, 1, std::span(&block.eroded, 1));
   }
   for (WallReport& wall : walls) {
     list.add("wall_impulse", "force*time", Entity::Wall, 3, std::span(&wall.impulse, 1));

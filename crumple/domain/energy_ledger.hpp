@@ -17,7 +17,7 @@ struct EnergyLedger {
   double rigidwall = 0;  ///< taken away by rigid walls
   double damping = 0;
   double external_work = 0;  ///< done on the model by loads and prescribed motion
-  double eroded = 0;
+  double eroded = 0;         ///< internal and hourglass energy of elements when they failed
   double initial_total = 0;  ///< total at time zero
 
   double total() const {
@@ -30,9 +30,10 @@ struct EnergyLedger {
   }
   /// Unbalanced energy [energy].
   double imbalance() const { return total() - initial_total - external_work; }
-  /// |unbalanced energy| over what was absorbed: internal, hourglass, contact and friction energy [-].
+  /// |unbalanced energy| over what was absorbed: internal, hourglass, contact, friction and eroded energy
+  /// [-].
   double error() const {
-    const double absorbed = internal + hourglass + contact + friction;
+    const double absorbed = internal + hourglass + contact + friction + eroded;
     return absorbed == 0 ? 0.0 : std::fabs(imbalance() / absorbed);
   }
 };

@@ -27,20 +27,25 @@ struct StateItem {
 struct ShellBlock {
   Index part = no_index;  ///< model::Part
   model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay;
-  Index thickness_points = 0;
-  Index elements = 0;               ///< real elements, without the fill
-  std::vector<Index> element;       ///< model::Model::shells index, by place in the block
-  AlignedArray<Index> node;         ///< [group][4][lanes] domain nodes to gather from
-  AlignedArray<Index> target;       ///< [group][4][lanes] place in NodeFields::force to add to (see Assembly)
-  std::vector<StateItem> items;     ///< what the state holds; stress is [point][xx, yy, xy, yz, zx]
-  Index components = 0;             ///< numbers per element in the state
-  AlignedArray<float> float_state;  ///< [group][component][lanes] in mixed precision, else empty
+  Index thickness_points = 0;    ///< integration points through the thickness
+  Index plane_points = 1;        ///< in plane; over each of them are thickness_points
+  Index elements = 0;            ///< real elements, without the fill
+  std::vector<Index> element;    ///< model::Model::shells index, by place in the block
+  AlignedArray<Index> node;      ///< [group][4][lanes] domain nodes to gather from
+  AlignedArray<Index> target;    ///< [group][4][lanes] place in NodeFields::force to add to (see Assembly)
+  std::vector<StateItem> items;  ///< what the state holds; stress is [plane][thickness][xx, yy, xy, yz, zx]
+  Index components = 0;          ///< numbers per element in the state
+  AlignedArray<float> float_state;         ///< [group][component][lanes] in mixed precision, else empty
   AlignedArray<double> double_state;       ///< the same in double precision, else empty
   std::vector<double> element_constants;   ///< laid out and read by the element kind
   std::vector<double> material_constants;  ///< laid out and read by the material kind
   double internal_energy = 0;              ///< accumulated, of the whole block [energy]
   double hourglass_energy = 0;             ///< accumulated, of the whole block [energy]
+  double eroded_energy = 0;                ///< part of both that elements had when they failed [energy]
+  Index eroded = 0;                        ///< elements that have failed
 
+  /// Integration points of an element.
+  Index points() const { return plane_points * thickness_points; }
   Index groups() const { return (elements + lanes - 1) / lanes; }
 
   /// The item of that name, or nullptr.

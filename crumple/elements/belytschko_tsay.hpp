@@ -10,6 +10,7 @@ namespace crumple::elements {
 struct BelytschkoTsay {
   static constexpr model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay;
   static constexpr const char* name = "Belytschko-Tsay";
+  static constexpr int planes = 1;
   static constexpr bool own_areas = false;
 
   static constexpr int row_r31 = 0;
@@ -142,7 +143,7 @@ CRUMPLE_INLINE ShellForces<Pack> BelytschkoTsay::forces(const ShellPlace<RealOf<
 
   const Pack mean_thickness = update_thickness<Pack>(place);
   const Pack thickness = active * own_state<Pack>(place, element_state::thickness);
-  const auto energy = load<Pack>(place.rows + scratch_row::material_energy * tile_lanes);
+  const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
   store(place.rows + scratch_row::internal_energy * tile_lanes,
         Pack(energy * (active * (mean_thickness * kept<Pack>(place, row_area)))));
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/erosion.hpp"
 #include "elements/formulation.hpp"
 
+// Every template here has the pack among its parameters: one of the number type alone would be the same
+// function for all instruction sets, and the linker would keep any of them.
 namespace crumple::elements {
 
 /// Arrays of one tile, on the stack of whoever works it off.
@@ -30,33 +33,82 @@ CRUMPLE_INLINE void for_each_pack(const ShellTask<RealOf<Pack>>& task, Index fir
     }
 }
 
-/// Works off one chunk, tile by tile: strains, material, forces. Sums run lane by lane in double over the
-/// groups, then over the lanes in order: the same bits for every width of pack.
+/// What is the same for every tile and plane of a chunk.
+template <class Formulation, class Pack>
+materials::MaterialTask<RealOf<Pack>> material_task(const ShellTask<RealOf<Pack>>& task) {
+  using Real = RealOf<Pack>;
+  materials::MaterialTask<Real> material;
+  material.group_stride = static_cast<std::ptrdiff_t>(task.components) * lanes;
+  material.points = task.constants.points;
+  material.all_points = task.constants.points * Formulation::planes;
+  material.history = task.constants.history;
+  material.weight = task.constants.weight;
+  material.constants = task.material_constants;
+  material.step = task.step;
+  return material;
+}
+
+/// Brings the points of a tile up to date, plane by plane.
+template <class Formulation, class Pack>
+void update_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<Pack>>& scratch,
+                   materials::MaterialTask<RealOf<Pack>>& material) {
+  const int points = task.constants.points;
+  for (int plane = 0; plane < Formulation::planes; ++plane) {
+    const auto row = [&](int first) { return scratch.rows + (first + plane) * tile_lanes; };
+    material.first_point = plane * points;
+    material.strain = scratch.strain + material.first_point * materials::components * tile_lanes;
+    material.area = Formulation::own_areas ? scratch.area + material.first_point * tile_lanes : nullptr;
+    material.energy = row(scratch_row::material_energy);
+    material.thickness_strain = row(scratch_row::thickness_strain);
+    material.intact = task.constants.can_fail ? row(scratch_row::intact) : nullptr;
+    task.material(material);
+  }
+}
+
+/// Sums of a chunk, lane by lane over the groups: the same bits for every width of pack.
+template <class Pack>
+struct LaneSums {
+  using Real = RealOf<Pack>;
+  alignas(cache_line) double internal[lanes] = {};
+  alignas(cache_line) double hourglass[lanes] = {};
+  alignas(cache_line) Real shortest[lanes];
+
+  LaneSums() {
+    for (Real& limit : shortest) limit = Real(1e30);
+  }
+  void add_group(const Real* rows) {
+    for (Index lane = 0; lane < lanes; ++lane) {
+      internal[lane] += static_cast<double>(rows[scratch_row::internal_energy * tile_lanes + lane]);
+      hourglass[lane] += static_cast<double>(rows[scratch_row::hourglass_energy * tile_lanes + lane]);
+      const Real limit = rows[scratch_row::shortest_step * tile_lanes + lane];
+      shortest[lane] = limit < shortest[lane] ? limit : shortest[lane];
+    }
+  }
+  /// Adds up over the lanes in order.
+  void add_to(ShellSums& sums) const {
+    for (Index lane = 0; lane < lanes; ++lane) {
+      sums.internal_energy += internal[lane];
+      sums.hourglass_energy += hourglass[lane];
+      const auto limit = static_cast<double>(shortest[lane]);
+      sums.shortest_step = limit < sums.shortest_step ? limit : sums.shortest_step;
+    }
+  }
+};
+
+/// Works off one chunk, tile by tile: strains, material, forces.
 template <class Formulation, class Pack>
 void shell_chunk(const ShellTask<RealOf<Pack>>& task, ShellSums& sums) {
   using Real = RealOf<Pack>;
   using materials::tile_groups;
-  alignas(cache_line) Real strain[materials::max_points * materials::components * tile_lanes];
+  constexpr int most_points = Formulation::planes * materials::max_points;
+  alignas(cache_line) Real strain[most_points * materials::components * tile_lanes];
   alignas(cache_line) Real rows[(scratch_row::own + Formulation::rows) * tile_lanes];
-  alignas(cache_line) Real area[Formulation::own_areas ? materials::max_points * tile_lanes : tile_lanes];
+  alignas(cache_line) Real area[Formulation::own_areas ? most_points * tile_lanes : tile_lanes];
   const TileScratch<Real> scratch{strain, rows, area};
-  alignas(cache_line) double internal[lanes] = {};
-  alignas(cache_line) double hourglass[lanes] = {};
-  alignas(cache_line) Real shortest[lanes];
-  for (Index lane = 0; lane < lanes; ++lane) shortest[lane] = Real(1e30);
-
-  materials::MaterialTask<Real> material;
-  material.group_stride = static_cast<std::ptrdiff_t>(task.components) * lanes;
-  material.points = task.constants.points;
-  material.history = task.constants.history;
-  material.strain = strain;
-  material.weight = task.constants.weight;
-  material.area = Formulation::own_areas ? area : nullptr;
-  material.constants = task.material_constants;
-  material.step = task.step;
-  material.energy = rows + scratch_row::material_energy * tile_lanes;
-  material.thickness_strain = rows + scratch_row::thickness_strain * tile_lanes;
-
+  LaneSums<Pack> lane_sums;
+  sums = {};
+  sums.shortest_step = 1e30;
+  materials::MaterialTask<Real> material = material_task<Formulation, Pack>(task);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
     for_each_pack<Pack>(task, first, groups, scratch,
@@ -65,28 +117,18 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ShellSums& sums) {
                         });
     material.state = task.state + first * material.group_stride;
     material.groups = groups;
-    task.material(material);
+    update_points<Formulation, Pack>(task, scratch, material);
     for_each_pack<Pack>(task, first, groups, scratch,
                         [&](const ShellPlace<Real>& place, const Index* target) {
                           scatter(task.force, target, Formulation::template forces<Pack>(place));
                         });
     for (Index group = 0; group < groups; ++group) {
-      const Real* const own = rows + group * lanes;
-      for (Index lane = 0; lane < lanes; ++lane) {
-        internal[lane] += static_cast<double>(own[scratch_row::internal_energy * tile_lanes + lane]);
-        hourglass[lane] += static_cast<double>(own[scratch_row::hourglass_energy * tile_lanes + lane]);
-        const Real limit = own[scratch_row::shortest_step * tile_lanes + lane];
-        shortest[lane] = limit < shortest[lane] ? limit : shortest[lane];
-      }
+      lane_sums.add_group(rows + group * lanes);
+      if (task.constants.can_fail)
+        erode<Pack>(task, material.state + group * material.group_stride, rows + group * lanes, sums);
     }
   }
-  sums = {0, 0, 1e30};
-  for (Index lane = 0; lane < lanes; ++lane) {
-    sums.internal_energy += internal[lane];
-    sums.hourglass_energy += hourglass[lane];
-    const auto limit = static_cast<double>(shortest[lane]);
-    sums.shortest_step = limit < sums.shortest_step ? limit : sums.shortest_step;
-  }
+  lane_sums.add_to(sums);
 }
 
 }  // namespace crumple::elements

@@ -3,8 +3,10 @@
 
 // A shell formulation is a type with
 //   static constexpr model::ShellFormulation formulation, const char* name
+//   static constexpr int planes          points in plane
 //   static constexpr int rows            numbers per element kept from strains() to forces()
-//   static constexpr bool own_areas      strains() leaves the area of each layer in ShellPlace::area
+//   static constexpr bool own_areas      strains() leaves the area that each point stands for in
+//                                        ShellPlace::area; true if there are several planes
 //   template <class Pack> static void strains(const ShellPlace<Real>&)
 //   template <class Pack> static ShellForces<Pack> forces(const ShellPlace<Real>&)
 // strains() gathers the nodes and leaves the strain increments of all points, forces() makes nodal forces of
@@ -23,12 +25,13 @@ using materials::tile_lanes;
 
 /// Rows of the scratch that the driver reads, before those of the formulation.
 namespace scratch_row {
-inline constexpr int material_energy = 0;   ///< from the material: work per volume of the step
-inline constexpr int thickness_strain = 1;  ///< from the material
-inline constexpr int internal_energy = 2;   ///< from forces(): increment
-inline constexpr int hourglass_energy = 3;  ///< from forces(): increment
-inline constexpr int shortest_step = 4;     ///< from forces(): stable step
-inline constexpr int own = 5;               ///< first row of the formulation
+inline constexpr int internal_energy = 0;   ///< from forces(): increment
+inline constexpr int hourglass_energy = 1;  ///< from forces(): increment
+inline constexpr int shortest_step = 2;     ///< from forces(): stable step
+inline constexpr int material_energy = 3;   ///< from the material, by plane: work per volume of the step
+inline constexpr int thickness_strain = material_energy + materials::max_plane_points;  ///< by plane
+inline constexpr int intact = thickness_strain + materials::max_plane_points;           ///< by plane
+inline constexpr int own = intact + materials::max_plane_points;  ///< first row of the formulation
 }  // namespace scratch_row
 
 /// Where one pack of elements finds everything. Strides are `lanes` in the state, tile_lanes in the scratch.
@@ -37,9 +40,9 @@ struct ShellPlace {
   const ShellTask<Real>& task;
   const Index* node;  ///< [4][lanes], from the first element of the pack
   Real* state;        ///< [component][lanes]
-  Real* strain;       ///< [point][5][tile_lanes]
+  Real* strain;       ///< [plane][points][5][tile_lanes]
   Real* rows;         ///< [row][tile_lanes]
-  Real* area;         ///< [point][tile_lanes]
+  Real* area;         ///< [plane][points][tile_lanes]
 };
 
 template <class Pack>
@@ -127,10 +130,27 @@ CRUMPLE_INLINE HourglassModes<Pack> update_hourglass(const ShellPlace<RealOf<Pac
   const Pack step(place.task.step);
   const HourglassModes<Pack> old = hourglass_state<Pack>(place);
   const auto moduli = hourglass_moduli(place.task.constants, g, thickness);
-  const auto now = hourglass_stress(place.task.constants, moduli, step, old, rate);
+  auto now = hourglass_stress(place.task.constants, moduli, step, old, rate);
+  // What has failed does not hold its last stress.
+  if (place.task.constants.can_fail) now = scaled(now, own_state<Pack>(place, element_state::active));
   set_hourglass_state(place, now);
   store(place.rows + scratch_row::hourglass_energy * tile_lanes, hourglass_work(step, old, now, rate));
   return now;
+}
+
+/// Sum over the planes of what the material left in the rows from `first` on.
+template <class Pack>
+CRUMPLE_INLINE Pack sum_over_planes(const ShellPlace<RealOf<Pack>>& place, int first) {
+  Pack sum = load<Pack>(place.rows + first * tile_lanes);
+  for (int plane = 1; plane < place.task.constants.planes; ++plane)
+    sum = sum + load<Pack>(place.rows + (first + plane) * tile_lanes);
+  return sum;
+}
+template <class Pack>
+CRUMPLE_INLINE Pack mean_over_planes(const ShellPlace<RealOf<Pack>>& place, int first) {
+  const Pack sum = sum_over_planes<Pack>(place, first);
+  const int planes = place.task.constants.planes;
+  return planes == 1 ? sum : Pack(sum * Pack(RealOf<Pack>(1) / static_cast<RealOf<Pack>>(planes)));
 }
 
 /// New thickness where it may change; returns the mean over the step.
@@ -139,7 +159,7 @@ CRUMPLE_INLINE Pack update_thickness(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const Pack old = own_state<Pack>(place, element_state::thickness);
   if (!place.task.constants.thickness_change) return old;
-  const Pack change = old * load<Pack>(place.rows + scratch_row::thickness_strain * tile_lanes);
+  const Pack change = old * mean_over_planes<Pack>(place, scratch_row::thickness_strain);
   store(place.state + (place.task.constants.own + element_state::thickness) * lanes, Pack(old + change));
   return multiply_add(Pack(Real(0.5)), change, old);
 }

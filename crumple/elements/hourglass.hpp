@@ -34,6 +34,12 @@ struct HourglassModes {
   Pack x, y, z, bending_x, bending_y;
 };
 
+template <class Pack>
+CRUMPLE_INLINE HourglassModes<Pack> scaled(const HourglassModes<Pack>& modes, const Pack& factor) {
+  return {factor * modes.x, factor * modes.y, factor * modes.z, factor * modes.bending_x,
+          factor * modes.bending_y};
+}
+
 /// gamma.f, the hourglass part of a field: its pattern less what the centre gradients explain.
 template <class Pack>
 CRUMPLE_INLINE Pack hourglass_part(const LaminaGeometry<Pack>& g, const Pack& f_mode,

@@ -12,6 +12,7 @@ namespace crumple::elements {
 struct HughesLiu {
   static constexpr model::ShellFormulation formulation = model::ShellFormulation::HughesLiu;
   static constexpr const char* name = "Hughes-Liu";
+  static constexpr int planes = 1;
   static constexpr bool own_areas = true;
 
   static constexpr int row_r31 = 0;
@@ -241,7 +242,7 @@ CRUMPLE_INLINE ShellForces<Pack> HughesLiu::forces(const ShellPlace<RealOf<Pack>
   const Pack mean_thickness = update_thickness<Pack>(place);
   const Pack full_thickness = own_state<Pack>(place, element_state::thickness);
   const Pack thickness = active * full_thickness;
-  const auto energy = load<Pack>(place.rows + scratch_row::material_energy * tile_lanes);
+  const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
   store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * (active * mean_thickness)));
 
   const FibreTilts<Pack> tilt = fibre_tilts(g, full_thickness);

@@ -9,29 +9,12 @@ namespace crumple::elements {
 template <class Real>
 using ShellKernel = void (*)(const ShellTask<Real>& task, ShellSums& sums);
 
-/// The kernel of the formulation at place `kind` of the list. Defined in kernels/shell_formulations.cpp,
-/// which is compiled once per instruction set.
-template <Isa Variant, class Real>
-ShellKernel<Real> shell_formulation_kernel(int kind);
+/// The kernel of one formulation. Defined in kernels/<formulation>.cpp, which is compiled once per
+/// instruction set (kernel_definition.hpp).
+template <class Formulation, Isa Variant, class Real>
+ShellKernel<Real> formulation_kernel();
 
-template <>
-ShellKernel<float> shell_formulation_kernel<Isa::Scalar, float>(int kind);
-template <>
-ShellKernel<double> shell_formulation_kernel<Isa::Scalar, double>(int kind);
-template <>
-ShellKernel<float> shell_formulation_kernel<Isa::Baseline, float>(int kind);
-template <>
-ShellKernel<double> shell_formulation_kernel<Isa::Baseline, double>(int kind);
-template <>
-ShellKernel<float> shell_formulation_kernel<Isa::Avx2, float>(int kind);
-template <>
-ShellKernel<double> shell_formulation_kernel<Isa::Avx2, double>(int kind);
-template <>
-ShellKernel<float> shell_formulation_kernel<Isa::Avx512, float>(int kind);
-template <>
-ShellKernel<double> shell_formulation_kernel<Isa::Avx512, double>(int kind);
-
-/// The kernel for an instruction set chosen at run time.
+/// The kernel for an instruction set chosen at run time, of the formulation at place `kind` of the list.
 template <class Real>
 ShellKernel<Real> shell_kernel(Isa isa, int kind);
 

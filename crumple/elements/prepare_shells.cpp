@@ -23,13 +23,18 @@ void require(bool holds, const model::Part& part, const std::string& what) {
 
 void set_thickness_rule(const model::Part& part, const model::ShellSection& section,
                         ShellConstants<double>& constants) {
+  using model::ThicknessRule;
   const int points = section.thickness_points;
-  const bool lobatto = section.thickness_rule == model::ThicknessRule::Lobatto;
-  require(points >= (lobatto ? 2 : 1) && points <= materials::max_points, part,
+  const bool ends = section.thickness_rule != ThicknessRule::Gauss;
+  const int most = section.thickness_rule == ThicknessRule::Trapezoid ? materials::max_points : 10;
+  require(points >= (ends ? 2 : 1) && points <= most, part,
           std::to_string(points) +
               " integration points through the thickness are not possible; Gauss takes " +
-              "1 to 10, Lobatto 2 to 10");
-  const math::Quadrature rule = lobatto ? math::lobatto_rule(points) : math::gauss_rule(points);
+              "1 to 10, Lobatto 2 to 10, the trapezoidal rule 2 to " + std::to_string(materials::max_points));
+  const math::Quadrature rule = section.thickness_rule == ThicknessRule::Gauss ? math::gauss_rule(points)
+                                : section.thickness_rule == ThicknessRule::Lobatto
+                                    ? math::lobatto_rule(points)
+                                    : math::trapezoid_rule(points);
   constants.points = points;
   std::copy(rule.point.begin(), rule.point.end(), constants.place);
   std::copy(rule.weight.begin(), rule.weight.end(), constants.weight);
@@ -51,12 +56,13 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
   }
 }
 
-void declare_own_items(ShellBlock& block) {
+void declare_own_items(bool can_fail, ShellBlock& block) {
   domain::add_item(block, "thickness", "length", 1);
   domain::add_item(block, "active", "-", 1);
   domain::add_item(block, "frame", "-", 2);
   domain::add_item(block, "step_scale", "-", 1);
   domain::add_item(block, "hourglass", "force, force * length", 5);
+  if (can_fail) domain::add_item(block, "energy", "energy", 2);
 }
 
 void allocate(ShellBlock& block, Precision precision) {
@@ -81,17 +87,20 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   const ElasticConstants elastic = materials::elastic_constants(material);
   ShellConstants<double> constants;
   constants.formulation = kind.kind;
+  constants.planes = kind.planes;
   constants.material = law;
+  constants.can_fail = materials::can_fail(material);
   constants.thickness_change = model.control.thickness_change;
   constants.shear_root = std::sqrt(section.shear_factor);
   constants.slowness = 1 / elastic.plate_wave_speed();
   set_thickness_rule(part, section, constants);
   set_hourglass(model::hourglass_of(model, part), elastic, section.shear_factor, constants);
 
-  domain::add_item(block, "stress", "stress", materials::components * constants.points);
+  block.plane_points = kind.planes;
+  domain::add_item(block, "stress", "stress", materials::components * block.points());
   constants.history = materials::declare_history(material.law, block);
   constants.own = block.components;
-  declare_own_items(block);
+  declare_own_items(constants.can_fail, block);
   allocate(block, domain.execution.precision);
   block.material_constants = materials::shell_material_constants(material);
   block.element_constants = to_numbers(constants);

@@ -2,6 +2,8 @@
 // The registry: what the solver asks of a shell formulation, answered through the list.
 #include "elements/registry.hpp"
 
+#include <array>
+
 #include "elements/list.hpp"
 
 namespace crumple::elements {
@@ -13,10 +15,17 @@ ShellKind find(model::ShellFormulation formulation, FormulationList<Formulations
   int kind = -1;
   const auto try_one = [&]<class Formulation>(Formulation) {
     ++kind;
-    if (Formulation::formulation == formulation) found = {kind, Formulation::name};
+    if (Formulation::formulation == formulation) found = {kind, Formulation::name, Formulation::planes};
   };
   (try_one(Formulations{}), ...);
   return found;
+}
+
+template <Isa Variant, class Real, class... Formulations>
+ShellKernel<Real> pick(int kind, FormulationList<Formulations...> /*list*/) {
+  static const std::array<ShellKernel<Real>, sizeof...(Formulations)> kernels{
+      formulation_kernel<Formulations, Variant, Real>()...};
+  return kernels[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace
@@ -30,14 +39,14 @@ ShellKernel<Real> shell_kernel(Isa isa, int kind) {
   switch (isa) {
 #if defined(CRUMPLE_FAST_KERNELS)
     case Isa::Avx512:
-      return shell_formulation_kernel<Isa::Avx512, Real>(kind);
+      return pick<Isa::Avx512, Real>(kind, ShellFormulations{});
     case Isa::Avx2:
-      return shell_formulation_kernel<Isa::Avx2, Real>(kind);
+      return pick<Isa::Avx2, Real>(kind, ShellFormulations{});
 #endif
     case Isa::Scalar:
-      return shell_formulation_kernel<Isa::Scalar, Real>(kind);
+      return pick<Isa::Scalar, Real>(kind, ShellFormulations{});
     default:
-      return shell_formulation_kernel<Isa::Baseline, Real>(kind);
+      return pick<Isa::Baseline, Real>(kind, ShellFormulations{});
   }
 }
 template ShellKernel<float> shell_kernel<float>(Isa isa, int kind);

@@ -10,6 +10,7 @@ namespace crumple::elements {
 struct ShellKind {
   int kind = -1;  ///< place in the list, -1 if it is not there
   const char* name = "";
+  int planes = 1;  ///< points in plane
 };
 
 ShellKind shell_kind(model::ShellFormulation formulation);

@@ -11,12 +11,14 @@ namespace {
 template <class Constants, class Visit>
 void for_each_number(Constants& constants, const Visit& visit) {
   visit(constants.points);
+  visit(constants.planes);
   visit(constants.formulation);
   visit(constants.material);
   visit(constants.history);
   visit(constants.own);
   visit(constants.viscous);
   visit(constants.thickness_change);
+  visit(constants.can_fail);
   for (auto& place : constants.place) visit(place);
   for (auto& weight : constants.weight) visit(weight);
   visit(constants.shear_root);

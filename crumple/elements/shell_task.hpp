@@ -14,12 +14,14 @@ namespace crumple::elements {
 template <class Real>
 struct ShellConstants {
   int points = 0;       ///< through the thickness
+  int planes = 1;       ///< points in plane
   int formulation = 0;  ///< place in the list of formulations
   int material = 0;     ///< place in the list of constitutive laws
   Index history = 0;    ///< first component of the material's items in the state
   Index own = 0;        ///< first component of the element's items, see ElementState
   bool viscous = true;  ///< hourglass form: viscous, else stiffness
   bool thickness_change = false;
+  bool can_fail = false;  ///< elements may erode; their energy is then kept, see element_state::energy
   Real place[materials::max_points] = {};   ///< of the points, -1 bottom to 1 top
   Real weight[materials::max_points] = {};  ///< of the points, summing to 1
   Real shear_root = 1;  ///< square root of the shear factor: on shear strains and, again, on their stresses
@@ -36,6 +38,7 @@ inline constexpr Index active = 1;      ///< 1, or 0: no force, no energy, no li
 inline constexpr Index frame = 2;       ///< two numbers, see lamina_frame.hpp
 inline constexpr Index step_scale = 4;  ///< on area / longest side: 2 for triangles, mass scaling
 inline constexpr Index hourglass = 5;   ///< five generalised hourglass stresses
+inline constexpr Index energy = 10;     ///< internal and hourglass energy of the element, if it can fail
 }  // namespace element_state
 
 /// ShellBlock::element_constants and back.
@@ -64,6 +67,9 @@ struct ShellSums {
   double internal_energy = 0;   ///< increment [energy]
   double hourglass_energy = 0;  ///< increment [energy]
   double shortest_step = 0;     ///< smallest stable step at time n [time]
+  double eroded_internal = 0;   ///< internal energy of the elements that have failed now [energy]
+  double eroded_hourglass = 0;  ///< the same of their hourglass energy [energy]
+  Index eroded = 0;             ///< elements that have failed now
 };
 
 }  // namespace crumple::elements

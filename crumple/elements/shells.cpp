@@ -63,8 +63,10 @@ void add_shell_forces(Domain& domain) {
   domain.clock.element_limit = 1e30;
   for (std::size_t c = 0; c < chunks.size(); ++c) {
     ShellBlock& block = domain.shells[chunks[c].block];
-    block.internal_energy += sums[c].internal_energy;
-    block.hourglass_energy += sums[c].hourglass_energy;
+    block.internal_energy += sums[c].internal_energy - sums[c].eroded_internal;
+    block.hourglass_energy += sums[c].hourglass_energy - sums[c].eroded_hourglass;
+    block.eroded_energy += sums[c].eroded_internal + sums[c].eroded_hourglass;
+    block.eroded += sums[c].eroded;
     domain.clock.element_limit = std::min(domain.clock.element_limit, sums[c].shortest_step);
   }
 }

@@ -15,12 +15,14 @@ struct ElasticLaw {
 
   static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ShellBlock& /*block*/) {}
   static std::vector<double> constants(const model::Material& material);
+  static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
 
   template <class Pack>
   struct Update {
     using Real = RealOf<Pack>;
     struct Trial {};
     static constexpr bool can_yield = false;
+    static constexpr bool may_fail = false;
 
     PlaneStressElasticity<Real> elasticity;
 

@@ -9,7 +9,7 @@ namespace crumple::materials {
 
 void PiecewiseLinearPlasticityLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
                                                    domain::ShellBlock& block) {
-  domain::add_item(block, "plastic_strain", "-", block.thickness_points);
+  domain::add_item(block, "plastic_strain", "-", block.points());
 }
 
 std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Material& material) {

@@ -42,6 +42,7 @@ struct PiecewiseLinearPlasticityLaw {
 
   static void declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
   static std::vector<double> constants(const model::Material& material);
+  static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
 
   template <class Pack>
   struct Update : PlaneStressPlasticity<Pack, TabulatedHardening<RealOf<Pack>>> {

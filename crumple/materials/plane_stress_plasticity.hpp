@@ -32,6 +32,7 @@ struct PlaneStressPlasticity {
     Pack plastic_zz;  ///< increment of plastic strain zz
   };
   static constexpr bool can_yield = true;
+  static constexpr bool may_fail = false;
 
   PlaneStressElasticity<Real> elasticity;
   Hardening hardening;

@@ -6,10 +6,10 @@
 namespace crumple::materials {
 
 void PlasticKinematicLaw::declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block) {
-  domain::add_item(block, "plastic_strain", "-", block.thickness_points);
+  domain::add_item(block, "plastic_strain", "-", block.points());
   const auto& own = std::get<Model>(law);
   if (own.tangent_modulus != 0 && own.isotropic_fraction < 1)
-    domain::add_item(block, "back_stress", "stress", components * block.thickness_points);
+    domain::add_item(block, "back_stress", "stress", components * block.points());
 }
 
 std::vector<double> PlasticKinematicLaw::constants(const model::Material& material) {

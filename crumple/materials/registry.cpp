@@ -51,6 +51,13 @@ std::vector<double> shell_material_constants(const model::Material& material) {
   return constants;
 }
 
+bool can_fail(const model::Material& material) {
+  bool fails = false;
+  with_law(
+      material.law, [&]<class Law>(Law, int) { fails = Law::can_fail(material.law); }, ShellLaws{});
+  return fails;
+}
+
 ElasticConstants elastic_constants(const model::Material& material) {
   return std::visit(
       [&](const auto& law) {

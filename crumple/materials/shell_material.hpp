@@ -13,8 +13,9 @@
 
 namespace crumple::materials {
 
-/// Largest number of integration points through the thickness of a shell.
-inline constexpr int max_points = 10;
+/// Largest number of integration points through the thickness of a shell, and in its plane.
+inline constexpr int max_points = 20;
+inline constexpr int max_plane_points = 4;
 
 /// Stress and strain components of a shell in lamina axes: xx, yy, xy, yz, zx. Shear strains are engineering
 /// ones (twice the tensor's).
@@ -25,14 +26,16 @@ inline constexpr int components = 5;
 inline constexpr Index tile_groups = 2;
 inline constexpr Index tile_lanes = tile_groups * lanes;
 
-/// One call of a material: the points of up to tile_groups groups of elements.
+/// One call of a material: the points over one point in plane, of up to tile_groups groups of elements.
 template <class Real>
 struct MaterialTask {
   Real* state = nullptr;            ///< state of the first group: [group][component][lane], updated in place
   std::ptrdiff_t group_stride = 0;  ///< from one group's state to the next
   Index groups = 0;
-  int points = 0;
-  Index stress = 0;                   ///< first component of "stress" [point][5] in the state
+  int points = 0;                     ///< to bring up to date: those through the thickness
+  int first_point = 0;                ///< number of the first of them in the element
+  int all_points = 0;                 ///< of the element, in plane and through the thickness
+  Index stress = 0;                   ///< first component of "stress" [all points][5] in the state
   Index history = 0;                  ///< first component of the material's own items
   const Real* strain = nullptr;       ///< increments [point][5][tile_lanes]
   const Real* weight = nullptr;       ///< [point], summing to 1
@@ -41,6 +44,7 @@ struct MaterialTask {
   Real step = 0;                      ///< the step that the increments belong to [time]; may be 0
   Real* energy = nullptr;  ///< out: mean over the thickness of area * 1/2 (old + new stress) : strain
   Real* thickness_strain = nullptr;  ///< out: mean increment of the strain zz over the thickness
+  Real* intact = nullptr;  ///< out, if not nullptr: 1 where any of the points has not failed, else 0
 };
 
 template <class Real>
@@ -60,12 +64,15 @@ struct ElasticConstants {
 /// Place of the law in the list (materials/list.hpp), or -1 if shells cannot use it.
 int shell_material_kind(const model::ConstitutiveLaw& law);
 
-/// Adds the law's own items ("plastic_strain", ...) to a block whose thickness_points are set; returns the
-/// first component (the present end of the state if the law has none).
+/// Adds the law's own items ("plastic_strain", ...) to a block whose points are set; returns the first
+/// component (the present end of the state if the law has none).
 Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
 
 /// The numbers that the update reads. Throws Error naming the material if one is out of its range.
 std::vector<double> shell_material_constants(const model::Material& material);
+
+/// True if points of this material can fail: MaterialTask::intact must be given then.
+bool can_fail(const model::Material& material);
 
 ElasticConstants elastic_constants(const model::Material& material);
 

@@ -11,6 +11,9 @@
 //   Mask yields(const Trial&)
 //   void correct(stress, Trial&, mask, history)      returns the stress to the yield surface in the lanes of
 //                                                    the mask, updates the history, leaves plastic_zz
+//   static constexpr bool may_fail                   false: nothing below is called
+//   bool fails() const                               whether this material has a failure criterion at all
+//   Mask intact(history) const                       points that still carry stress
 // Elements hardly ever yield all at once: the trial is made for all points of a pack first, and one test
 // decides whether any of them needs the correction.
 
@@ -24,12 +27,30 @@ namespace crumple::materials {
 template <class Real>
 struct HistoryView {
   Real* first;  ///< component 0 of the law's items, first lane of the pack
-  int points;
-  int point;
+  int points;   ///< of the element, in plane and through the thickness
+  int point;    ///< counted over all of these
 
   /// Address of component `component` of the law's items.
   CRUMPLE_INLINE Real* at(int component) const { return first + component * lanes; }
 };
+
+/// Takes the stress from points that have failed. Leaves whether any is intact.
+template <class Law, class Pack, class History>
+CRUMPLE_INLINE void take_failed_stress(const Law& law, const MaterialTask<RealOf<Pack>>& task,
+                                       PlaneStress<Pack>* stress, const History& history,
+                                       RealOf<Pack>* intact) {
+  using Real = RealOf<Pack>;
+  const Pack zero(Real(0));
+  Pack any_intact = zero;
+  for (int p = 0; p < task.points; ++p) {
+    const auto holds = law.intact(history(p));
+    any_intact = select<Pack>(holds, Pack(Real(1)), any_intact);
+    stress[p] = {select<Pack>(holds, stress[p].xx, zero), select<Pack>(holds, stress[p].yy, zero),
+                 select<Pack>(holds, stress[p].xy, zero), select<Pack>(holds, stress[p].yz, zero),
+                 select<Pack>(holds, stress[p].zx, zero)};
+  }
+  store(intact, any_intact);
+}
 
 template <class Law, class Pack>
 CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>& task, Index group,
@@ -38,8 +59,12 @@ CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>
   using Stress = PlaneStress<Pack>;
   using Strain = PlaneStrain<Pack>;
   Real* const state = task.state + group * task.group_stride + lane;
-  Real* const stress_state = state + task.stress * lanes;
+  Real* const stress_state = state + (task.stress + components * task.first_point) * lanes;
   const Real* const strains = task.strain + group * lanes + lane;
+
+  [[maybe_unused]] const auto history = [&](int p) {
+    return HistoryView<Real>{state + task.history * lanes, task.all_points, task.first_point + p};
+  };
 
   Stress stress[max_points];
   [[maybe_unused]] typename Law::Trial trial[max_points];
@@ -49,8 +74,7 @@ CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>
     const auto strain = load_five<Strain>(strains + p * components * tile_lanes, tile_lanes);
     stress[p] = law.elasticity.stress(old, strain);
     if constexpr (Law::can_yield) {
-      trial[p] =
-          law.trial(stress[p], strain, HistoryView<Real>{state + task.history * lanes, task.points, p});
+      trial[p] = law.trial(stress[p], strain, history(p));
       any_yields |= any<Pack>(law.yields(trial[p]));
     }
   }
@@ -58,10 +82,11 @@ CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>
     if (any_yields)
       for (int p = 0; p < task.points; ++p) {
         const auto mask = law.yields(trial[p]);
-        if (any<Pack>(mask))
-          law.correct(stress[p], trial[p], mask,
-                      HistoryView<Real>{state + task.history * lanes, task.points, p});
+        if (any<Pack>(mask)) law.correct(stress[p], trial[p], mask, history(p));
       }
+  if constexpr (Law::may_fail)
+    if (law.fails())
+      take_failed_stress<Law, Pack>(law, task, stress, history, task.intact + group * lanes + lane);
 
   Pack energy(Real(0));
   Pack thickness(Real(0));

@@ -81,4 +81,15 @@ Quadrature lobatto_rule(int n) {
   return rule;
 }
 
+Quadrature trapezoid_rule(int n) {
+  assert(n >= 2);
+  Quadrature rule;
+  const double spaces = n - 1;
+  for (int i = 0; i < n; ++i) {
+    rule.point.push_back((2 * i - spaces) / spaces);
+    rule.weight.push_back((i == 0 || i == n - 1 ? 0.5 : 1.0) / spaces);
+  }
+  return rule;
+}
+
 }  // namespace crumple::math

@@ -19,4 +19,7 @@ Quadrature gauss_rule(int n);
 /// eq. 25.4.32).
 Quadrature lobatto_rule(int n);
 
+/// Trapezoidal rule of n >= 2 points, equally spaced, ends included.
+Quadrature trapezoid_rule(int n);
+
 }  // namespace crumple::math

@@ -9,13 +9,18 @@
 namespace crumple::model {
 
 enum class ShellFormulation {
-  BelytschkoTsay,  ///< one-point corotational shell, Belytschko, Lin & Tsay 1984
-  HughesLiu,       ///< four-node degenerated Mindlin-Reissner shell, Hughes & Liu 1981, one point in plane
+  BelytschkoTsay,             ///< one-point corotational shell, Belytschko, Lin & Tsay 1984
+  HughesLiu,                  ///< degenerated Mindlin-Reissner shell, Hughes & Liu 1981, one point in plane
+  BelytschkoWongChiang,       ///< Belytschko-Tsay with warping stiffness, Belytschko, Wong & Chiang 1992
+  HughesLiuSelectiveReduced,  ///< Hughes & Liu with 2 x 2 points in plane and one for the transverse shear
+  FullyIntegrated,            ///< 2 x 2 points in plane with assumed strains, Engelmann, Whirley & Goudreau 1989
+  Triangle,                   ///< C0 triangle, Kennedy, Belytschko & Lin 1986
 };
 
 enum class ThicknessRule {
   Gauss,
   Lobatto,
+  Trapezoid,  ///< equally spaced from surface to surface
 };
 
 struct ShellSection {
@@ -26,6 +31,8 @@ struct ShellSection {
   int thickness_points = 2;   ///< integration points through the thickness
   ThicknessRule thickness_rule = ThicknessRule::Gauss;
   std::array<double, 4> thickness{};  ///< at the element's four nodes [length]
+  /// Where the nodes lie: 1 on the upper surface, 0 in the middle, -1 on the lower one (NLOC) [-].
+  double node_place = 0;
 };
 
 enum class HourglassForm {

@@ -88,10 +88,12 @@ void Simulation::kick(double interval) {
 
 void Simulation::balance() {
   domain::EnergyLedger& energy = domain_.energy;
-  energy.internal = energy.hourglass = energy.contact = energy.friction = energy.rigidwall = 0;
+  energy.internal = energy.hourglass = energy.eroded = 0;
+  energy.contact = energy.friction = energy.rigidwall = 0;
   for (const domain::ShellBlock& block : domain_.shells) {
     energy.internal += block.internal_energy;
     energy.hourglass += block.hourglass_energy;
+    energy.eroded += block.eroded_energy;
   }
   for (const domain::ContactReport& contact : domain_.contacts) {
     energy.contact += contact.energy;

@@ -48,6 +48,7 @@ class PointDriver {
     task.group_stride = static_cast<std::ptrdiff_t>(block_.components) * lanes;
     task.groups = tile_groups;
     task.points = points_;
+    task.all_points = points_;
     task.history = history_;
     task.strain = strain_.data();
     task.weight = weight_.data();

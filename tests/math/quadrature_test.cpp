@@ -37,6 +37,18 @@ TEST(Quadrature, LobattoIsExactToItsDegreeAndHoldsTheEnds) {
   }
 }
 
+TEST(Quadrature, TrapezoidIsExactForStraightLinesAndConverges) {
+  for (int n = 2; n <= 20; ++n) {
+    const Quadrature rule = trapezoid_rule(n);
+    EXPECT_EQ(rule.point.front(), -1);
+    EXPECT_EQ(rule.point.back(), 1);
+    check_degree(rule, 1);
+    // The error of the composite rule for x^2 is h^2/12 times the difference of the slopes at the ends.
+    const double spacing = 2.0 / (n - 1);
+    EXPECT_NEAR(integral(rule, 2) - exact(2), spacing * spacing / 3, 1e-15);
+  }
+}
+
 TEST(Quadrature, KnownValues) {
   // Abramowitz & Stegun (1964), tables 25.4 and 25.6.
   EXPECT_NEAR(gauss_rule(5).point[4], 0.906179845938664, 1e-15);
@@ -47,7 +59,7 @@ TEST(Quadrature, KnownValues) {
 
 TEST(Quadrature, SymmetricToTheBit) {
   for (int n = 2; n <= 10; ++n)
-    for (const Quadrature& rule : {gauss_rule(n), lobatto_rule(n)})
+    for (const Quadrature& rule : {gauss_rule(n), lobatto_rule(n), trapezoid_rule(n)})
       for (int i = 0; i < n; ++i) {
         EXPECT_EQ(rule.point[i], -rule.point[n - 1 - i]);
         EXPECT_EQ(rule.weight[i], rule.weight[n - 1 - i]);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Only kernels/<formulation>.cpp include this: with the header of the formulation and
+//   template ShellKernel<float> formulation_kernel<Formulation, CRUMPLE_ISA, float>();
+//   template ShellKernel<double> formulation_kernel<Formulation, CRUMPLE_ISA, double>();
+// they are all there is to compile of it for one instruction set.
+
+#include "elements/chunk.hpp"
+#include "elements/kernel_list.hpp"
+
+namespace crumple::elements {
+
+/// The instruction sets as the build names them.
+[[maybe_unused]] inline constexpr Isa scalar = Isa::Scalar;
+[[maybe_unused]] inline constexpr Isa baseline = Isa::Baseline;
+[[maybe_unused]] inline constexpr Isa avx2 = Isa::Avx2;
+[[maybe_unused]] inline constexpr Isa avx512 = Isa::Avx512;
+
+template <class Formulation, Isa Variant, class Real>
+ShellKernel<Real> formulation_kernel() {
+  return &shell_chunk<Formulation, NativePack<Real>>;
+}
+
+}  // namespace crumple::elements

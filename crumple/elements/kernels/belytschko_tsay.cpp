@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "elements/belytschko_tsay.hpp"
+
+#include "elements/kernel_definition.hpp"
+
+namespace crumple::elements {
+
+template ShellKernel<float> formulation_kernel<BelytschkoTsay, CRUMPLE_ISA, float>();
+template ShellKernel<double> formulation_kernel<BelytschkoTsay, CRUMPLE_ISA, double>();
+
+}  // namespace crumple::elements
