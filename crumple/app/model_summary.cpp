@@ -7,10 +7,11 @@
 #include <ostream>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "app/bounding_box.hpp"
+#include "elements/registry.hpp"
+#include "materials/shell_material.hpp"
 #include "output/part_masses.hpp"
 
 namespace crumple::app {
@@ -19,25 +20,6 @@ namespace {
 
 /// Rows of the table of parts; of more parts only the first are listed.
 constexpr Index part_rows = 60;
-
-const char* law_name(const model::ConstitutiveLaw& law) {
-  struct Name {
-    const char* operator()(const model::Elastic&) const { return "elastic"; }
-    const char* operator()(const model::PlasticKinematic&) const { return "plastic kinematic"; }
-    const char* operator()(const model::PiecewiseLinearPlasticity&) const { return "piecewise linear"; }
-  };
-  return std::visit(Name{}, law);
-}
-
-const char* formulation_name(model::ShellFormulation formulation) {
-  switch (formulation) {
-    case model::ShellFormulation::BelytschkoTsay:
-      return "Belytschko-Tsay";
-    case model::ShellFormulation::HughesLiu:
-      return "Hughes-Liu";
-  }
-  return "?";
-}
 
 std::string thickness_range(const model::Model& model, Index part) {
   double least = 1e300;
@@ -64,8 +46,9 @@ void print_parts(std::ostream& out, const model::Model& model, const domain::Dom
     const model::Part& part = model.parts[p];
     const model::ShellSection& section = model.shell_sections[part.section];
     fmt::print(out, "  {:>8} {:>8}  {:<18} {:<18} {:>3} {:>14} {:>11.4g}  {}\n", part.id, shells[p],
-               formulation_name(section.formulation), law_name(model.materials[part.material].law),
-               section.thickness_points, thickness_range(model, p), masses.mass(p), part.title);
+               elements::shell_kind(section.formulation).name,
+               materials::shell_material_name(model.materials[part.material].law), section.thickness_points,
+               thickness_range(model, p), masses.mass(p), part.title);
   }
   if (rows < static_cast<Index>(model.parts.size()))
     fmt::print(out, "  ... and {} parts more\n", model.parts.size() - rows);

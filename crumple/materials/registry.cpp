@@ -37,6 +37,13 @@ int shell_material_kind(const model::ConstitutiveLaw& law) {
   return found;
 }
 
+const char* shell_material_name(const model::ConstitutiveLaw& law) {
+  const char* name = "?";
+  with_law(
+      law, [&]<class Law>(Law, int) { name = Law::name; }, ShellLaws{});
+  return name;
+}
+
 Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block) {
   const Index first = block.components;
   with_law(

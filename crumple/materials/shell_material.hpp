@@ -64,6 +64,9 @@ struct ElasticConstants {
 /// Place of the law in the list (materials/list.hpp), or -1 if shells cannot use it.
 int shell_material_kind(const model::ConstitutiveLaw& law);
 
+/// Name of the law, in words.
+const char* shell_material_name(const model::ConstitutiveLaw& law);
+
 /// Adds the law's own items ("plastic_strain", ...) to a block whose points are set; returns the first
 /// component (the present end of the state if the law has none).
 Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
