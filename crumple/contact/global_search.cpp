@@ -116,7 +116,7 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
       cellsearch::MotionTracker(statistics_.expansion, statistics_.expansion - statistics_.margin, threads);
 }
 
-void GlobalSearch::update(const domain::Domain& domain) {
+void GlobalSearch::update(const domain::Domain& domain, bool surface_changed) {
   if (statistics_.searches > 0) {
     try {
       motion_.update(view(domain.nodes.position));
@@ -125,7 +125,7 @@ void GlobalSearch::update(const domain::Domain& domain) {
     }
     // Between two steps no pair comes nearer than at the worse of the two.
     consumed_ = std::max(consumed_, norm(vector_of(motion_.motion())));
-    if (!motion_.due()) return;
+    if (!motion_.due() && !surface_changed) return;
   }
   search(domain);
   consumed_ = norm(step_motion(domain));
@@ -142,6 +142,7 @@ void GlobalSearch::search(const domain::Domain& domain) {
   scene.segments = cellsearch::Segments(surface_->connectivity);
   scene.expansion = common_expansion_;
   scene.segment_expansion = segment_expansion_;
+  if (surface_->eroded > 0) scene.segment_active = surface_->active;
   scene.nodes = std::span<const cellsearch::Index>(surface_->nodes);
   try {
     sort_by_node(search_.find(scene));
@@ -162,13 +163,16 @@ void GlobalSearch::search(const domain::Domain& domain) {
 void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
   const Index places = surface_->node_count();
   first_.assign(static_cast<std::size_t>(places) + 1, 0);
-  for (const Index node : found.node) ++first_[surface_->place[node] + 1];
+  const auto counts = [&](Index place) { return surface_->eroded == 0 || surface_->bears(place); };
+  for (const Index node : found.node)
+    if (counts(surface_->place[node])) ++first_[surface_->place[node] + 1];
   for (Index i = 0; i < places; ++i) first_[i + 1] += first_[i];
-  segment_.resize(found.node.size());
+  segment_.resize(static_cast<std::size_t>(first_.back()));
   // Rows come in the order of the segments, so that each node's own come out ascending.
   std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
   for (Index s = 0; s < found.segments(); ++s)
-    for (const Index node : found.of(s)) segment_[next[surface_->place[node]]++] = s;
+    for (const Index node : found.of(s))
+      if (counts(surface_->place[node])) segment_[next[surface_->place[node]]++] = s;
 }
 
 void GlobalSearch::measure_slack(const domain::Domain& domain) {
@@ -198,11 +202,13 @@ void GlobalSearch::verify(const domain::Domain& domain) const {
   const auto& x = domain.nodes.position;
   const SurfaceAt at{surface_, {x.data(), domain.nodes.velocity.data(), 0}};
   for (Index i = 0; i < surface.node_count(); ++i) {
+    if (!surface.bears(i)) continue;
     const Index node = surface.nodes[i];
     const Vec3 searched_at = searched(i);
     if (cells_ && !cells_->box.contains(&searched_at.x)) continue;
     for (Index s = 0; s < surface.segments(); ++s) {
       const double distance = surface.contact_distance(i, s);
+      if (surface.active[s] == 0) continue;
       if (surface.owns(s, node) || box_gap(surface, x, s, x[node]) > distance || listed(i, s)) continue;
       const NearestPoint nearest = nearest_point(at.shape(s), x[node]);
       if (nearest.distance_squared >= distance * distance) continue;

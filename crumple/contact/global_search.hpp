@@ -26,9 +26,9 @@ class GlobalSearch {
   /// Throws Error for an unknown method or an expansion that does not exceed the contact distance.
   GlobalSearch(const Surface& surface, const model::SearchSettings& settings, int threads);
 
-  /// Searches anew if the candidates may no longer be complete. Throws NumericalError if a coordinate is not
-  /// a finite number.
-  void update(const domain::Domain& domain);
+  /// Searches anew if the candidates may no longer be complete, or if the surface has changed. Throws
+  /// NumericalError if a coordinate is not a finite number.
+  void update(const domain::Domain& domain, bool surface_changed);
 
   /// Places in the arrays below of the candidates of a node, segments ascending.
   std::int64_t first(Index place) const { return first_[place]; }

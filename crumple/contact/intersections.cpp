@@ -96,6 +96,7 @@ std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
   for (Index s = 0; s < near.segments(); ++s)
     for (const Index centre : near.of(s)) {
       const Index other = centre - centres.front();
+      if (surface.active[s] == 0 || surface.active[other] == 0) continue;
       if (other > s && (cuts(surface, x, s, other) || cuts(surface, x, other, s)))
         found.push_back({s, other});
     }

@@ -112,7 +112,7 @@ void SingleSurface::add_forces(domain::Domain& domain) {
   if (own.acting(domain.clock.time)) {
     {
       const StageTimer timer(domain.times.contact_search);
-      own.search.update(domain);
+      own.search.update(domain, drop_eroded(own.surface, domain));
       if (own.verify_cycles > 0 && domain.clock.cycle % own.verify_cycles == 0) own.search.verify(domain);
     }
     const StageTimer timer(domain.times.contact_local);

@@ -67,9 +67,14 @@ void collect_nodes(const model::Model& model, const domain::NodeFields& nodes, S
     surface.place[surface.nodes[i]] = i;
     surface.node_id.push_back(model.nodes.id[nodes.model_node[surface.nodes[i]]]);
   }
+}
+
+/// What a node takes from its active segments.
+void measure_nodes(Surface& surface) {
   surface.node_half_thickness.assign(surface.nodes.size(), 0.0);
   surface.node_stiffness.assign(surface.nodes.size(), std::numeric_limits<double>::max());
-  for (Index s = 0; s < surface.segments(); ++s)
+  for (Index s = 0; s < surface.segments(); ++s) {
+    if (surface.active[s] == 0) continue;
     for (int k = 0; k < 4; ++k) {
       const Index place = surface.place[surface.segment(s)[k]];
       double& half = surface.node_half_thickness[place];
@@ -77,6 +82,7 @@ void collect_nodes(const model::Model& model, const domain::NodeFields& nodes, S
       double& stiffness = surface.node_stiffness[place];
       stiffness = std::min(stiffness, surface.stiffness[s]);
     }
+  }
 }
 
 }  // namespace
@@ -86,8 +92,10 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
   Surface surface;
   double edge_sum = 0;
   double edges = 0;
-  for (const domain::ShellBlock& block : domain.shells) {
+  for (Index b = 0; b < static_cast<Index>(domain.shells.size()); ++b) {
+    const domain::ShellBlock& block = domain.shells[b];
     if (!std::binary_search(contact.parts.begin(), contact.parts.end(), block.part)) continue;
+    surface.blocks.push_back(b);
     const double modulus = bulk_modulus(model.materials[model.parts[block.part].material]);
     for (Index at = 0; at < block.elements; ++at) {
       const std::array<Index, 4> nodes = block.nodes_of(at);
@@ -110,10 +118,31 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
     throw Error("Contact " + std::to_string(contact.id) +
                 " has no shells: none of its parts has any, so there is nothing that could touch.");
   surface.mean_edge = edge_sum / edges;
+  surface.active.assign(surface.segment_id.size(), 1);
   orient_alike(surface.connectivity);
   collect_nodes(model, domain.nodes, surface);
-  surface.topology = build_topology(surface.connectivity, surface.place, surface.node_count());
+  measure_nodes(surface);
+  surface.topology =
+      build_topology(surface.connectivity, surface.active, surface.place, surface.node_count());
   return surface;
+}
+
+bool drop_eroded(Surface& surface, const domain::Domain& domain) {
+  Index eroded = 0;
+  for (const Index b : surface.blocks) eroded += domain.shells[b].eroded;
+  if (eroded == surface.eroded) return false;
+  surface.eroded = eroded;
+  std::size_t segment = 0;
+  for (const Index b : surface.blocks) {
+    const domain::ShellBlock& block = domain.shells[b];
+    const Index active = block.find("active")->first;
+    for (Index at = 0; at < block.elements; ++at, ++segment)
+      surface.active[segment] = block.state(at, active) != 0 ? 1 : 0;
+  }
+  measure_nodes(surface);
+  surface.topology =
+      build_topology(surface.connectivity, surface.active, surface.place, surface.node_count());
+  return true;
 }
 
 }  // namespace crumple::contact

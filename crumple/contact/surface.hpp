@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "base/index.hpp"
@@ -15,7 +16,7 @@ namespace crumple::contact {
 using math::Vec3;
 
 /// What takes part in a contact: the shells as segments, their nodes, and what the contact needs to know of
-/// them. Made at the start of the run; never changes.
+/// them. Made at the start of the run; changes only when elements erode, see drop_eroded().
 struct Surface {
   std::vector<Index> nodes;                 ///< domain nodes, ascending
   std::vector<Index> place;                 ///< place in `nodes` of a domain node, or no_index
@@ -27,6 +28,9 @@ struct Surface {
   std::vector<double> half_thickness;  ///< contact thickness over two, per segment [length]
   std::vector<double> stiffness;       ///< penalty stiffness per segment [force/length]
   std::vector<UserId> segment_id;      ///< of the shell
+  std::vector<std::uint8_t> active;    ///< 0 where the shell has eroded
+  std::vector<Index> blocks;           ///< domain blocks whose shells are the segments, one after another
+  Index eroded = 0;                    ///< number of segments that are not active
 
   double mean_edge = 0;               ///< over all segments [length]
   double largest_half_thickness = 0;  ///< [length]
@@ -36,6 +40,8 @@ struct Surface {
   Index node_count() const { return static_cast<Index>(nodes.size()); }
   /// The four domain nodes of a segment.
   const Index* segment(Index s) const { return connectivity.data() + static_cast<std::size_t>(s) * 4; }
+  /// True if the node of that place still belongs to a segment.
+  bool bears(Index node_place) const { return !topology.at_node(node_place).empty(); }
   bool is_triangle(Index s) const { return segment(s)[2] == segment(s)[3]; }
   /// True if the domain node is one of the segment's.
   bool owns(Index s, Index node) const {
@@ -55,5 +61,11 @@ struct Surface {
 /// shell.
 Surface build_surface(const model::Model& model, const domain::Domain& domain,
                       const model::SingleSurfaceContact& contact);
+
+/// Takes segments out whose shells have eroded since the last call: they touch nothing any more, their free
+/// edges become those of their neighbours, and a node left without any segment touches nothing, either.
+/// Numbers of segments and places of nodes stay as they are. False if there was nothing to do, which costs
+/// next to nothing.
+bool drop_eroded(Surface& surface, const domain::Domain& domain);
 
 }  // namespace crumple::contact

@@ -22,10 +22,12 @@ struct Side {
   }
 };
 
-std::vector<Side> sorted_sides(const std::vector<Index>& connectivity) {
+std::vector<Side> sorted_sides(const std::vector<Index>& connectivity,
+                               const std::vector<std::uint8_t>& active) {
   std::vector<Side> sides;
   sides.reserve(connectivity.size());
   for (Index s = 0; s < static_cast<Index>(connectivity.size() / 4); ++s) {
+    if (active[s] == 0) continue;
     const Index* nodes = &connectivity[static_cast<std::size_t>(s) * 4];
     for (int k = 0; k < 4; ++k) {
       if (!has_edge(nodes, k)) continue;
@@ -65,14 +67,14 @@ void reverse(Index* nodes) {
   }
 }
 
-void collect_nodes(const std::vector<Index>& connectivity, const std::vector<Index>& place, Index nodes,
-                   Topology& topology) {
+void collect_nodes(const std::vector<Index>& connectivity, const std::vector<std::uint8_t>& active,
+                   const std::vector<Index>& place, Topology& topology) {
   std::vector<std::pair<Index, Index>> entries;
   for (std::size_t i = 0; i < connectivity.size(); ++i)
-    entries.emplace_back(place[connectivity[i]], static_cast<Index>(i / 4));
+    if (active[i / 4] != 0) entries.emplace_back(place[connectivity[i]], static_cast<Index>(i / 4));
   std::sort(entries.begin(), entries.end());
   entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-  topology.first_at_node = row_starts(entries, nodes);
+  topology.first_at_node = row_starts(entries, static_cast<Index>(topology.smooth_node.size()));
   for (const auto& entry : entries) topology.segment_at_node.push_back(entry.second);
 }
 
@@ -100,7 +102,7 @@ void orient_alike(std::vector<Index>& connectivity) {
   const auto segments = static_cast<Index>(connectivity.size() / 4);
   // Neighbours over edges of exactly two segments, and whether they run through the edge alike.
   std::vector<std::pair<Index, Index>> links;
-  const std::vector<Side> sides = sorted_sides(connectivity);
+  const std::vector<Side> sides = sorted_sides(connectivity, std::vector<std::uint8_t>(segments, 1));
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first != 2) return;
     const Side& a = sides[first];
@@ -132,12 +134,12 @@ void orient_alike(std::vector<Index>& connectivity) {
     if (reversed[s] == 1) reverse(&connectivity[static_cast<std::size_t>(s) * 4]);
 }
 
-Topology build_topology(const std::vector<Index>& connectivity, const std::vector<Index>& place,
-                        Index nodes) {
+Topology build_topology(const std::vector<Index>& connectivity, const std::vector<std::uint8_t>& active,
+                        const std::vector<Index>& place, Index nodes) {
   Topology topology;
   topology.edges_of.assign(connectivity.size() / 4, {no_index, no_index, no_index, no_index});
   topology.first_at_edge.assign(1, 0);
-  const std::vector<Side> sides = sorted_sides(connectivity);
+  const std::vector<Side> sides = sorted_sides(connectivity, active);
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
     const Index edge = topology.edges();
     for (std::size_t i = first; i < last; ++i) {
@@ -151,10 +153,10 @@ Topology build_topology(const std::vector<Index>& connectivity, const std::vecto
                             : pair            ? EdgeKind::Shared
                                               : EdgeKind::Junction);
   });
-  collect_nodes(connectivity, place, nodes, topology);
   topology.smooth_node.assign(nodes, 0);
+  collect_nodes(connectivity, active, place, topology);
   for (Index node = 0; node < static_cast<Index>(place.size()); ++node)
-    if (place[node] != no_index)
+    if (place[node] != no_index && !topology.at_node(place[node]).empty())
       topology.smooth_node[place[node]] = closed_fan(connectivity, topology, node, place[node]) ? 1 : 0;
   return topology;
 }

@@ -17,7 +17,8 @@ enum class EdgeKind : std::uint8_t {
   Junction,  ///< three or more segments, or two that no orientation can reconcile (a Moebius strip)
 };
 
-/// Which segments touch which nodes and edges. Made once; never depends on the thread count.
+/// Which segments touch which nodes and edges. Made at the start and when segments have gone; never depends
+/// on the thread count.
 struct Topology {
   std::vector<std::array<Index, 4>> edges_of;  ///< edge k of a segment joins its nodes k and k+1; no_index
                                                ///< for the edge that a triangle lacks
@@ -49,7 +50,9 @@ inline bool has_edge(const Index* segment, int k) {
 /// four nodes per segment. O(N log N).
 void orient_alike(std::vector<Index>& connectivity);
 
-/// Collects edges and neighbours. `place` gives the place of a node; `nodes` is the number of places.
-Topology build_topology(const std::vector<Index>& connectivity, const std::vector<Index>& place, Index nodes);
+/// Collects edges and neighbours of the segments that are `active`. `place` gives the place of a node;
+/// `nodes` is the number of places.
+Topology build_topology(const std::vector<Index>& connectivity, const std::vector<std::uint8_t>& active,
+                        const std::vector<Index>& place, Index nodes);
 
 }  // namespace crumple::contact
