@@ -74,7 +74,8 @@ void build_properties(Build& build) {
     model::ShellSection& section = model.shell_sections.back();
     if (!raw.formulation_given) section.formulation = deck.default_formulation;
     // LS-DYNA takes Gauss points where Lobatto's rule has none of the order.
-    if (deck.lobatto_points && section.thickness_points >= 3)
+    const bool gauss = section.thickness_rule == model::ThicknessRule::Gauss;
+    if (deck.lobatto_points && gauss && section.thickness_points >= 3)
       section.thickness_rule = model::ThicknessRule::Lobatto;
   }
   for (const RawHourglass& raw : deck.hourglasses) {

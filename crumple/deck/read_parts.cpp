@@ -25,9 +25,9 @@ constexpr Field section_card[] = {
     id("SECID"),
     only("ELFORM", {0, 1, 2}, "1 is Hughes-Liu, 2 Belytschko-Tsay, 0 what *CONTROL_SHELL says"),
     real_or_default("SHRF", 1.0, above_zero),
-    integer_or_default("NIP", 2, within(1, 10, "points through the thickness")),
+    integer_or_default("NIP", 2, within(1, 20, "points through the thickness")),
     unused("PROPT"),  // what LS-DYNA prints
-    only("QR", {0}, "0 is Gauss; trapezoidal (1) and user rules (negative) are not supported"),
+    only("QR", {0, 1}, "0 is Gauss, 1 trapezoidal; user rules (negative) are not supported"),
     only("ICOMP", {0}, "layers with angles of their own are not supported"),
     unused("SETYP"),  // for two-dimensional elements
 };
@@ -37,7 +37,7 @@ constexpr Field section_thickness_card[] = {
     real("T2", 0, not_negative),
     real("T3", 0, not_negative),
     real("T4", 0, not_negative),
-    only("NLOC", {0}, "nodes lie in the mid-surface"),
+    real("NLOC", 0, within(-1, 1, "1 is the upper surface, 0 the mid-surface, -1 the lower one")),
     only("MAREA", {0}, "use *ELEMENT_MASS for mass that is not structural"),
     unused("IDOF"),    // for other formulations
     unused("EDGSET"),  // for two-dimensional seatbelts
@@ -55,6 +55,18 @@ constexpr Field hourglass_card[] = {
     real("QB", 0, not_negative),  // default QM
     real("QW", 0, not_negative),  // default QB
 };
+
+/// Gauss and Lobatto rules are made for ten points at most.
+void check_points(const Card& card, const model::ShellSection& section, Report& report) {
+  const bool trapezoid = section.thickness_rule == model::ThicknessRule::Trapezoid;
+  if (!card.good("NIP") || !card.good("QR")) return;
+  if (!trapezoid && section.thickness_points > 10)
+    report.field_error(card.where(), {"NIP", std::string(card.text("NIP")), "1 to 10 points",
+                                      "more than ten points take the trapezoidal rule, QR = 1", "points"});
+  if (trapezoid && section.thickness_points < 2)
+    report.field_error(card.where(), {"NIP", std::string(card.text("NIP")), "2 to 20 points",
+                                      "the trapezoidal rule has a point on each surface", "points"});
+}
 
 }  // namespace
 
@@ -88,6 +100,9 @@ void read_section_shell(Cards& cards, RawDeck& deck) {
                                                        : model::ShellFormulation::BelytschkoTsay;
     raw.section.shear_factor = card.real("SHRF");
     raw.section.thickness_points = card.good("NIP") ? static_cast<int>(card.integer("NIP")) : 2;
+    raw.section.node_place = second.real("NLOC");
+    if (card.real("QR") == 1) raw.section.thickness_rule = model::ThicknessRule::Trapezoid;
+    check_points(card, raw.section, cards.report());
     raw.section.thickness = {second.real("T1"), second.real("T2"), second.real("T3"), second.real("T4")};
     for (std::size_t i = 1; i < 4; ++i)
       if (raw.section.thickness[i] == 0) raw.section.thickness[i] = raw.section.thickness[0];

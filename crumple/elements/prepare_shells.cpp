@@ -21,6 +21,10 @@ void require(bool holds, const model::Part& part, const std::string& what) {
   if (!holds) throw Error("Part " + std::to_string(part.id) + ": " + what + ".");
 }
 
+const model::ShellSection& section_of(const model::Model& model, const ShellBlock& block) {
+  return model.shell_sections[model.parts[block.part].section];
+}
+
 void set_thickness_rule(const model::Part& part, const model::ShellSection& section,
                         ShellConstants<double>& constants) {
   using model::ThicknessRule;
@@ -36,7 +40,8 @@ void set_thickness_rule(const model::Part& part, const model::ShellSection& sect
                                     ? math::lobatto_rule(points)
                                     : math::trapezoid_rule(points);
   constants.points = points;
-  std::copy(rule.point.begin(), rule.point.end(), constants.place);
+  // Places count from the surface of the nodes.
+  for (std::size_t i = 0; i < rule.point.size(); ++i) constants.place[i] = rule.point[i] - section.node_place;
   std::copy(rule.weight.begin(), rule.weight.end(), constants.weight);
 }
 
@@ -76,7 +81,7 @@ void allocate(ShellBlock& block, Precision precision) {
 ShellConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
                                      ShellBlock& block) {
   const model::Part& part = model.parts[block.part];
-  const model::ShellSection& section = model.shell_sections[part.section];
+  const model::ShellSection& section = section_of(model, block);
   const model::Material& material = model.materials[part.material];
   const ShellKind kind = shell_kind(block.formulation);
   const int law = materials::shell_material_kind(material.law);
@@ -155,8 +160,9 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
 
   const double density = model.materials[model.parts[block.part].material].density;
   const double mass = density * area * thickness;
-  return {factor * mass,
-          std::max(thickness * thickness / 12, area * shear_inertia(model, block, constants.shear_root)),
+  const double offset = 0.5 * thickness * section_of(model, block).node_place;
+  const double about_nodes = thickness * thickness / 12 + offset * offset;
+  return {factor * mass, std::max(about_nodes, area * shear_inertia(model, block, constants.shear_root)),
           (factor - 1) * mass};
 }
 

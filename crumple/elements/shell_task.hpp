@@ -22,7 +22,7 @@ struct ShellConstants {
   bool viscous = true;  ///< hourglass form: viscous, else stiffness
   bool thickness_change = false;
   bool can_fail = false;  ///< elements may erode; their energy is then kept, see element_state::energy
-  Real place[materials::max_points] = {};   ///< of the points, -1 bottom to 1 top
+  Real place[materials::max_points] = {};   ///< of the points over half the thickness, from the surface of the nodes
   Real weight[materials::max_points] = {};  ///< of the points, summing to 1
   Real shear_root = 1;  ///< square root of the shear factor: on shear strains and, again, on their stresses
   Real hourglass_membrane = 0;  ///< see hourglass.hpp

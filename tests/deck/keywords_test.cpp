@@ -42,6 +42,17 @@ TEST(Control, EveryValue) {
   EXPECT_EQ(model.shell_sections[0].shear_factor, 0.833);
 }
 
+TEST(Section, TrapezoidalRuleAndPlaceOfTheNodes) {
+  SmallDeck deck;
+  deck.section =
+      "*SECTION_SHELL\n         1         2       1.0        15         0         1\n"
+      "       0.1       0.1       0.1       0.1       1.0\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_EQ(model.shell_sections[0].thickness_points, 15);
+  EXPECT_EQ(model.shell_sections[0].thickness_rule, model::ThicknessRule::Trapezoid);
+  EXPECT_EQ(model.shell_sections[0].node_place, 1.0);
+}
+
 TEST(Control, DefaultsOfLsDyna) {
   const model::Model model = read_with("");
   EXPECT_EQ(model.control.step_scale, 0.9);
