@@ -112,6 +112,18 @@ void print_energies(std::ostream& out, const domain::EnergyLedger& energy) {
                100 * energy.hourglass / energy.internal);
 }
 
+/// Which parts have lost shells, if any.
+void print_eroded(std::ostream& out, const output::View& view) {
+  bool first = true;
+  for (const domain::ShellBlock& block : view.domain.shells) {
+    if (block.eroded == 0) continue;
+    if (first) fmt::print(out, "\nEroded shells\n");
+    first = false;
+    fmt::print(out, "  part {:<21} {:>13} of {}, with the energy {:.6e}\n", view.model.parts[block.part].id,
+               block.eroded, block.elements, block.eroded_energy);
+  }
+}
+
 }  // namespace
 
 void print_run_settings(std::ostream& out, const timeloop::Simulation& simulation,
@@ -139,6 +151,7 @@ void print_summary(std::ostream& out, const output::View& view, double loop_seco
   print_timings(out, domain, loop_seconds);
   print_contacts(out, view);
   print_energies(out, domain.energy);
+  print_eroded(out, view);
 }
 
 void print_checks(std::ostream& out, const std::vector<output::Check>& checks) {

@@ -44,7 +44,7 @@ constexpr Field piecewise_card[] = {
     real("PR", 0, poisson),
     real("SIGY", 0, not_negative),  // above zero unless a curve or points are given
     real("ETAN", 0, not_negative),
-    real("FAIL", 0, not_negative),
+    real("FAIL"),
     only("TDEL", {0, 1e20, 1e21}, "elements are not deleted by their time step"),
 };
 
@@ -70,6 +70,15 @@ constexpr Field stress_card[] = {real("ES1", 0, not_negative), real("ES2", 0, no
 double failure_strain(double read) {
   constexpr double never = 1e5;
   return read >= never ? 0 : read;
+}
+
+/// FAIL, which calls a subroutine of the user where it is negative.
+double failure_strain(const Card& card, Report& report) {
+  if (card.real("FAIL") >= 0) return failure_strain(card.real("FAIL"));
+  report.field_unsupported(card.where(),
+                           {"FAIL", std::string(card.text("FAIL")), "a failure strain, or 0 for no failure",
+                            "a negative value calls a failure routine of the user", "failure"});
+  return 0;
 }
 
 RawMaterial material_of(const Heading& heading, const Card& card) {
@@ -184,7 +193,7 @@ void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
     law.poissons_ratio = card.real("PR");
     law.cowper_symonds_rate = rate.real("C");
     law.cowper_symonds_exponent = rate.real("P");
-    law.failure_strain = failure_strain(card.real("FAIL"));
+    law.failure_strain = failure_strain(card, cards.report());
     check_rate(rate, "C", "P", cards.report());
     raw.hardening_curve = rate.good("LCSS") ? rate.integer("LCSS") : 0;
     if (raw.hardening_curve == 0) take_points(strain, stress, law, cards.report());

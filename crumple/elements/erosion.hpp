@@ -15,9 +15,15 @@ void erode(const ShellTask<RealOf<Pack>>& task, RealOf<Pack>* state, const RealO
   Real* const own = state + task.constants.own * lanes;
   for (Index lane = 0; lane < lanes; ++lane) {
     Real* const active = own + element_state::active * lanes + lane;
-    if (*active == Real(0)) continue;
     Real* const internal = own + element_state::energy * lanes + lane;
     Real* const hourglass = internal + lanes;
+    if (*active == Real(0)) {
+      // The hourglass force of the step of failure still acts until the next one.
+      const Real last = rows[scratch_row::hourglass_energy * tile_lanes + lane];
+      *hourglass += last;
+      sums.eroded_hourglass += static_cast<double>(last);
+      continue;
+    }
     *internal += rows[scratch_row::internal_energy * tile_lanes + lane];
     *hourglass += rows[scratch_row::hourglass_energy * tile_lanes + lane];
     bool intact = false;

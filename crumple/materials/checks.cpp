@@ -21,8 +21,8 @@ void require_cowper_symonds(const model::Material& material, double rate, double
           "the Cowper-Symonds exponent p must be above zero where the rate C is given");
 }
 
-void require_no_failure(const model::Material& material, double failure_strain) {
-  require(failure_strain == 0, material, "a failure strain is not supported yet; leave it zero");
+void require_failure_strain(const model::Material& material, double failure_strain) {
+  require(failure_strain >= 0, material, "the failure strain must not be negative; zero is no failure");
 }
 
 }  // namespace crumple::materials

@@ -16,7 +16,7 @@ void require_elastic(const model::Material& material, double youngs_modulus, dou
 /// Cowper-Symonds: rate and exponent both above zero, or the rate zero (no rate effect).
 void require_cowper_symonds(const model::Material& material, double rate, double exponent);
 
-/// No failure strain: erosion is not computed yet.
-void require_no_failure(const model::Material& material, double failure_strain);
+/// Failure strain above zero, or zero (no failure).
+void require_failure_strain(const model::Material& material, double failure_strain);
 
 }  // namespace crumple::materials

@@ -16,7 +16,7 @@ std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Materia
   const auto& law = std::get<Model>(material.law);
   require_elastic(material, law.youngs_modulus, law.poissons_ratio);
   require_cowper_symonds(material, law.cowper_symonds_rate, law.cowper_symonds_exponent);
-  require_no_failure(material, law.failure_strain);
+  require_failure_strain(material, law.failure_strain);
   const std::vector<double>& strain = law.plastic_strain;
   const std::vector<double>& stress = law.yield_stress;
   require(!strain.empty() && strain.size() == stress.size(), material,
@@ -29,6 +29,7 @@ std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Materia
                               law.poissons_ratio,
                               law.cowper_symonds_rate,
                               law.cowper_symonds_exponent,
+                              law.failure_strain,
                               least,
                               static_cast<double>(strain.size())};
   for (std::size_t k = 0; k < strain.size(); ++k) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "materials/plane_stress_plasticity.hpp"
@@ -42,20 +43,20 @@ struct PiecewiseLinearPlasticityLaw {
 
   static void declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
   static std::vector<double> constants(const model::Material& material);
-  static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
+  static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 
   template <class Pack>
   struct Update : PlaneStressPlasticity<Pack, TabulatedHardening<RealOf<Pack>>> {
     using Real = RealOf<Pack>;
     using Hardening = TabulatedHardening<Real>;
 
-    // constants: E, nu, C, p, least yield stress, number of rows, rows
+    // constants: E, nu, C, p, failure strain, least yield stress, number of rows, rows
     CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
         : PlaneStressPlasticity<Pack, Hardening>(
               task.constants[0], task.constants[1], 0,
-              Hardening{task.constants + 6, static_cast<int>(task.constants[5]),
-                        static_cast<Real>(task.constants[4])},
-              CowperSymonds<Real>(task.constants[2], task.constants[3], task.step)) {}
+              Hardening{task.constants + 7, static_cast<int>(task.constants[6]),
+                        static_cast<Real>(task.constants[5])},
+              CowperSymonds<Real>(task.constants[2], task.constants[3], task.step), task.constants[4]) {}
   };
 };
 

@@ -32,7 +32,7 @@ struct PlaneStressPlasticity {
     Pack plastic_zz;  ///< increment of plastic strain zz
   };
   static constexpr bool can_yield = true;
-  static constexpr bool may_fail = false;
+  static constexpr bool may_fail = true;
 
   PlaneStressElasticity<Real> elasticity;
   Hardening hardening;
@@ -40,17 +40,27 @@ struct PlaneStressPlasticity {
   Real kinematic;   ///< 2/3 of the kinematic hardening modulus; 0: there is no back stress in the state
   Real sum_slope;   ///< by which gamma divides the sum: 1 + sum_slope gamma
   Real rest_slope;  ///< the same for difference and shears
+  Real failure;     ///< effective plastic strain at which a point fails; 0: never
 
   CRUMPLE_INLINE PlaneStressPlasticity(double youngs_modulus, double poissons_ratio, double kinematic_modulus,
-                                       const Hardening& hardening_law, const CowperSymonds<Real>& rate_effect)
+                                       const Hardening& hardening_law, const CowperSymonds<Real>& rate_effect,
+                                       double failure_strain)
       : elasticity(youngs_modulus, poissons_ratio),
         hardening(hardening_law),
         rate(rate_effect),
         kinematic(static_cast<Real>(2.0 / 3.0 * kinematic_modulus)),
         sum_slope(
             static_cast<Real>(youngs_modulus / (3 * (1 - poissons_ratio)) + 2.0 / 3.0 * kinematic_modulus)),
-        rest_slope(static_cast<Real>(youngs_modulus / (1 + poissons_ratio) + 2.0 / 3.0 * kinematic_modulus)) {
+        rest_slope(static_cast<Real>(youngs_modulus / (1 + poissons_ratio) + 2.0 / 3.0 * kinematic_modulus)),
+        failure(static_cast<Real>(failure_strain)) {}
+
+  CRUMPLE_INLINE bool fails() const { return failure > 0; }
+  CRUMPLE_INLINE Mask intact(const History& history) const {
+    return load<Pack>(plastic_strain(history)) < Pack(failure);
   }
+
+  /// Its square is a number still.
+  static constexpr Real unreachable = sizeof(Real) == sizeof(float) ? Real(1e18) : Real(1e150);
 
   CRUMPLE_INLINE static Real* plastic_strain(const History& history) { return history.at(history.point); }
   CRUMPLE_INLINE static Real* back_stress(const History& history) {
@@ -75,7 +85,10 @@ struct PlaneStressPlasticity {
     rest = multiply_add(s.zx, s.zx, rest);
     const Pack factor = rate.factor(strain);
     const Pack yield = hardening.at(load<Pack>(plastic_strain(history))).stress;
-    return {Pack(Real(0.25)) * (sum * sum), Pack(Real(3)) * rest, factor * yield, factor, Pack(Real(0))};
+    Pack radius = factor * yield;
+    // What has failed does not flow any more: its plastic strain stays what it was.
+    if (fails()) radius = select<Pack>(intact(history), radius, Pack(unreachable));
+    return {Pack(Real(0.25)) * (sum * sum), Pack(Real(3)) * rest, radius, factor, Pack(Real(0))};
   }
 
   CRUMPLE_INLINE Mask yields(const Trial& t) const {

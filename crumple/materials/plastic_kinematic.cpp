@@ -21,7 +21,7 @@ std::vector<double> PlasticKinematicLaw::constants(const model::Material& materi
   require(law.isotropic_fraction >= 0 && law.isotropic_fraction <= 1, material,
           "the hardening parameter beta must lie between 0 (kinematic) and 1 (isotropic)");
   require_cowper_symonds(material, law.cowper_symonds_rate, law.cowper_symonds_exponent);
-  require_no_failure(material, law.failure_strain);
+  require_failure_strain(material, law.failure_strain);
   const double plastic_modulus =
       law.youngs_modulus * law.tangent_modulus / (law.youngs_modulus - law.tangent_modulus);
   return {law.youngs_modulus,
@@ -30,7 +30,8 @@ std::vector<double> PlasticKinematicLaw::constants(const model::Material& materi
           law.isotropic_fraction * plastic_modulus,
           (1 - law.isotropic_fraction) * plastic_modulus,
           law.cowper_symonds_rate,
-          law.cowper_symonds_exponent};
+          law.cowper_symonds_exponent,
+          law.failure_strain};
 }
 
 }  // namespace crumple::materials

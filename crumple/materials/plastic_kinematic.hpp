@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "materials/plane_stress_plasticity.hpp"
@@ -28,19 +29,19 @@ struct PlasticKinematicLaw {
 
   static void declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
   static std::vector<double> constants(const model::Material& material);
-  static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
+  static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 
   template <class Pack>
   struct Update : PlaneStressPlasticity<Pack, LinearHardening<RealOf<Pack>>> {
     using Real = RealOf<Pack>;
     using Hardening = LinearHardening<Real>;
 
-    // constants: E, nu, sigma_0, isotropic modulus, kinematic modulus, C, p
+    // constants: E, nu, sigma_0, isotropic modulus, kinematic modulus, C, p, failure strain
     CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
         : PlaneStressPlasticity<Pack, Hardening>(
               task.constants[0], task.constants[1], task.constants[4],
               Hardening{static_cast<Real>(task.constants[2]), static_cast<Real>(task.constants[3])},
-              CowperSymonds<Real>(task.constants[5], task.constants[6], task.step)) {}
+              CowperSymonds<Real>(task.constants[5], task.constants[6], task.step), task.constants[7]) {}
   };
 };
 

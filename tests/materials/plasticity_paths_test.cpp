@@ -155,12 +155,12 @@ TEST(PlasticityInput, BadNumbersAreNamed) {
   bad = plastic_kinematic(youngs_modulus, 0.5);
   EXPECT_THROW(shell_material_constants(bad), Error);
   bad = plastic_kinematic(tangent, 0.5);
-  std::get<model::PlasticKinematic>(bad.law).failure_strain = 0.2;
+  std::get<model::PlasticKinematic>(bad.law).failure_strain = -0.2;
   try {
     shell_material_constants(bad);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("Material 1: a failure strain"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("Material 1: the failure strain"), std::string::npos);
   }
   EXPECT_THROW(shell_material_constants(tabulated({0, 0.1, 0.1}, {200, 210, 220})), Error);
   EXPECT_THROW(shell_material_constants(tabulated({0.1, 0.2}, {200, 210})), Error);

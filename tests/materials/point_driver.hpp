@@ -33,6 +33,7 @@ class PointDriver {
     weight_.assign(points, Real(1.0 / points));
     energy_.assign(tile_lanes, Real(0));
     thickness_strain_.assign(tile_lanes, Real(0));
+    if (can_fail(material)) intact_.assign(tile_lanes, Real(-1));
   }
 
   void set_strain(Index element, int point, const Five& strain) {
@@ -56,6 +57,7 @@ class PointDriver {
     task.step = static_cast<Real>(step);
     task.energy = energy_.data();
     task.thickness_strain = thickness_strain_.data();
+    if (!intact_.empty()) task.intact = intact_.data();
     update_(task);
   }
 
@@ -96,6 +98,8 @@ class PointDriver {
   }
   bool has(const std::string& name) const { return block_.find(name) != nullptr; }
   double energy(Index element = 0) const { return static_cast<double>(energy_[element]); }
+  /// Whether any point of the element is intact; only of materials that can fail.
+  bool intact(Index element = 0) const { return intact_[element] == Real(1); }
   double thickness_strain(Index element = 0) const { return static_cast<double>(thickness_strain_[element]); }
 
   std::vector<Real> bits() {
@@ -111,7 +115,7 @@ class PointDriver {
   int points_;
   Index history_ = 0;
   domain::ShellBlock block_;
-  AlignedArray<Real> strain_, weight_, energy_, thickness_strain_;
+  AlignedArray<Real> strain_, weight_, energy_, thickness_strain_, intact_;
 };
 
 template <class Real>

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A strip is pulled apart: its halves fly away from each other, the columns in the middle yield, fail and
+// erode. What must hold is bookkeeping and exact: no energy, momentum or mass is lost or made when elements
+// leave.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "support/meshes.hpp"
+#include "support/run.hpp"
+
+namespace crumple {
+namespace {
+
+constexpr double size = 2.0;
+constexpr double thickness = 1.0;
+constexpr double speed = 40.0;  // mm/ms each way
+constexpr Index columns = 20;
+constexpr Index rows = 3;
+
+model::Model strip(model::ShellFormulation formulation) {
+  model::Model model = test::one_part(test::elastic_steel(), test::shell_section(thickness, 3, formulation));
+  model::PlasticKinematic soft;
+  soft.youngs_modulus = 210;
+  soft.poissons_ratio = 0.3;
+  soft.yield_stress = 0.25;
+  soft.tangent_modulus = 1;
+  soft.isotropic_fraction = 0.5;
+  soft.failure_strain = 0.04;
+  model.materials.push_back({.id = 2, .title = "soft", .density = 7.85e-6, .law = soft});
+  model.parts.push_back({.id = 2, .title = "middle", .section = 0, .material = 1});
+  test::add_grid(model, 0, columns, rows, [](double u, double v) {
+    return test::Point{u * columns * size, v * rows * size, 0};
+  });
+  for (Index row = 0; row < rows; ++row)
+    for (Index column = columns / 2 - 1; column <= columns / 2; ++column)
+      model.shells[row * columns + column].part = 1;
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    const double x = model.nodes.position[i][0] - 0.5 * columns * size;
+    const double v = speed * (x > 1e-9 ? 1 : x < -1e-9 ? -1 : 0);
+    model.initial_velocities.push_back({.node = i, .velocity = {v, 0, 0}, .angular_velocity = {}});
+  }
+  model.control.end_time = 0.1;
+  model.control.step_scale = 0.3;
+  return model;
+}
+
+/// Smaller than the rest of the mesh and out of reach: the step is its own, and constant, so that the
+/// central difference keeps the energy to round-off.
+void add_clock(model::Model& model) {
+  model.parts.push_back({.id = 3, .title = "clock", .section = 0, .material = 0});
+  test::add_grid(model, 2, 1, 1, [](double u, double v) {
+    return test::Point{1000 + 0.5 * size * u, 0.5 * size * v, 0};
+  });
+}
+
+class Strip : public ::testing::TestWithParam<model::ShellFormulation> {};
+
+TEST_P(Strip, PulledApartLosesNothing) {
+  model::Model model = strip(GetParam());
+  add_clock(model);
+  for (const Precision precision : {Precision::Double, Precision::Mixed}) {
+    timeloop::Simulation simulation(model, {precision, default_isa(), 1});
+    const domain::Domain& domain = simulation.domain();
+    const auto mass = [&] {
+      return std::accumulate(domain.nodes.mass.begin(), domain.nodes.mass.end(), 0.0);
+    };
+    const double initial_mass = mass();
+    double worst = 0;
+    double worst_momentum = 0;
+    Index eroded = 0;
+    double eroded_energy = 0;
+    long last_erosion = 0;
+    test::run(simulation, [&](const domain::Domain& now) {
+      worst = std::max(worst, std::fabs(now.energy.imbalance()) / now.energy.initial_total);
+      worst_momentum = std::max(worst_momentum, norm(test::momentum(now)));
+      Index count = 0;
+      for (const domain::ShellBlock& block : now.shells) count += block.eroded;
+      EXPECT_GE(count, eroded);
+      // The ledger moves when an element goes, and, by its last hourglass work, one step later.
+      if (count > eroded) {
+        EXPECT_GT(now.energy.eroded, eroded_energy);
+        last_erosion = now.clock.cycle;
+      } else if (now.clock.cycle > last_erosion + 1) {
+        EXPECT_EQ(now.energy.eroded, eroded_energy);
+      }
+      eroded = count;
+      eroded_energy = now.energy.eroded;
+    });
+    EXPECT_EQ(eroded, 2 * rows);
+    EXPECT_LT(last_erosion, domain.clock.cycle - 100) << "and the rest goes on";
+    EXPECT_EQ(mass(), initial_mass);
+
+    // What the elements kept for themselves is what the ledger got.
+    const domain::ShellBlock& middle = domain.shells[1];
+    const domain::StateItem& energy = *middle.find("energy");
+    const domain::StateItem& active = *middle.find("active");
+    double gone = 0;
+    double left = 0;
+    for (Index place = 0; place < middle.elements; ++place)
+      (middle.state(place, active.first) == 0 ? gone : left) +=
+          middle.state(place, energy.first) + middle.state(place, energy.first + 1);
+    const double round_off = precision == Precision::Double ? 1e-12 : 1e-5;
+    EXPECT_NEAR(domain.energy.eroded, gone, (precision == Precision::Double ? 1e-14 : 1e-6) * gone);
+    EXPECT_EQ(left, 0);
+    EXPECT_NEAR(middle.internal_energy + middle.hourglass_energy, 0, round_off * gone);
+    // At least the plastic work up to the failure strain.
+    const double volume = 2 * rows * size * size * thickness;
+    EXPECT_GT(gone, 0.25 * 0.04 * volume);
+    EXPECT_LT(gone, 2 * 0.29 * 0.04 * volume);
+
+    // The halves fly on: each keeps its share of the momentum.
+    EXPECT_GT(domain.energy.kinetic, 0.5 * domain.energy.initial_total);
+    const double momentum_of_half = 0.5 * initial_mass * speed;
+    EXPECT_LT(worst_momentum, (precision == Precision::Double ? 1e-11 : 1e-5) * momentum_of_half);
+    EXPECT_LT(worst, 1e-6);
+    RecordProperty(precision == Precision::Double ? "energy_double" : "energy_mixed", std::to_string(worst));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Formulations, Strip,
+                         ::testing::Values(model::ShellFormulation::BelytschkoTsay,
+                                           model::ShellFormulation::HughesLiu),
+                         [](const auto& test) {
+                           return test.param == model::ShellFormulation::BelytschkoTsay ? "BelytschkoTsay"
+                                                                                        : "HughesLiu";
+                         });
+
+}  // namespace
+}  // namespace crumple
