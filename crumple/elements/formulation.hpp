@@ -200,15 +200,21 @@ CRUMPLE_INLINE Pack stable_step(const Pack& area, const math::PackVec3<Pack>& r3
 
 /// Leaves the stable step for the driver.
 template <class Pack>
-CRUMPLE_INLINE void limit_step(const ShellPlace<RealOf<Pack>>& place, const LaminaGeometry<Pack>& g,
+CRUMPLE_INLINE void limit_step(const ShellPlace<RealOf<Pack>>& place, const Pack& area,
                                const math::PackVec3<Pack>& r31, const math::PackVec3<Pack>& r42,
                                const math::PackVec3<Pack>& r_mode) {
   using Real = RealOf<Pack>;
   const Pack slowness =
       own_state<Pack>(place, element_state::step_scale) * Pack(place.task.constants.slowness);
   const auto active = own_state<Pack>(place, element_state::active) > Pack(Real(0));
-  const Pack limit = stable_step(g.area, r31, r42, r_mode, slowness);
+  const Pack limit = stable_step(area, r31, r42, r_mode, slowness);
   store(place.rows + scratch_row::shortest_step * tile_lanes, select<Pack>(active, limit, Pack(Real(1e30))));
+}
+template <class Pack>
+CRUMPLE_INLINE void limit_step(const ShellPlace<RealOf<Pack>>& place, const LaminaGeometry<Pack>& g,
+                               const math::PackVec3<Pack>& r31, const math::PackVec3<Pack>& r42,
+                               const math::PackVec3<Pack>& r_mode) {
+  limit_step(place, g.area, r31, r42, r_mode);
 }
 
 }  // namespace crumple::elements

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "elements/belytschko_tsay.hpp"
+#include "elements/fully_integrated.hpp"
 #include "elements/hughes_liu.hpp"
 
 namespace crumple::elements {
@@ -14,6 +15,7 @@ struct FormulationList {
 /// Every shell formulation, one line each. What one must have is written in formulation.hpp.
 using ShellFormulations = FormulationList<  //
     BelytschkoTsay,                         //
-    HughesLiu>;
+    HughesLiu,                              //
+    FullyIntegrated>;
 
 }  // namespace crumple::elements

@@ -98,6 +98,7 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.thickness_change = model.control.thickness_change;
   constants.shear_root = std::sqrt(section.shear_factor);
   constants.slowness = 1 / elastic.plate_wave_speed();
+  constants.poissons_ratio = elastic.poissons_ratio;
   set_thickness_rule(part, section, constants);
   set_hourglass(model::hourglass_of(model, part), elastic, section.shear_factor, constants);
 

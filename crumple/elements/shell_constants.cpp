@@ -26,6 +26,7 @@ void for_each_number(Constants& constants, const Visit& visit) {
   visit(constants.hourglass_warping);
   visit(constants.hourglass_bending);
   visit(constants.slowness);
+  visit(constants.poissons_ratio);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ struct ShellConstants {
   Real hourglass_warping = 0;
   Real hourglass_bending = 0;
   Real slowness = 0;  ///< 1 / plate wave speed [time/length]
+  Real poissons_ratio = 0;  ///< of the elastic part, for assumed strains [-]
 };
 
 /// The element's own items, counted from ShellConstants::own.

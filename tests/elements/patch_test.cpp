@@ -152,10 +152,10 @@ TEST(BendingPatch, IsExactOnParallelograms) {
       }
 }
 
-/// On distorted meshes one-point shells are not exact: the gradient of a quadratic deflection is off by
+/// On distorted meshes one-point shells without projected shear are not exact: the gradient of a quadratic deflection is off by
 /// curvature times element size, which shows as transverse shear. It must vanish with first order.
 TEST(BendingPatch, ErrorOnDistortedMeshesVanishesWithFirstOrder) {
-  for (const Kind& kind : kinds) {
+  for (const Kind& kind : {belytschko_tsay, hughes_liu}) {
     double error[3] = {};
     int run = 0;
     for (const Index n : {8, 16, 32}) {

@@ -120,8 +120,7 @@ class Driven {
     double largest = 0;
     for (const domain::ShellBlock& b : domain.shells)
       for (Index e = 0; e < b.elements; ++e)
-        for (Index c = 0; c < 5 * b.thickness_points; ++c)
-          largest = std::max(largest, std::fabs(b.state(e, c)));
+        for (Index c = 0; c < 5 * b.points(); ++c) largest = std::max(largest, std::fabs(b.state(e, c)));
     return largest;
   }
   double item(const std::string& name, Index element, Index at = 0) const {
@@ -135,8 +134,13 @@ struct Kind {
   model::ShellFormulation formulation;
   const char* name;
 };
-inline constexpr std::array<Kind, 2> kinds{{{model::ShellFormulation::BelytschkoTsay, "BelytschkoTsay"},
-                                            {model::ShellFormulation::HughesLiu, "HughesLiu"}}};
+inline constexpr Kind belytschko_tsay{model::ShellFormulation::BelytschkoTsay, "BelytschkoTsay"};
+inline constexpr Kind hughes_liu{model::ShellFormulation::HughesLiu, "HughesLiu"};
+inline constexpr Kind fully_integrated{model::ShellFormulation::FullyIntegrated, "FullyIntegrated"};
+/// Every formulation of quadrilaterals.
+inline constexpr std::array kinds{belytschko_tsay, hughes_liu, fully_integrated};
+/// Those with one point in plane and hourglass control.
+inline constexpr std::array one_point_kinds{belytschko_tsay, hughes_liu};
 
 inline std::vector<domain::Execution> all_executions() {
   std::vector<domain::Execution> all;
