@@ -64,6 +64,8 @@ void print_conditions(std::ostream& out, const model::Model& model) {
   fmt::print(out, "  nodes held            {}\n", model.fixed_nodes.size());
   fmt::print(out, "  initial velocities    {}\n", model.initial_velocities.size());
   if (!model.nodal_loads.empty()) fmt::print(out, "  nodal loads           {}\n", model.nodal_loads.size());
+  if (!model.pressure_loads.empty())
+    fmt::print(out, "  pressure loads        {}\n", model.pressure_loads.size());
   for (const model::RigidWall& wall : model.rigid_walls)
     fmt::print(out, "  rigid wall {:<10} stops {} nodes, friction {:g}\n", wall.id, wall.nodes.size(),
                wall.friction);

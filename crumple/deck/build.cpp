@@ -107,6 +107,7 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_masses(build);
   build_fixed_nodes(build);
   build_velocities(build);
+  build_loads(build);
   build_walls(build);
   build_contacts(build, automatic_contact);
   build_output(build);

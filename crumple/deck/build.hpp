@@ -87,6 +87,8 @@ void build_masses(Build& build);
 void build_fixed_nodes(Build& build);
 void build_velocities(Build& build);
 void build_walls(Build& build);
+// build_loads.cpp
+void build_loads(Build& build);
 // build_contact_output.cpp
 void build_contacts(Build& build, bool automatic_contact);
 void build_output(Build& build);

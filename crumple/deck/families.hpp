@@ -67,6 +67,12 @@ void read_initial_velocity(Cards& cards, RawDeck& deck);
 void read_initial_velocity_node(Cards& cards, RawDeck& deck);
 void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
 
+// read_loads.cpp
+void read_load_node_point(Cards& cards, RawDeck& deck);
+void read_load_node_set(Cards& cards, RawDeck& deck);
+void read_load_segment(Cards& cards, RawDeck& deck);
+void read_load_shell_element(Cards& cards, RawDeck& deck);
+
 // read_contact.cpp
 void read_rigidwall_planar(Cards& cards, RawDeck& deck);
 void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);

@@ -47,6 +47,10 @@ constexpr Keyword table[] = {
     {"INITIAL_VELOCITY", read_initial_velocity},
     {"INITIAL_VELOCITY_NODE", read_initial_velocity_node},
     {"INITIAL_VELOCITY_GENERATION", read_initial_velocity_generation},
+    {"LOAD_NODE_POINT", read_load_node_point},
+    {"LOAD_NODE_SET", read_load_node_set},
+    {"LOAD_SEGMENT", read_load_segment, identity},
+    {"LOAD_SHELL_ELEMENT", read_load_shell_element, identity},
     {"RIGIDWALL_PLANAR", read_rigidwall_planar, identity},
     {"CONTACT_AUTOMATIC_SINGLE_SURFACE", read_contact_automatic_single_surface, identity},
 

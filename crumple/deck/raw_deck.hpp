@@ -130,6 +130,26 @@ struct RawContact {
   Where where;
 };
 
+/// A force or a moment on a node or on every node of a set.
+struct RawNodalLoad {
+  UserId target = 0;
+  bool is_set = false;
+  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
+  UserId curve = 0;
+  double scale = 1;
+  Where where;
+};
+
+/// A pressure on a segment, or on a shell.
+struct RawPressureLoad {
+  std::array<UserId, 4> node{};
+  UserId shell = 0;  ///< the nodes are this shell's; 0: they are given
+  UserId curve = 0;
+  double scale = 1;
+  double arrival = 0;
+  Where where;
+};
+
 struct RawHistory {
   UserId id = 0;
   bool is_set = false;
@@ -156,6 +176,8 @@ struct RawDeck {
   std::vector<RawSet> part_sets;
   std::vector<RawFixed> fixed;
   std::vector<RawVelocity> velocities;
+  std::vector<RawNodalLoad> nodal_loads;
+  std::vector<RawPressureLoad> pressure_loads;
   std::vector<RawWall> walls;
   std::vector<RawContact> contacts;
   std::vector<RawHistory> histories;

@@ -8,7 +8,7 @@
 
 namespace crumple::loads {
 
-/// Forces on nodes that follow a curve in time.
+/// Forces and moments on nodes that follow a curve in time.
 class NodalLoads {
  public:
   /// The model must outlive the loads.
@@ -22,8 +22,9 @@ class NodalLoads {
   struct Load {
     Index node = no_index;  ///< domain node
     math::Vec3 force;       ///< at a factor of one [force]
+    math::Vec3 moment;      ///< at a factor of one [force * length]
     Index curve = no_index;
-    math::Vec3 previous;  ///< force at time n-1
+    double previous = 0;  ///< factor at time n-1
   };
   const model::Model* model_;
   std::vector<Load> loads_;

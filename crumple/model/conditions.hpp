@@ -27,8 +27,18 @@ struct InitialVelocity {
 /// from time zero on.
 struct NodalLoad {
   Index node = no_index;
-  std::array<double, 3> force{};  ///< [force]
-  Index curve = no_index;         ///< in Model::curves; abscissa [time], ordinate a factor
+  std::array<double, 3> force{};   ///< [force]
+  std::array<double, 3> moment{};  ///< [force * length]
+  Index curve = no_index;          ///< in Model::curves; abscissa [time], ordinate a factor
+};
+
+/// A pressure on a segment, which follows its motion: pressure times the curve's ordinate at the time since
+/// its arrival (*LOAD_SEGMENT, *LOAD_SHELL). Positive against the normal.
+struct PressureLoad {
+  std::array<Index, 4> node{no_index, no_index, no_index, no_index};  ///< a triangle repeats its third node
+  double pressure = 0;                                                ///< [stress]
+  Index curve = no_index;  ///< in Model::curves; abscissa [time], ordinate a factor
+  double arrival = 0;      ///< AT: no load before [time]
 };
 
 /// A plane that nodes may not cross (*RIGIDWALL_PLANAR). Infinite, at rest.

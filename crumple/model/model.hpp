@@ -31,6 +31,7 @@ struct Model {
   std::vector<FixedNode> fixed_nodes;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodalLoad> nodal_loads;
+  std::vector<PressureLoad> pressure_loads;
   std::vector<RigidWall> rigid_walls;
   std::vector<SingleSurfaceContact> contacts;
   Control control;

@@ -6,7 +6,10 @@
 
 namespace crumple::timeloop {
 Simulation::Simulation(const model::Model& model, const domain::Execution& execution)
-    : model_(&model), domain_(domain::build(model, execution)), nodal_loads_(model, domain_) {
+    : model_(&model),
+      domain_(domain::build(model, execution)),
+      nodal_loads_(model, domain_),
+      pressure_loads_(model, domain_) {
   elements::prepare_shells(model, domain_);
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});

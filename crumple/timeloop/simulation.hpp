@@ -8,6 +8,7 @@
 #include "contact/single_surface.hpp"
 #include "domain/domain.hpp"
 #include "loads/nodal_loads.hpp"
+#include "loads/pressure_loads.hpp"
 #include "model/model.hpp"
 
 namespace crumple::timeloop {
@@ -57,6 +58,7 @@ class Simulation {
   std::vector<contact::SingleSurface> contacts_;
   std::vector<constraints::PlanarWall> walls_;
   loads::NodalLoads nodal_loads_;
+  loads::PressureLoads pressure_loads_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick for the energy balance
   double rotational_energy_ = 0;                ///< 1/2 I omega(n-1/2).omega(n+1/2) [energy]
   double largest_step_ = 0;                     ///< no step exceeds this [time]

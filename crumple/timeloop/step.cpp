@@ -62,6 +62,7 @@ void Simulation::compute_forces() {
   }
   if (!contacts_.empty()) std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
   for (contact::SingleSurface& contact : contacts_) contact.add_forces(domain_);
+  pressure_loads_.add_forces(domain_);
   nodal_loads_.add_forces(domain_);
 }
 
