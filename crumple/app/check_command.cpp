@@ -3,8 +3,11 @@
 
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ostream>
+#include <vector>
 
 #include "app/model_summary.hpp"
 #include "app/preparation.hpp"
@@ -19,9 +22,12 @@ namespace {
 void print_steps(std::ostream& out, const timeloop::Simulation& simulation) {
   const model::Model& model = simulation.model();
   fmt::print(out, "\nTime steps (factor {:g} included)\n", model.control.step_scale);
+  std::vector<double> steps(model.parts.size(), std::numeric_limits<double>::infinity());
   for (const domain::ShellBlock& block : simulation.domain().shells)
-    fmt::print(out, "  part {:<8} {:.4e}\n", model.parts[block.part].id,
-               model.control.step_scale * elements::stable_step(simulation.domain(), block));
+    steps[block.part] = std::min(steps[block.part], elements::stable_step(simulation.domain(), block));
+  for (std::size_t part = 0; part < steps.size(); ++part)
+    if (std::isfinite(steps[part]))
+      fmt::print(out, "  part {:<8} {:.4e}\n", model.parts[part].id, model.control.step_scale * steps[part]);
   const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
   fmt::print(out,
              "  first step {:.4e}, controlled by shell {} of part {}; about {:.0f} cycles to the end time\n",

@@ -65,23 +65,47 @@ void set_conditions(const model::Model& model, NodeFields& nodes) {
   }
 }
 
+bool is_triangle(const model::ShellElement& shell) {
+  return model::repeated_entry(shell.node) >= 0;
+}
+
+/// The same order of nodes, begun so that a triangle repeats its third node.
+std::array<Index, 4> triangle_last(const std::array<Index, 4>& node) {
+  const int repeated = model::repeated_entry(node);
+  if (repeated < 0) return node;
+  std::array<Index, 4> turned;
+  for (std::size_t k = 0; k < 4; ++k) turned[k] = node[(k + static_cast<std::size_t>(repeated) + 2) % 4];
+  return turned;
+}
+
 ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index part,
                       const std::vector<Index>& shells) {
   ShellBlock block;
   const model::ShellSection& section = model.shell_sections[model.parts[part].section];
   block.part = part;
-  block.formulation = section.formulation;
+  block.formulation =
+      is_triangle(model.shells[shells.front()]) ? model::ShellFormulation::Triangle : section.formulation;
   block.thickness_points = section.thickness_points;
   block.elements = static_cast<Index>(shells.size());
   block.element = shells;
   block.node.resize(static_cast<std::size_t>(block.groups()) * 4 * lanes);
   for (Index place = 0; place < block.groups() * lanes; ++place) {
     const Index shell = shells[std::min(place, block.elements - 1)];
+    const std::array<Index, 4> corner = triangle_last(model.shells[shell].node);
     const std::size_t group = static_cast<std::size_t>(place / lanes) * 4 * lanes;
     for (std::size_t k = 0; k < 4; ++k)
-      block.node[group + k * lanes + place % lanes] = nodes.domain_node[model.shells[shell].node[k]];
+      block.node[group + k * lanes + place % lanes] = nodes.domain_node[corner[k]];
   }
   return block;
+}
+
+/// A block of a part's quadrilaterals and one of its triangles, which have a formulation of their own.
+void add_blocks(const model::Model& model, Index part, std::vector<Index> shells, Domain& domain) {
+  const auto triangles = std::stable_partition(
+      shells.begin(), shells.end(), [&](Index shell) { return !is_triangle(model.shells[shell]); });
+  const std::vector<Index> split[2] = {{shells.begin(), triangles}, {triangles, shells.end()}};
+  for (const std::vector<Index>& alike : split)
+    if (!alike.empty()) domain.shells.push_back(make_block(model, domain.nodes, part, alike));
 }
 
 }  // namespace
@@ -96,8 +120,7 @@ Domain build(const model::Model& model, const Execution& execution) {
   place_nodes(model, domain);
   set_conditions(model, domain.nodes);
   for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
-    if (!numbering.shells_by_part[part].empty())
-      domain.shells.push_back(make_block(model, domain.nodes, part, numbering.shells_by_part[part]));
+    add_blocks(model, part, std::move(numbering.shells_by_part[part]), domain);
   domain.assembly.build(domain.shells, domain.nodes.count());
   domain.nodes.force.resize(static_cast<std::size_t>(domain.nodes.count()) + domain.assembly.slots());
   domain.nodes.publish_all();

@@ -18,7 +18,9 @@ void Domain::declare(StateList& list) {
   list.add("mass", "mass", Entity::Node, 1, std::span(nodes.mass));
   list.add("inertia", "mass*length^2", Entity::Node, 1, std::span(nodes.inertia));
   for (ShellBlock& block : shells) {
-    const std::string name = "shell_state_" + std::to_string(block.part);
+    // A part has one block of quadrilaterals and one of triangles at most.
+    const bool triangles = block.formulation == model::ShellFormulation::Triangle;
+    const std::string name = (triangles ? "triangle_state_" : "shell_state_") + std::to_string(block.part);
     list.add(name, "by item", Entity::Shell, block.components, std::span(block.float_state));
     list.add(name, "by item", Entity::Shell, block.components, std::span(block.double_state));
     list.add(name + "_internal_energy", "energy", Entity::Run, 1, std::span(&block.internal_energy, 1));

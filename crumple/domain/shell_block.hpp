@@ -21,9 +21,10 @@ struct StateItem {
   Index count = 0;
 };
 
-/// The shells of one part: one formulation, material and integration rule, so that a kernel meets no choice
-/// inside. Elements are held in groups of `lanes`; the last group is filled with copies of the last element
-/// whose `active` state is zero and whose forces go to a slot nobody reads.
+/// The quadrilaterals or the triangles of one part: one formulation, material and integration rule, so that a
+/// kernel meets no choice inside. A triangle's fourth node repeats its third. Elements are held in groups of
+/// `lanes`; the last group is filled with copies of the last element whose `active` state is zero and whose
+/// forces go to a slot nobody reads.
 struct ShellBlock {
   Index part = no_index;  ///< model::Part
   model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay;

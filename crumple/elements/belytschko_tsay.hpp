@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "elements/formulation.hpp"
+#include "elements/resultants.hpp"
 
 namespace crumple::elements {
 
@@ -62,55 +62,13 @@ CRUMPLE_INLINE void BelytschkoTsay::strains(const ShellPlace<RealOf<Pack>>& plac
       shear_step * multiply_add(quarter, math::dot(n.w_sum, frame.e2), vz.x)};
   const Pack half_thickness = Real(0.5) * own_state<Pack>(place, element_state::thickness);
   const Pack bend = half_thickness * step;
-  const Pack bend_xx = bend * wy.x;
-  const Pack bend_yy = -(bend * wx.y);
-  const Pack bend_xy = bend * (wy.y - wx.x);
-  for (int p = 0; p < constants.points; ++p) {
-    const Pack z(constants.place[p]);
-    const materials::PlaneStrain<Pack> strain{
-        multiply_add(z, bend_xx, membrane.xx), multiply_add(z, bend_yy, membrane.yy),
-        multiply_add(z, bend_xy, membrane.xy), membrane.yz, membrane.zx};
-    materials::store_five(place.strain + p * materials::components * tile_lanes, tile_lanes, strain);
-  }
+  store_strains(place, membrane, Bending<Pack>{bend * wy.x, -(bend * wx.y), bend * (wy.y - wx.x)});
 
   keep_vec(place, row_r31, n.r31);
   keep_vec(place, row_r42, n.r42);
   keep_vec(place, row_mode, n.r_mode);
   keep_modes(place, row_rates, hourglass_rates(frame, g, n, VelocityGradients<Pack>{vx, vy, vz, wx, wy}));
   keep(place, row_area, g.area);
-}
-
-/// Resultants of the stresses: forces and moments per length, times the thickness factors.
-template <class Pack>
-struct Resultants {
-  Pack xx, yy, xy, yz, zx;
-  Pack bend_xx, bend_yy, bend_xy;
-};
-
-template <class Pack>
-CRUMPLE_INLINE Resultants<Pack> integrate(const ShellPlace<RealOf<Pack>>& place, const Pack& thickness) {
-  using Real = RealOf<Pack>;
-  const ShellConstants<Real>& constants = place.task.constants;
-  const Pack zero(Real(0));
-  Resultants<Pack> r{zero, zero, zero, zero, zero, zero, zero, zero};
-  for (int p = 0; p < constants.points; ++p) {
-    const auto s = materials::load_five<materials::PlaneStress<Pack>>(
-        place.state + p * materials::components * lanes, lanes);
-    const Pack weight(constants.weight[p]);
-    const Pack moment(constants.weight[p] * constants.place[p]);
-    r.xx = multiply_add(weight, s.xx, r.xx);
-    r.yy = multiply_add(weight, s.yy, r.yy);
-    r.xy = multiply_add(weight, s.xy, r.xy);
-    r.yz = multiply_add(weight, s.yz, r.yz);
-    r.zx = multiply_add(weight, s.zx, r.zx);
-    r.bend_xx = multiply_add(moment, s.xx, r.bend_xx);
-    r.bend_yy = multiply_add(moment, s.yy, r.bend_yy);
-    r.bend_xy = multiply_add(moment, s.xy, r.bend_xy);
-  }
-  const Pack shear = thickness * Pack(constants.shear_root);
-  const Pack bend = thickness * (Real(0.5) * own_state<Pack>(place, element_state::thickness));
-  return {thickness * r.xx, thickness * r.yy, thickness * r.xy, shear * r.yz,
-          shear * r.zx,     bend * r.bend_xx, bend * r.bend_yy, bend * r.bend_xy};
 }
 
 /// What node 1 (and, negative, node 3) or node 2 (and 4) gets of the resultants; b1 and b2 are the area times

@@ -20,9 +20,13 @@ struct Nodes {
 struct ShellElement {
   UserId id = 0;
   Index part = no_index;
-  std::array<Index, 4> node{no_index, no_index, no_index, no_index};  ///< a triangle repeats its third node
+  std::array<Index, 4> node{no_index, no_index, no_index, no_index};  ///< a triangle repeats one, see below
   std::array<double, 4> thickness{};  ///< at the nodes [length]; all zero takes the section's
 };
+
+/// Place of the entry that the next one around the element repeats, or -1: the element is a triangle, in
+/// decks one that repeats its third node (2).
+int repeated_entry(const std::array<Index, 4>& node);
 
 struct Part {
   UserId id = 0;

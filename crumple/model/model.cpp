@@ -5,9 +5,24 @@
 
 namespace crumple::model {
 
+int repeated_entry(const std::array<Index, 4>& node) {
+  for (int k = 3; k >= 0; --k)
+    if (node[(static_cast<std::size_t>(k) + 3) % 4] == node[static_cast<std::size_t>(k)]) return (k + 3) % 4;
+  return -1;
+}
+
 std::array<double, 4> shell_thickness(const Model& model, const ShellElement& shell) {
   const bool own = shell.thickness[0] > 0;
-  return own ? shell.thickness : model.shell_sections[model.parts[shell.part].section].thickness;
+  std::array<double, 4> t =
+      own ? shell.thickness : model.shell_sections[model.parts[shell.part].section].thickness;
+  const int repeated = repeated_entry(shell.node);
+  if (repeated >= 0) {
+    const std::size_t second = static_cast<std::size_t>(repeated + 1) % 4;
+    const double first = t[(second + 1) % 4];
+    // Written so that equal corners give their value to the last bit.
+    t[second] = first + ((t[(second + 2) % 4] - first) + (t[(second + 3) % 4] - first)) / 3;
+  }
+  return t;
 }
 
 const HourglassControl& hourglass_of(const Model& model, const Part& part) {
@@ -54,6 +69,10 @@ void check_shells(const Model& model, std::vector<std::string>& found) {
     for (const Index node : shell.node)
       if (!within(node, model.nodes.id.size()))
         found.push_back(name + " refers to a node that does not exist.");
+    const bool for_triangles =
+        model.shell_sections[model.parts[shell.part].section].formulation == ShellFormulation::Triangle;
+    if (for_triangles && repeated_entry(shell.node) < 0)
+      found.push_back(name + " has four nodes, but the formulation of its section is for triangles only.");
     for (const double thickness : shell_thickness(model, shell))
       if (!(thickness > 0)) {
         found.push_back(name + " needs a thickness above zero.");

@@ -40,7 +40,8 @@ struct Model {
   RunSettings run;
 };
 
-/// Thickness of a shell at its four nodes [length]: the element's own where given, else the section's.
+/// Thickness of a shell at its four nodes [length]: the element's own where given, else the section's. Where
+/// a triangle repeats a node stands the mean of its corners, so that the mean of all four is that, too.
 std::array<double, 4> shell_thickness(const Model& model, const ShellElement& shell);
 
 /// Hourglass control that holds for a part.

@@ -64,7 +64,7 @@ Gradient solid_gradient(const Corners& x, const Corners& u, const Corners& r, do
 }
 
 TEST(HughesLiuShell, LayersAreThoseOfTheDegeneratedSolid) {
-  const Kind& kind = kinds[1];
+  const Kind& kind = hughes_liu;
   const model::Model model = warped_element(kind, 0.7);
   Driven body(model, {Precision::Double, available_isas().back(), 1});
   std::mt19937 generator(17);

@@ -135,12 +135,17 @@ struct Kind {
   const char* name;
 };
 inline constexpr Kind belytschko_tsay{model::ShellFormulation::BelytschkoTsay, "BelytschkoTsay"};
+inline constexpr Kind belytschko_wong_chiang{model::ShellFormulation::BelytschkoWongChiang,
+                                             "BelytschkoWongChiang"};
 inline constexpr Kind hughes_liu{model::ShellFormulation::HughesLiu, "HughesLiu"};
+inline constexpr Kind hughes_liu_selective{model::ShellFormulation::HughesLiuSelectiveReduced,
+                                           "HughesLiuSelective"};
 inline constexpr Kind fully_integrated{model::ShellFormulation::FullyIntegrated, "FullyIntegrated"};
 /// Every formulation of quadrilaterals.
-inline constexpr std::array kinds{belytschko_tsay, hughes_liu, fully_integrated};
+inline constexpr std::array kinds{belytschko_tsay, belytschko_wong_chiang, hughes_liu, hughes_liu_selective,
+                                  fully_integrated};
 /// Those with one point in plane and hourglass control.
-inline constexpr std::array one_point_kinds{belytschko_tsay, hughes_liu};
+inline constexpr std::array one_point_kinds{belytschko_tsay, belytschko_wong_chiang, hughes_liu};
 
 inline std::vector<domain::Execution> all_executions() {
   std::vector<domain::Execution> all;

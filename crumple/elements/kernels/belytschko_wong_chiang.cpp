@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "elements/belytschko_wong_chiang.hpp"
+
+#include "elements/kernel_definition.hpp"
+
+namespace crumple::elements {
+
+template ShellKernel<float> formulation_kernel<BelytschkoWongChiang, CRUMPLE_ISA, float>();
+template ShellKernel<double> formulation_kernel<BelytschkoWongChiang, CRUMPLE_ISA, double>();
+
+}  // namespace crumple::elements
