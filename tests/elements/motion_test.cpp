@@ -62,10 +62,12 @@ TEST(RigidRotation, AHundredTurnsLeaveNoStress) {
         // Each step rounds relative displacements of the size of its angle to 24 bits. In the body's own axes
         // they are much the same from step to step, so that the errors may all have one sign. The layers of a
         // warped Hughes-Liu element add the displacements of tilted fibres, rounded by themselves; without
-        // FMA that shows (4.5e-5 measured, 3.6e-5 with it), so there, and only there, two roundings are
-        // allowed.
+        // FMA that shows (4.5e-5 measured, 3.6e-5 with it). At the 2 x 2 points of its reduced form the
+        // displacements are sums of two rounded parts, with FMA or without (4.7e-5). There, and only there,
+        // two roundings are allowed.
         const bool fused = isa == Isa::Avx2 || isa == Isa::Avx512;
-        const bool two_roundings = kind.formulation == model::ShellFormulation::HughesLiu && !fused;
+        const bool two_roundings = (kind.formulation == model::ShellFormulation::HughesLiu && !fused) ||
+                                   kind.formulation == model::ShellFormulation::HughesLiuSelectiveReduced;
         EXPECT_LT(rounded.stress, 200 * std::numbers::pi * (two_roundings ? 0x1p-23 : 0x1p-24))
             << kind.name << ' ' << isa_name(isa);
         std::printf(

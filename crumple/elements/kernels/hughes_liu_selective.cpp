@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "elements/hughes_liu_selective.hpp"
+
+#include "elements/kernel_definition.hpp"
+
+namespace crumple::elements {
+
+template ShellKernel<float> formulation_kernel<HughesLiuSelective, CRUMPLE_ISA, float>();
+template ShellKernel<double> formulation_kernel<HughesLiuSelective, CRUMPLE_ISA, double>();
+
+}  // namespace crumple::elements
