@@ -26,11 +26,34 @@ double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// Turns the nodes of a triangle so that the third is the one given twice; its thickness holds twice, too.
+void turn_triangle(model::ShellElement& shell) {
+  const int repeated = model::repeated_entry(shell.node);
+  if (repeated < 0) return;
+  const auto by = (static_cast<std::ptrdiff_t>(repeated) + 2) % 4;
+  std::rotate(shell.node.begin(), shell.node.begin() + by, shell.node.end());
+  std::rotate(shell.thickness.begin(), shell.thickness.begin() + by, shell.thickness.end());
+  shell.thickness[3] = shell.thickness[2];
+}
+
+/// A node twice, other than a triangle's third.
 bool repeats_node(const std::array<Index, 4>& node) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j)
       if (node[i] == node[j] && !(i == 2 && j == 3)) return true;
   return false;
+}
+
+/// A quadrilateral whose section is for triangles.
+void check_formulation(const model::ShellElement& shell, const Where& where, Build& build) {
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(shell.part)];
+  const auto& section = build.model.shell_sections[static_cast<std::size_t>(part.section)];
+  if (section.formulation != model::ShellFormulation::Triangle || shell.node[2] == shell.node[3]) return;
+  build.report.error(
+      where, "not_a_triangle",
+      fmt::format("shell {} of part {} has four nodes, but ELFORM 4 of section {} is for triangles; choose a "
+                  "quadrilateral's ELFORM, triangles of the part are then computed by ELFORM 4 all the same",
+                  shell.id, part.id, section.id));
 }
 
 /// Area that is not above zero, or sides that cross each other.
@@ -149,15 +172,19 @@ void build_shells(Build& build) {
       complete = complete && shell.node[i] != no_index;
     }
     build.enter(Item::Shell, {raw.id, "EID", raw.where}, shells.size());
+    if (complete) turn_triangle(shell);
     if (complete && repeats_node(shell.node)) {
       build.report.error(
           raw.where, "repeated",
-          fmt::format("shell {} has a node twice; a triangle has its third node as fourth", raw.id));
+          fmt::format(
+              "shell {} has a node twice; a triangle has two equal neighbours, its third node as fourth",
+              raw.id));
       complete = false;
     }
     if (complete) {
       if (!complete_thickness(shell, build)) report_thickness(shell, build, without_thickness);
       check_shape(shell, raw.where, build);
+      check_formulation(shell, raw.where, build);
       ++build.shells_of_part[static_cast<std::size_t>(shell.part)];
     }
     shells.push_back(shell);

@@ -73,6 +73,8 @@ void build_properties(Build& build) {
     model.shell_sections.push_back(raw.section);
     model::ShellSection& section = model.shell_sections.back();
     if (!raw.formulation_given) section.formulation = deck.default_formulation;
+    if (deck.warping_stiffness && section.formulation == model::ShellFormulation::BelytschkoTsay)
+      section.formulation = model::ShellFormulation::BelytschkoWongChiang;
     // LS-DYNA takes Gauss points where Lobatto's rule has none of the order.
     const bool gauss = section.thickness_rule == model::ThicknessRule::Gauss;
     if (deck.lobatto_points && gauss && section.thickness_points >= 3)

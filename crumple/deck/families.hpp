@@ -79,5 +79,7 @@ void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);
 
 /// What HGID's and CONTROL_HOURGLASS' form number means for shells.
 model::HourglassForm hourglass_form(std::int64_t number);
+/// ELFORM of *SECTION_SHELL and THEORY of *CONTROL_SHELL; other numbers are Belytschko-Tsay.
+model::ShellFormulation shell_formulation(std::int64_t number);
 
 }  // namespace crumple::deck

@@ -188,7 +188,8 @@ struct RawDeck {
   model::RunSettings run;
   long state_count = 0;  ///< NPLTC: states over the whole run; 0 is not given
   model::ShellFormulation default_formulation = model::ShellFormulation::BelytschkoTsay;
-  bool lobatto_points = false;  ///< CONTROL_SHELL's INTGRD
+  bool warping_stiffness = false;  ///< BWC: Belytschko-Tsay shells are Belytschko-Wong-Chiang ones
+  bool lobatto_points = false;     ///< CONTROL_SHELL's INTGRD
   std::optional<Where> termination;
   std::optional<Where> search_cells;
   std::optional<Where> search_domain;

@@ -12,13 +12,15 @@ constexpr std::string_view no_deletion = "distorted elements are not deleted";
 
 constexpr Field card_1[] = {
     unused("WRPANG"),  // limit of a warning
-    harmless("ESORT", {0}, "triangles are computed as quadrilaterals with two equal nodes"),
+    unused("ESORT"),   // triangles are always sorted out
     only("IRNXX", {-1, 0}, "the fibres of Hughes-Liu shells are recomputed in every cycle"),
     only("ISTUPD", {0, 1}, "1 lets the thickness follow the membrane strain"),
-    only("THEORY", {2, 0, 1}, "1 is Hughes-Liu, 2 Belytschko-Tsay"),
-    only("BWC", {2, 0}, "the Belytschko-Wong-Chiang warping stiffness is not supported"),
+    only("THEORY", {2, 0, 1, 4, 6, 10, 16},
+         "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 6 Hughes-Liu selectively reduced, 10 "
+         "Belytschko-Wong-Chiang, 16 fully integrated"),
+    only("BWC", {2, 0, 1}, "1 makes Belytschko-Tsay shells Belytschko-Wong-Chiang"),
     unused("MITER"),  // plasticity is always iterated to the end
-    unused("PROJ"),   // belongs to BWC=1
+    unused("PROJ"),   // the warping stiffness needs neither projection
 };
 
 constexpr Field card_2[] = {
@@ -61,7 +63,8 @@ constexpr Field card_5[] = {
 void read_control_shell(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(card_1);
   deck.control.thickness_change = card.real("ISTUPD") == 1;
-  if (card.real("THEORY") == 1) deck.default_formulation = model::ShellFormulation::HughesLiu;
+  deck.default_formulation = shell_formulation(static_cast<std::int64_t>(card.real("THEORY")));
+  deck.warping_stiffness = card.real("BWC") == 1;
   if (cards.has_line()) deck.lobatto_points = cards.next(card_2).real("INTGRD") == 1;
   if (cards.has_line()) cards.next(card_3);
   if (cards.has_line()) cards.next(card_4);

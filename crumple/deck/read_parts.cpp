@@ -23,7 +23,9 @@ constexpr Field part_card[] = {
 
 constexpr Field section_card[] = {
     id("SECID"),
-    only("ELFORM", {0, 1, 2}, "1 is Hughes-Liu, 2 Belytschko-Tsay, 0 what *CONTROL_SHELL says"),
+    only("ELFORM", {0, 1, 2, 4, 6, 10, 16},
+         "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 6 Hughes-Liu selectively reduced, 10 "
+         "Belytschko-Wong-Chiang, 16 fully integrated, 0 what *CONTROL_SHELL says"),
     real_or_default("SHRF", 1.0, above_zero),
     integer_or_default("NIP", 2, within(1, 20, "points through the thickness")),
     unused("PROPT"),  // what LS-DYNA prints
@@ -70,6 +72,24 @@ void check_points(const Card& card, const model::ShellSection& section, Report& 
 
 }  // namespace
 
+model::ShellFormulation shell_formulation(std::int64_t number) {
+  using enum model::ShellFormulation;
+  switch (number) {
+    case 1:
+      return HughesLiu;
+    case 4:
+      return Triangle;
+    case 6:
+      return HughesLiuSelectiveReduced;
+    case 10:
+      return BelytschkoWongChiang;
+    case 16:
+      return FullyIntegrated;
+    default:
+      return BelytschkoTsay;
+  }
+}
+
 model::HourglassForm hourglass_form(std::int64_t number) {
   return number >= 4 ? model::HourglassForm::Stiffness : model::HourglassForm::Viscous;
 }
@@ -96,8 +116,7 @@ void read_section_shell(Cards& cards, RawDeck& deck) {
     const Card second = cards.next(section_thickness_card);
     raw.section.id = card.integer("SECID");
     raw.formulation_given = card.real("ELFORM") != 0;
-    raw.section.formulation = card.real("ELFORM") == 1 ? model::ShellFormulation::HughesLiu
-                                                       : model::ShellFormulation::BelytschkoTsay;
+    raw.section.formulation = shell_formulation(static_cast<std::int64_t>(card.real("ELFORM")));
     raw.section.shear_factor = card.real("SHRF");
     raw.section.thickness_points = card.good("NIP") ? static_cast<int>(card.integer("NIP")) : 2;
     raw.section.node_place = second.real("NLOC");
