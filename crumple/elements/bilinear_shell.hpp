@@ -64,21 +64,30 @@ struct BilinearSurface {
   Vec fibre_xi, fibre_eta;  ///< tilts in the plane
 };
 
-/// The fibres are the normals of the bilinear surface, scaled to the component 1 along e3, without the
-/// element's taper. An element warped beyond reason would have fibres of any length: none is tilted by more
-/// than 45 degrees.
+/// |x_xi|^2 + |x_eta|^2.
 template <class Pack>
-CRUMPLE_INLINE void set_fibres(BilinearSurface<Pack>& s) {
-  using Real = RealOf<Pack>;
+CRUMPLE_INLINE Pack sum_of_squares(const BilinearSurface<Pack>& s) {
   Pack squares = s.xi.x * s.xi.x;
   squares = multiply_add(s.xi.y, s.xi.y, squares);
   squares = multiply_add(s.eta.x, s.eta.x, squares);
-  squares = multiply_add(s.eta.y, s.eta.y, squares);
-  const Pack most = Pack(Real(1)) / square_root(Pack(squares + squares));
+  return multiply_add(s.eta.y, s.eta.y, squares);
+}
+
+/// The fibres are the normals of the bilinear surface, scaled to the component 1 along e3, without the
+/// element's taper; their tilt per length is held at `most`.
+template <class Pack>
+CRUMPLE_INLINE void set_fibres(BilinearSurface<Pack>& s, const Pack& most) {
+  const Pack zero(RealOf<Pack>(0));
   const Pack slope = larger(Pack(-most), smaller(most, Pack(s.twist.z * s.inverse_jacobian)));
-  const Pack zero(Real(0));
   s.fibre_xi = {slope * s.xi.y, -(slope * s.xi.x), zero};
   s.fibre_eta = {-(slope * s.eta.y), slope * s.eta.x, zero};
+}
+
+/// An element warped beyond reason would have fibres of any length: none is tilted by more than 45 degrees.
+template <class Pack>
+CRUMPLE_INLINE Pack largest_tilt(const BilinearSurface<Pack>& s) {
+  const Pack squares = sum_of_squares(s);
+  return Pack(RealOf<Pack>(1)) / square_root(Pack(squares + squares));
 }
 
 /// From the differences of the positions. The taper of a re-entrant element is held at that of a triangle,
@@ -106,7 +115,7 @@ CRUMPLE_INLINE BilinearSurface<Pack> bilinear_surface(const LaminaFrame<Pack>& f
   const Pack sum = larger(Pack(Real(1)), Pack(absolute(along_xi) + absolute(along_eta)));
   s.taper_xi = along_xi / sum;
   s.taper_eta = along_eta / sum;
-  set_fibres(s);
+  set_fibres(s, largest_tilt(s));
   return s;
 }
 

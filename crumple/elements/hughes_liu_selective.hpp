@@ -27,8 +27,22 @@ struct HughesLiuSelective {
   static ShellForces<Pack> forces(const ShellPlace<RealOf<Pack>>& place);
 };
 
-/// Tangents of one layer at one point; the Jacobian is that of their projection on the lamina. It is held at
-/// a fifth of the reference surface's, so that no layer of a tapered, warped, thick element turns over.
+/// The surface with fibres that leave every layer at least 0.73 of the area at the centre: the tangents of
+/// an element warped and thick beyond reason would turn over.
+template <class Pack>
+CRUMPLE_INLINE BilinearSurface<Pack> layered_surface(const LaminaFrame<Pack>& frame,
+                                                     const math::PackVec3<Pack>& r31,
+                                                     const math::PackVec3<Pack>& r42,
+                                                     const math::PackVec3<Pack>& r_mode,
+                                                     const Pack& thickness) {
+  BilinearSurface<Pack> s = bilinear_surface(frame, r31, r42, r_mode);
+  const Pack most = (RealOf<Pack>(0.5) * s.jacobian) / (thickness * sum_of_squares(s));
+  set_fibres(s, smaller(largest_tilt(s), most));
+  return s;
+}
+
+/// Tangents of one layer at one point; the Jacobian is that of their projection on the lamina, held at a
+/// tenth of the reference surface's at the centre for re-entrant elements.
 template <class Pack>
 struct LayerPoint {
   using Vec = math::PackVec3<Pack>;
@@ -42,7 +56,7 @@ CRUMPLE_INLINE LayerPoint<Pack> layer_point(const BilinearSurface<Pack>& s, cons
   p.xi = math::multiply_add(eta, s.twist, math::multiply_add(z, s.fibre_xi, s.xi));
   p.eta = math::multiply_add(xi, s.twist, math::multiply_add(z, s.fibre_eta, s.eta));
   const Pack area = multiply_add(p.xi.x, p.eta.y, Pack(-(p.eta.x * p.xi.y)));
-  p.area = larger(area, Pack(RealOf<Pack>(0.2) * s.jacobian));
+  p.area = larger(area, Pack(RealOf<Pack>(0.1) * s.jacobian));
   return p;
 }
 
@@ -102,14 +116,15 @@ CRUMPLE_INLINE void HughesLiuSelective::strains(const ShellPlace<RealOf<Pack>>& 
   const auto r_mode = math::multiply_add(back, n.v_mode, n.r_mode);
   const auto frame = lamina_frame(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
                                   own_state<Pack>(place, element_state::frame + 1));
-  const BilinearSurface<Pack> s = bilinear_surface(frame, r31, r42, r_mode);
+  const Pack thickness = own_state<Pack>(place, element_state::thickness);
+  const BilinearSurface<Pack> s = layered_surface(frame, r31, r42, r_mode, thickness);
   const Pack zero(Real(0));
   const Bilinear<Pack> v = bilinear(frame, n.v31, n.v42, n.v_mode, math::PackVec3<Pack>{zero, zero, zero});
   const Bilinear<Pack> b = fibre_rates(s, bilinear(frame, n.w31, n.w42, n.w_mode, n.w_sum));
 
   const Pack step(place.task.step);
   const Pack shear_step = step * Pack(constants.shear_root);
-  const Pack half_thickness = Real(0.5) * own_state<Pack>(place, element_state::thickness);
+  const Pack half_thickness = Real(0.5) * thickness;
   for (int p = 0; p < constants.points; ++p) {
     const Pack z = half_thickness * Pack(constants.place[p]);
     const Tangential<Pack> shear = centre_shear(layer_point(s, z, zero, zero), v, b, z);
@@ -226,6 +241,20 @@ CRUMPLE_INLINE void add_warping(LayeredForces<Pack>& sum, const BilinearSurface<
   sum.on_fibre.xi = math::multiply_add(two, s.eta, sum.on_fibre.xi);
 }
 
+/// The smaller of the outer layers' Jacobians at the centre and the reference surface's: the tangents of that
+/// layer are shortest.
+template <class Pack>
+CRUMPLE_INLINE Pack smallest_layer(const ShellPlace<RealOf<Pack>>& place, const BilinearSurface<Pack>& s,
+                                   const Pack& thickness) {
+  using Real = RealOf<Pack>;
+  const ShellConstants<Real>& constants = place.task.constants;
+  const Pack zero(Real(0));
+  const Pack half = Real(0.5) * thickness;
+  const auto area_of = [&](Real at) { return layer_point(s, Pack(half * Pack(at)), zero, zero).area; };
+  return smaller(s.jacobian,
+                 smaller(area_of(constants.place[0]), area_of(constants.place[constants.points - 1])));
+}
+
 template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> HughesLiuSelective::forces(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
@@ -235,12 +264,13 @@ CRUMPLE_INLINE ShellForces<Pack> HughesLiuSelective::forces(const ShellPlace<Rea
   const Vec r_mode = kept_vec<Pack>(place, row_mode);
   const auto frame = lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
                                         own_state<Pack>(place, element_state::frame + 1));
-  const BilinearSurface<Pack> s = bilinear_surface(frame, r31, r42, r_mode);
   const auto g = lamina_geometry(frame, r31, r42, r_mode);
   const Pack active = own_state<Pack>(place, element_state::active);
 
   const Pack mean_thickness = update_thickness<Pack>(place);
-  const Pack thickness = active * own_state<Pack>(place, element_state::thickness);
+  const Pack full_thickness = own_state<Pack>(place, element_state::thickness);
+  const Pack thickness = active * full_thickness;
+  const BilinearSurface<Pack> s = layered_surface(frame, r31, r42, r_mode, full_thickness);
   const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
   store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * (active * mean_thickness)));
 
@@ -252,7 +282,7 @@ CRUMPLE_INLINE ShellForces<Pack> HughesLiuSelective::forces(const ShellPlace<Rea
   ShellForces<Pack> out;
   to_nodes(frame, sum.on_velocity, out.force);
   to_nodes(frame, fibre_moments(s, sum.on_fibre), out.moment);
-  limit_step(place, g, r31, r42, r_mode);
+  limit_step(place, Pack(Real(4) * smallest_layer(place, s, full_thickness)), r31, r42, r_mode);
   return out;
 }
 

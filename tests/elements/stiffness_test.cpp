@@ -104,6 +104,13 @@ TEST(ZeroModes, OfAPatchAreRigidMotionsAndDrilling) {
     EXPECT_GT(zero_modes(small_plate(kind, 2, false)), 6 + 9) << kind.name;
 }
 
+/// The selectively reduced shell has the warping, which control takes away, and the in-plane twist.
+TEST(ZeroModes, OfSelectiveReduction) {
+  EXPECT_EQ(zero_modes(small_plate(hughes_liu_selective, 1, false)), 6 + 4 + 2);
+  EXPECT_EQ(zero_modes(small_plate(hughes_liu_selective, 1, true)), 6 + 4 + 1);
+  EXPECT_EQ(zero_modes(small_plate(hughes_liu_selective, 2, true)), 6 + 9);
+}
+
 /// Full integration needs no hourglass control: 6 rigid motions and the drilling rotations, nothing else.
 TEST(ZeroModes, OfFullIntegrationAreRigidMotionsAndDrilling) {
   EXPECT_EQ(zero_modes(small_plate(fully_integrated, 1, false)), 6 + 4);
@@ -156,6 +163,49 @@ TEST(StableStep, KeepsTrianglesStable) {
       const double ratio = critical_ratio(model);
       EXPECT_LT(0.9 * ratio, 2) << kind.name << " distortion " << distortion;
       std::printf("%s triangles, distortion %.2f: omega dt = %.3f\n", kind.name, distortion, ratio);
+    }
+}
+
+/// One element of any shape: long, skew, tapered, alternately `warp` above and below its plane [length].
+model::Model random_element(const Kind& kind, double t, double warp, std::mt19937& generator) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  model::Model model = plate(kind.formulation, 1, 0);
+  model.shell_sections[0].thickness = {t, t, t, t};
+  model.control.hourglass = {model::HourglassForm::Stiffness, 0.1, 0.1, 0.1};
+  const double stretch = std::pow(4, uniform(generator));
+  const double skew = uniform(generator);
+  const double taper = 0.7 * uniform(generator);
+  const double twist = 0.3 * uniform(generator);
+  int corner = 0;
+  place(model, [&](const Vec3& x) {
+    const double xi = x.x / 2.5 - 1;
+    const double eta = x.y / 2.5 - 1;
+    const double side = corner++ % 3 == 0 ? 1 : -1;
+    return Vec3{2.5 * stretch * (xi * (1 + taper * eta) + skew * eta), 2.5 * (eta + twist * xi * eta),
+                warp * side};
+  });
+  return model;
+}
+
+/// Full integration takes the step of one point: no free element is worse off with it than the worst are with
+/// one point by more than a twentieth, whatever its shape and thickness.
+TEST(StableStep, OfFreeElementsDoesNotDependOnTheIntegration) {
+  for (const double t : {0.1, 1.5, 5.0})
+    for (const double warp : {0.0, 0.5}) {
+      const auto worst = [&](const Kind& kind) {
+        std::mt19937 generator(3);
+        double largest = 0;
+        for (int sample = 0; sample < 100; ++sample)
+          largest = std::max(largest, critical_ratio(random_element(kind, t, warp, generator)));
+        return largest;
+      };
+      const double one_point = worst(belytschko_tsay);
+      for (const Kind& kind : {hughes_liu_selective, fully_integrated}) {
+        const double ratio = worst(kind);
+        EXPECT_LT(ratio, 1.05 * one_point) << kind.name << " thickness " << t << " warp " << warp;
+        std::printf("%s free elements, thickness %.1f, warp %.1f: omega dt = %.3f, with one point %.3f\n",
+                    kind.name, t, warp, ratio, one_point);
+      }
     }
 }
 

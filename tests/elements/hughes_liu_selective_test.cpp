@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hughes & Liu's shell, selectively reduced: what full integration of membrane and bending with one point for
+// the transverse shear passes, and what not.
+#include <gtest/gtest.h>
+
+#include "shell_harness.hpp"
+
+namespace crumple::elements::testing {
+namespace {
+
+constexpr double small = 1e-17;  // curvature: the square of the slope is below round-off
+
+struct Bent {
+  double bending_error;  ///< of the outer points' sum of stresses, over the exact one
+  double shear;          ///< root of the mean square, over the bending stress at the surface
+};
+
+/// A saddle with twist on a distorted mesh over 80 x 80.
+Bent bent(Index n, double distortion) {
+  model::Model model = test::one_part(elastic(), test::shell_section(thickness, 3));
+  model.shell_sections[0].formulation = hughes_liu_selective.formulation;
+  model.control.hourglass = {model::HourglassForm::Stiffness, 0.1, 0.1, 0.1};
+  add_distorted_grid(model, n, 80.0 / n, distortion);
+  Driven patch(model, {Precision::Double, available_isas().back(), 1});
+  std::vector<Vec3> u;
+  std::vector<Vec3> r;
+  for (const Vec3& x : patch.domain.nodes.position) {
+    u.push_back({0, 0, small * (0.5 * x.x * x.x + 0.2 * x.y * x.y + 0.8 * x.x * x.y)});
+    r.push_back({small * (0.4 * x.y + 0.8 * x.x), -small * (x.x + 0.8 * x.y), 0});
+  }
+  patch.step(1e-7, u, r);
+  const double outer = 0.5 * thickness * std::sqrt(0.6);
+  const double sum = outer * youngs_modulus / (1 - poissons_ratio) * small * 1.4;
+  Bent result{0, 0};
+  for (Index e = 0; e < patch.block().elements; ++e)
+    for (Index point = 0; point < 12; point += 3) {
+      const double found = patch.stress(e, point, 0) + patch.stress(e, point, 1);
+      result.bending_error = std::max(result.bending_error, std::fabs(found / sum - 1));
+      result.shear += std::pow(patch.stress(e, point, 3), 2) + std::pow(patch.stress(e, point, 4), 2);
+    }
+  result.shear =
+      std::sqrt(result.shear / (4 * patch.block().elements)) / (youngs_modulus * 0.5 * thickness * small);
+  return result;
+}
+
+/// Curvatures are exact on any mesh. The transverse shear is exact on parallelograms, also with warping
+/// control, and vanishes with first order on others, as with one point.
+TEST(HughesLiuSelectiveShell, BendsExactlyButForTheShear) {
+  EXPECT_LT(bent(8, 0).bending_error, 1e-12);
+  EXPECT_LT(bent(8, 0).shear, 1e-12);
+  const Bent coarse = bent(8, 0.25);
+  const Bent fine = bent(16, 0.25);
+  const Bent finest = bent(32, 0.25);
+  EXPECT_LT(finest.bending_error, 1e-11);
+  EXPECT_NEAR(coarse.shear / fine.shear, 2, 0.35);
+  EXPECT_NEAR(fine.shear / finest.shear, 2, 0.25);
+}
+
+/// In-plane bending of one rectangular element: the parasitic shear of the bilinear displacements makes it
+/// stiffer by (1 + (1 - nu) / 2 (a / b)^2) / (1 - nu^2).
+TEST(HughesLiuSelectiveShell, LocksInItsPlaneLikeTheBilinearElement) {
+  for (const double aspect : {0.5, 1.0, 5.0}) {
+    model::Model model = plate(hughes_liu_selective.formulation, 1, 0);
+    place(model, [&](const Vec3& x) { return Vec3{aspect * (x.x - 2.5), x.y - 2.5, 0}; });
+    Driven beam(model, {Precision::Double, available_isas().back(), 1});
+    const double curvature = 1e-9;
+    std::vector<Vec3> u;
+    for (const Vec3& x : beam.domain.nodes.position)
+      u.push_back({curvature * x.x * x.y, -0.5 * curvature * (x.x * x.x + poissons_ratio * x.y * x.y), 0});
+    beam.step(1e-7, u, std::vector<Vec3>(u.size()));
+    const double beam_energy =
+        0.5 * youngs_modulus * thickness * 125.0 / 12 * curvature * curvature * 5 * aspect;
+    const double factor =
+        (1 + 0.5 * (1 - poissons_ratio) * aspect * aspect) / (1 - poissons_ratio * poissons_ratio);
+    EXPECT_NEAR(beam.block().internal_energy, factor * beam_energy, 1e-6 * factor * beam_energy) << aspect;
+  }
+}
+
+}  // namespace
+}  // namespace crumple::elements::testing
