@@ -67,7 +67,7 @@ model::Model two_parts(const Kind& kind, model::HourglassForm form, const model:
 }
 
 class Identity : public ::testing::TestWithParam<Kind> {};
-INSTANTIATE_TEST_SUITE_P(All, Identity, ::testing::ValuesIn(kinds),
+INSTANTIATE_TEST_SUITE_P(All, Identity, ::testing::ValuesIn(all_kinds),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
 TEST_P(Identity, ForOneTwoAndThreeThreads) {

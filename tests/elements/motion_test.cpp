@@ -52,7 +52,7 @@ Turning turned_a_hundred_times(const Kind& kind, const domain::Execution& execut
 }
 
 TEST(RigidRotation, AHundredTurnsLeaveNoStress) {
-  for (const Kind& kind : kinds)
+  for (const Kind& kind : all_kinds)
     for (const Isa isa : available_isas())
       for (const Vec3& axis : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, math::normalised(Vec3{1, -2, 3})}) {
         const Turning exact = turned_a_hundred_times(kind, {Precision::Double, isa, 1}, axis);
@@ -79,7 +79,7 @@ TEST(RigidRotation, AHundredTurnsLeaveNoStress) {
 
 /// A stressed body that turns keeps its stress in its own axes, and its forces turn with it.
 TEST(RigidRotation, StressTurnsWithTheBody) {
-  for (const Kind& kind : kinds)
+  for (const Kind& kind : all_kinds)
     for (const auto& execution : all_executions()) {
       const model::Model model = warped_plate(kind.formulation, model::HourglassForm::Stiffness);
       Driven body(model, execution);
@@ -112,7 +112,7 @@ TEST(RigidRotation, StressTurnsWithTheBody) {
 }
 
 TEST(RigidTranslation, LeavesNoStress) {
-  for (const Kind& kind : kinds)
+  for (const Kind& kind : all_kinds)
     for (const auto& execution : all_executions()) {
       Driven body(warped_plate(kind.formulation, model::HourglassForm::Stiffness), execution);
       for (int i = 0; i < 10; ++i)
@@ -128,7 +128,7 @@ TEST(RigidTranslation, LeavesNoStress) {
 
 /// Whatever the state, internal forces and moments have no resultant: linear and angular momentum are kept.
 TEST(NodalForces, AreInEquilibrium) {
-  for (const Kind& kind : kinds)
+  for (const Kind& kind : all_kinds)
     for (const auto form : {model::HourglassForm::Viscous, model::HourglassForm::Stiffness})
       for (const auto& execution : all_executions()) {
         Driven body(warped_plate(kind.formulation, form, plastic()), execution);
@@ -201,7 +201,7 @@ double energy_defect(const Kind& kind, model::HourglassForm form, int steps, boo
 }
 
 TEST(Energy, IsTheWorkOfTheNodalForces) {
-  for (const Kind& kind : kinds)
+  for (const Kind& kind : all_kinds)
     for (const auto form : {model::HourglassForm::Viscous, model::HourglassForm::Stiffness})
       for (const bool thickness_change : {false, true}) {
         const double coarse = energy_defect(kind, form, 100, thickness_change);
@@ -219,7 +219,7 @@ TEST(Energy, IsTheWorkOfTheNodalForces) {
 /// of the Green-Naghdi rate (J.K. Dienes, Acta Mechanica 32 (1979) 217-232).
 TEST(Frame, SimpleShearGivesTheGreenNaghdiRate) {
   const double shear_modulus = 0.5 * youngs_modulus / (1 + poissons_ratio);
-  for (const Kind& kind : kinds) {
+  for (const Kind& kind : all_kinds) {
     model::Model model = plate(kind.formulation, 1, 0, 1);
     place(model, [](const Vec3& x) { return Vec3{x.x, 0.5 * x.y, x.z}; });
     Driven body(model, {Precision::Double, available_isas().back(), 1});
@@ -253,7 +253,7 @@ TEST(Frame, SimpleShearGivesTheGreenNaghdiRate) {
 /// The same element with another node first gives the same forces, also after much shear and kinematic
 /// hardening.
 TEST(Frame, DoesNotDependOnTheFirstNode) {
-  for (const Kind& kind : kinds) {
+  for (const Kind& kind : all_kinds) {
     std::vector<Vec3> reference;
     for (std::size_t first = 0; first < 4; ++first) {
       model::Model model = warped_plate(kind.formulation, model::HourglassForm::Viscous, plastic(0));

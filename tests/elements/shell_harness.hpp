@@ -46,10 +46,24 @@ inline void add_distorted_grid(model::Model& model, Index n, double size, double
   });
 }
 
+/// Makes two triangles of each quadrilateral; both have their first side along that of nodes 1 and 2.
+inline void split_into_triangles(model::Model& model) {
+  const std::vector<model::ShellElement> quads = std::move(model.shells);
+  model.shells.clear();
+  for (const model::ShellElement& quad : quads)
+    for (const std::size_t first : {0U, 2U}) {
+      const Index third = quad.node[(first + 2) % 4];
+      model.shells.push_back({.id = static_cast<UserId>(model.shells.size()) + 1,
+                              .part = quad.part,
+                              .node = {quad.node[first], quad.node[first + 1], third, third}});
+    }
+}
+
 inline model::Model plate(model::ShellFormulation formulation, Index n, double distortion, int points = 3,
                           const model::Material& material = elastic()) {
   model::Model model = test::one_part(material, test::shell_section(thickness, points, formulation));
   add_distorted_grid(model, n, 5, distortion);
+  if (formulation == model::ShellFormulation::Triangle) split_into_triangles(model);
   return model;
 }
 
@@ -141,9 +155,17 @@ inline constexpr Kind hughes_liu{model::ShellFormulation::HughesLiu, "HughesLiu"
 inline constexpr Kind hughes_liu_selective{model::ShellFormulation::HughesLiuSelectiveReduced,
                                            "HughesLiuSelective"};
 inline constexpr Kind fully_integrated{model::ShellFormulation::FullyIntegrated, "FullyIntegrated"};
+inline constexpr Kind triangle{model::ShellFormulation::Triangle, "Triangle"};
 /// Every formulation of quadrilaterals.
 inline constexpr std::array kinds{belytschko_tsay, belytschko_wong_chiang, hughes_liu, hughes_liu_selective,
                                   fully_integrated};
+/// With the triangle, of which plate() makes two for each quadrilateral.
+inline constexpr auto all_kinds = [] {
+  std::array<Kind, kinds.size() + 1> all{};
+  for (std::size_t i = 0; i < kinds.size(); ++i) all[i] = kinds[i];
+  all.back() = triangle;
+  return all;
+}();
 /// Those with one point in plane and hourglass control.
 inline constexpr std::array one_point_kinds{belytschko_tsay, belytschko_wong_chiang, hughes_liu};
 
