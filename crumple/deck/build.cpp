@@ -31,6 +31,7 @@ const ItemWords& words(Item item) {
       {"part set", "*SET_PART_LIST", "*SET_PART_", ""},
       {"rigid wall", "*RIGIDWALL_PLANAR_ID", "*RIGIDWALL_", ""},
       {"contact", "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", "*CONTACT_", ""},
+      {"table", "*DEFINE_TABLE", "*DEFINE_TABLE_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }

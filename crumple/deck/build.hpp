@@ -27,6 +27,7 @@ enum class Item {
   PartSet,
   Wall,
   Contact,
+  Table,
 };
 
 /// A user id with the field in which it stands.
@@ -68,7 +69,7 @@ class Build {
     IdTable table;
     std::vector<Where> first;  ///< where each id was entered, in the order of entering
   };
-  static constexpr std::size_t item_count = 12;
+  static constexpr std::size_t item_count = 13;
 
   Entries entries_[item_count];
   IdTable dropped_parts_;

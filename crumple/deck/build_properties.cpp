@@ -14,10 +14,8 @@ namespace {
 /// curves.
 constexpr double far_strain = 10;
 
-/// Continues a hardening table to zero strain and far beyond its end.
-void extend(model::PiecewiseLinearPlasticity& law, const Where& where, Report& report) {
-  std::vector<double>& strain = law.plastic_strain;
-  std::vector<double>& stress = law.yield_stress;
+/// Continues a hardening curve to zero strain and far beyond its end.
+void extend(std::vector<double>& strain, std::vector<double>& stress, const Where& where, Report& report) {
   if (strain.size() < 2) return;
   if (strain.front() > 0) {
     const double slope = (stress[1] - stress[0]) / (strain[1] - strain[0]);
@@ -42,19 +40,95 @@ void extend(model::PiecewiseLinearPlasticity& law, const Where& where, Report& r
   strain.push_back(far_strain);
 }
 
-void take_curve(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
-  const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCSS", raw.curve_where});
-  if (index == no_index) return;
-  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
-  law.plastic_strain = curve.abscissa;
-  law.yield_stress = curve.ordinate;
+/// A curve of the model as strains and stresses of hardening.
+void take_hardening(const model::Curve& curve, const Where& where, std::vector<double>& strain,
+                    std::vector<double>& stress, Report& report) {
+  strain = curve.abscissa;
+  stress = curve.ordinate;
   for (std::size_t i = 0; i < curve.abscissa.size(); ++i)
     if (curve.abscissa[i] < 0 || !(curve.ordinate[i] > 0)) {
-      build.report.error(
-          raw.where, "hardening",
-          fmt::format("curve {} gives the yield stress {} at plastic strain {}, expected strains "
-                      "not below zero and stresses above zero",
-                      curve.id, curve.ordinate[i], curve.abscissa[i]));
+      report.error(where, "hardening",
+                   fmt::format("curve {} gives the yield stress {} at plastic strain {}, expected strains "
+                               "not below zero and stresses above zero",
+                               curve.id, curve.ordinate[i], curve.abscissa[i]));
+      return;
+    }
+}
+
+/// The model's curve of every value of a table; no_index where it is missing, which has been reported.
+std::vector<Index> curves_of(const RawTable& raw, Build& build) {
+  std::vector<Index> found;
+  const std::vector<RawCurve>& curves = build.deck.curves;
+  if (raw.curve.empty() && raw.first_curve + raw.value.size() > curves.size()) {
+    build.report.error(raw.where, "curves",
+                       fmt::format("table {} has {} values, but {} curves follow it; each value needs its "
+                                   "*DEFINE_CURVE, in the same order, or use *DEFINE_TABLE_2D",
+                                   raw.id, raw.value.size(), curves.size() - raw.first_curve));
+    return std::vector<Index>(raw.value.size(), no_index);
+  }
+  for (std::size_t i = 0; i < raw.value.size(); ++i) {
+    const UserId id = raw.curve.empty() ? curves[raw.first_curve + i].curve.id : raw.curve[i];
+    found.push_back(build.find(Item::Curve, {id, "CURVEID", raw.where}));
+  }
+  return found;
+}
+
+/// Hardening curves by strain rate.
+void take_table(const RawMaterial& raw, const RawTable& table, model::PiecewiseLinearPlasticity& law,
+                Build& build) {
+  law.plastic_strain = {0};
+  law.yield_stress = {1};
+  if (table.value.empty()) {
+    build.report.error(table.where, "empty", fmt::format("table {} has no values", table.id));
+    return;
+  }
+  // A first value below zero says that all are natural logarithms of the rates.
+  law.logarithmic_rates = table.value.front() < 0;
+  const std::vector<Index> curves = curves_of(table, build);
+  for (std::size_t i = 0; i < table.value.size(); ++i) {
+    if (curves[i] == no_index) continue;
+    model::HardeningAtRate at{table.value[i], {}, {}};
+    const model::Curve& curve = build.model.curves[static_cast<std::size_t>(curves[i])];
+    take_hardening(curve, raw.where, at.plastic_strain, at.yield_stress, build.report);
+    extend(at.plastic_strain, at.yield_stress, raw.where, build.report);
+    law.by_rate.push_back(std::move(at));
+  }
+}
+
+void take_hardening(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
+  if (raw.hardening_curve != 0) {
+    const Index table = build.find_quietly(Item::Table, raw.hardening_curve);
+    if (table != no_index) {
+      take_table(raw, build.deck.tables[static_cast<std::size_t>(table)], law, build);
+      return;
+    }
+    const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCSS", raw.curve_where});
+    if (index == no_index) return;
+    take_hardening(build.model.curves[static_cast<std::size_t>(index)], raw.where, law.plastic_strain,
+                   law.yield_stress, build.report);
+  }
+  extend(law.plastic_strain, law.yield_stress, raw.where, build.report);
+}
+
+/// LCSR: factors on the yield stress over strain rate.
+void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
+  if (raw.rate_curve == 0) return;
+  const Index index = build.find(Item::Curve, {raw.rate_curve, "LCSR", raw.curve_where});
+  if (index == no_index) return;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  law.factor_rate = curve.abscissa;
+  law.rate_factor = curve.ordinate;
+  // Constant below the first point.
+  if (curve.abscissa.front() > 0) {
+    law.factor_rate.insert(law.factor_rate.begin(), 0.0);
+    law.rate_factor.insert(law.rate_factor.begin(), curve.ordinate.front());
+  }
+  for (std::size_t i = 0; i < curve.abscissa.size(); ++i)
+    if (curve.abscissa[i] < 0 || !(curve.ordinate[i] > 0)) {
+      build.report.error(raw.where, "rate",
+                         fmt::format("curve {} gives the factor {} at strain rate {}, expected rates not "
+                                     "below zero and factors above zero",
+                                     curve.id, curve.ordinate[i], curve.abscissa[i]));
       return;
     }
 }
@@ -68,6 +142,8 @@ void build_properties(Build& build) {
     build.enter(Item::Curve, {raw.curve.id, "LCID", raw.where}, model.curves.size());
     model.curves.push_back(raw.curve);
   }
+  for (std::size_t i = 0; i < deck.tables.size(); ++i)
+    build.enter(Item::Table, {deck.tables[i].id, "TBID", deck.tables[i].where}, i);
   for (const RawSection& raw : deck.sections) {
     build.enter(Item::Section, {raw.section.id, "SECID", raw.where}, model.shell_sections.size());
     model.shell_sections.push_back(raw.section);
@@ -88,8 +164,8 @@ void build_properties(Build& build) {
     build.enter(Item::Material, {raw.material.id, "MID", raw.where}, model.materials.size());
     model.materials.push_back(raw.material);
     if (auto* law = std::get_if<model::PiecewiseLinearPlasticity>(&model.materials.back().law)) {
-      if (raw.hardening_curve != 0) take_curve(raw, *law, build);
-      extend(*law, raw.where, build.report);
+      take_hardening(raw, *law, build);
+      take_factors(raw, *law, build);
     }
   }
 }

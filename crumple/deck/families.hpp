@@ -26,9 +26,15 @@ void read_hourglass(Cards& cards, RawDeck& deck);
 void read_mat_elastic(Cards& cards, RawDeck& deck);
 void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck);
 void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
+// read_rate_materials.cpp
+void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck);
+void read_mat_johnson_cook(Cards& cards, RawDeck& deck);
+void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck);
 
 // read_curves_sets.cpp
 void read_define_curve(Cards& cards, RawDeck& deck);
+void read_define_table(Cards& cards, RawDeck& deck);
+void read_define_table_2d(Cards& cards, RawDeck& deck);
 void read_set_node_list(Cards& cards, RawDeck& deck);
 void read_set_node_list_generate(Cards& cards, RawDeck& deck);
 void read_set_part_list(Cards& cards, RawDeck& deck);

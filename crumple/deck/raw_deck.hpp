@@ -59,7 +59,8 @@ struct RawSection {
 
 struct RawMaterial {
   model::Material material;
-  UserId hardening_curve = 0;
+  UserId hardening_curve = 0;  ///< a curve or a table
+  UserId rate_curve = 0;
   Where where;
   Where curve_where;
 };
@@ -72,6 +73,15 @@ struct RawHourglass {
 
 struct RawCurve {
   model::Curve curve;
+  Where where;
+};
+
+/// Curves over a second variable.
+struct RawTable {
+  UserId id = 0;
+  std::vector<double> value;
+  std::vector<UserId> curve;    ///< of each value; empty: the curves defined next after the table
+  std::size_t first_curve = 0;  ///< place in RawDeck::curves of the first of those
   Where where;
 };
 
@@ -172,6 +182,7 @@ struct RawDeck {
   std::vector<RawMaterial> materials;
   std::vector<RawHourglass> hourglasses;
   std::vector<RawCurve> curves;
+  std::vector<RawTable> tables;
   std::vector<RawSet> node_sets;
   std::vector<RawSet> part_sets;
   std::vector<RawFixed> fixed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *DEFINE_CURVE, *SET_NODE_LIST, *SET_PART_LIST.
+// *DEFINE_CURVE, *DEFINE_TABLE, *SET_NODE_LIST, *SET_PART_LIST.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,6 +22,12 @@ constexpr Field curve_card[] = {
     only("DATTYP", {0}, "curves are functions, given by points"),
     unused("LCINT"),  // the points are used as they are, not resampled
 };
+
+constexpr Field table_card[] = {id("TBID"), real_or_default("SFA", 1.0), real("OFFA")};
+
+constexpr Field value_card[] = {sized(20, real("VALUE"))};
+
+constexpr Field value_curve_card[] = {sized(20, real("VALUE")), sized(20, id("CURVEID"))};
 
 constexpr Field point_card[] = {sized(20, real("A")), sized(20, real("O"))};
 
@@ -85,6 +91,48 @@ void read_define_curve(Cards& cards, RawDeck& deck) {
         card.where(), "points",
         fmt::format("the curve has {} points, expected at least two", raw.curve.abscissa.size()));
   if (card.good("LCID")) deck.curves.push_back(std::move(raw));
+}
+
+namespace {
+
+/// The first card of a table.
+RawTable table_of(Cards& cards, const RawDeck& deck, Card& card) {
+  cards.heading();
+  card = cards.next(table_card);
+  RawTable raw;
+  raw.id = card.integer("TBID");
+  raw.where = card.where();
+  raw.first_curve = deck.curves.size();
+  return raw;
+}
+
+void add_value(const Card& card, const Card& point, RawTable& raw, Report& report) {
+  const double value = card.real("SFA") * (point.real("VALUE") + card.real("OFFA"));
+  if (!raw.value.empty() && value <= raw.value.back())
+    report.field_error(point.where(),
+                       {"VALUE", std::string(point.text("VALUE")), "a value above the one before it",
+                        "the values of a table ascend", "order"});
+  raw.value.push_back(value);
+}
+
+}  // namespace
+
+void read_define_table(Cards& cards, RawDeck& deck) {
+  Card card;
+  RawTable raw = table_of(cards, deck, card);
+  while (cards.more()) add_value(card, cards.next_filled(value_card), raw, cards.report());
+  if (card.good("TBID")) deck.tables.push_back(std::move(raw));
+}
+
+void read_define_table_2d(Cards& cards, RawDeck& deck) {
+  Card card;
+  RawTable raw = table_of(cards, deck, card);
+  while (cards.more()) {
+    const Card point = cards.next_filled(value_curve_card);
+    add_value(card, point, raw, cards.report());
+    raw.curve.push_back(point.integer("CURVEID"));
+  }
+  if (card.good("TBID")) deck.tables.push_back(std::move(raw));
 }
 
 void read_set_node_list(Cards& cards, RawDeck& deck) {

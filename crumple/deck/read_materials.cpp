@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include "deck/families.hpp"
+#include "deck/material_cards.hpp"
 
 namespace crumple::deck {
 
 namespace {
 
 using namespace row;
-
-constexpr Check poisson = between(-1, 0.5, "Poisson's ratio of an elastic solid");
 
 constexpr Field elastic_card[] = {
     id("MID"),
@@ -33,8 +32,10 @@ constexpr Field plastic_kinematic_card[] = {
 };
 
 constexpr Field plastic_kinematic_rate_card[] = {
-    real("SRC", 0, not_negative), real("SRP", 0, not_negative), real("FS", 0, not_negative),
-    real("VP"),  // only with a rate effect
+    real("SRC", 0, not_negative),
+    real("SRP", 0, not_negative),
+    real("FS", 0, not_negative),
+    viscoplastic_field,
 };
 
 constexpr Field piecewise_card[] = {
@@ -49,11 +50,8 @@ constexpr Field piecewise_card[] = {
 };
 
 constexpr Field piecewise_rate_card[] = {
-    real("C", 0, not_negative),
-    real("P", 0, not_negative),
-    reference("LCSS"),
-    only("LCSR", {0}, "use C and P for the effect of the strain rate"),
-    real("VP"),  // only with a rate effect
+    real("C", 0, not_negative), real("P", 0, not_negative), reference("LCSS"),
+    reference("LCSR"),          viscoplastic_field,
 };
 
 constexpr Field strain_card[] = {real("EPS1", 0, not_negative), real("EPS2", 0, not_negative),
@@ -66,39 +64,13 @@ constexpr Field stress_card[] = {real("ES1", 0, not_negative), real("ES2", 0, no
                                  real("ES5", 0, not_negative), real("ES6", 0, not_negative),
                                  real("ES7", 0, not_negative), real("ES8", 0, not_negative)};
 
-/// LS-DYNA's default for "never" is a huge strain; here it is zero.
-double failure_strain(double read) {
-  constexpr double never = 1e5;
-  return read >= never ? 0 : read;
-}
-
 /// FAIL, which calls a subroutine of the user where it is negative.
-double failure_strain(const Card& card, Report& report) {
+double checked_failure_strain(const Card& card, Report& report) {
   if (card.real("FAIL") >= 0) return failure_strain(card.real("FAIL"));
   report.field_unsupported(card.where(),
                            {"FAIL", std::string(card.text("FAIL")), "a failure strain, or 0 for no failure",
                             "a negative value calls a failure routine of the user", "failure"});
   return 0;
-}
-
-RawMaterial material_of(const Heading& heading, const Card& card) {
-  RawMaterial raw;
-  raw.material.id = card.integer("MID");
-  raw.material.title = heading.title;
-  raw.material.density = card.real("RO");
-  raw.where = card.where();
-  return raw;
-}
-
-void check_rate(const Card& card, std::string_view rate, std::string_view exponent, Report& report) {
-  if (card.real(rate) > 0 && card.good(exponent) && !(card.real(exponent) > 0))
-    report.field_error(card.where(),
-                       {exponent, std::string(card.text(exponent)), "a number above zero",
-                        fmt::format("{} switches the rate effect on, and it needs both", rate), "rate"});
-  if (card.real(rate) > 0 && card.real("VP") != 0)
-    report.field_unsupported(card.where(),
-                             {"VP", std::string(card.text("VP")), "0, the only value supported",
-                              "the Cowper-Symonds factor scales the yield stress", "viscoplastic"});
 }
 
 void check_tangent(const Card& card, Report& report) {
@@ -148,6 +120,27 @@ void take_line(const Card& card, model::PiecewiseLinearPlasticity& law, Report& 
 
 }  // namespace
 
+RawMaterial material_of(const Heading& heading, const Card& card) {
+  RawMaterial raw;
+  raw.material.id = card.integer("MID");
+  raw.material.title = heading.title;
+  raw.material.density = card.real("RO");
+  raw.where = card.where();
+  return raw;
+}
+
+double failure_strain(double read) {
+  constexpr double never = 1e5;
+  return read >= never ? 0 : read;
+}
+
+void check_rate(const Card& card, std::string_view rate, std::string_view exponent, Report& report) {
+  if (card.real(rate) > 0 && card.good(exponent) && !(card.real(exponent) > 0))
+    report.field_error(card.where(),
+                       {exponent, std::string(card.text(exponent)), "a number above zero",
+                        fmt::format("{} switches the rate effect on, and it needs both", rate), "rate"});
+}
+
 void read_mat_elastic(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
@@ -173,6 +166,7 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck) {
     law.cowper_symonds_rate = rate.real("SRC");
     law.cowper_symonds_exponent = rate.real("SRP");
     law.failure_strain = failure_strain(rate.real("FS"));
+    law.viscoplastic = rate.real("VP") == 1;
     check_tangent(card, cards.report());
     check_rate(rate, "SRC", "SRP", cards.report());
     raw.material.law = law;
@@ -193,8 +187,11 @@ void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
     law.poissons_ratio = card.real("PR");
     law.cowper_symonds_rate = rate.real("C");
     law.cowper_symonds_exponent = rate.real("P");
-    law.failure_strain = failure_strain(card, cards.report());
+    law.failure_strain = checked_failure_strain(card, cards.report());
+    law.viscoplastic = rate.real("VP") == 1;
+    law.viscoplastic_base = card.real("SIGY");
     check_rate(rate, "C", "P", cards.report());
+    raw.rate_curve = rate.good("LCSR") ? rate.integer("LCSR") : 0;
     raw.hardening_curve = rate.good("LCSS") ? rate.integer("LCSS") : 0;
     if (raw.hardening_curve == 0) take_points(strain, stress, law, cards.report());
     if (raw.hardening_curve == 0 && law.plastic_strain.empty()) take_line(card, law, cards.report());

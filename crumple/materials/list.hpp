@@ -2,8 +2,10 @@
 #pragma once
 
 #include "materials/elastic.hpp"
+#include "materials/johnson_cook.hpp"
 #include "materials/piecewise_linear_plasticity.hpp"
 #include "materials/plastic_kinematic.hpp"
+#include "materials/power_law_plasticity.hpp"
 
 namespace crumple::materials {
 
@@ -17,6 +19,8 @@ struct LawList {
 using ShellLaws = LawList<  //
     ElasticLaw,             //
     PlasticKinematicLaw,    //
-    PiecewiseLinearPlasticityLaw>;
+    PiecewiseLinearPlasticityLaw,
+    PowerLawPlasticityLaw,  //
+    JohnsonCookLaw>;
 
 }  // namespace crumple::materials

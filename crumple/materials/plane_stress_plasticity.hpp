@@ -4,20 +4,17 @@
 #include "materials/cowper_symonds.hpp"
 #include "materials/plane_stress.hpp"
 #include "materials/tile_update.hpp"
+#include "materials/yield_point.hpp"
 
 namespace crumple::materials {
-
-/// Yield stress at zero rate and its slope over the effective plastic strain.
-template <class Pack>
-struct YieldPoint {
-  Pack stress, slope;
-};
 
 /// J2 plasticity in plane stress with two transverse shears: the return of Simo & Taylor (IJNME 22 (1986)
 /// 649-670) in the five components at once, since sum, difference and shears of the stress are the
 /// eigenvectors of both elasticity and yield function (docs/theory/plane_stress_plasticity.md). `Hardening`
-/// gives at(strain) -> YieldPoint and least(), a bound that the yield stress never falls below.
-template <class Pack, class Hardening>
+/// gives at(strain, aside) -> YieldPoint, where aside is what it asked to be kept in the trial by
+/// aside(strain increment, factor), and least(), a bound that the yield stress never falls below. `Rate`
+/// gives factor(strain increment), viscoplastic and raised(YieldPoint, plastic increment).
+template <class Pack, class Hardening, class Rate = CowperSymonds<RealOf<Pack>>>
 struct PlaneStressPlasticity {
   using Real = RealOf<Pack>;
   using Mask = MaskOf<Pack>;
@@ -30,20 +27,21 @@ struct PlaneStressPlasticity {
     Pack radius;       ///< yield stress at the old plastic strain and the present rate
     Pack rate_factor;
     Pack plastic_zz;  ///< increment of plastic strain zz
+    Pack aside;       ///< what the hardening wants to know in the return
   };
   static constexpr bool can_yield = true;
   static constexpr bool may_fail = true;
 
   PlaneStressElasticity<Real> elasticity;
   Hardening hardening;
-  CowperSymonds<Real> rate;
+  Rate rate;
   Real kinematic;   ///< 2/3 of the kinematic hardening modulus; 0: there is no back stress in the state
   Real sum_slope;   ///< by which gamma divides the sum: 1 + sum_slope gamma
   Real rest_slope;  ///< the same for difference and shears
   Real failure;     ///< effective plastic strain at which a point fails; 0: never
 
   CRUMPLE_INLINE PlaneStressPlasticity(double youngs_modulus, double poissons_ratio, double kinematic_modulus,
-                                       const Hardening& hardening_law, const CowperSymonds<Real>& rate_effect,
+                                       const Hardening& hardening_law, const Rate& rate_effect,
                                        double failure_strain)
       : elasticity(youngs_modulus, poissons_ratio),
         hardening(hardening_law),
@@ -76,6 +74,12 @@ struct PlaneStressPlasticity {
 
   CRUMPLE_INLINE Trial trial(const PlaneStress<Pack>& stress, const PlaneStrain<Pack>& strain,
                              const History& history) const {
+    return trial_with(stress, strain, history, rate.factor(strain));
+  }
+
+  /// The trial with a given factor on the yield stress.
+  CRUMPLE_INLINE Trial trial_with(const PlaneStress<Pack>& stress, const PlaneStrain<Pack>& strain,
+                                  const History& history, const Pack& factor) const {
     const PlaneStress<Pack> s = relative(stress, history);
     const Pack sum = s.xx + s.yy;
     const Pack difference = s.xx - s.yy;
@@ -83,12 +87,12 @@ struct PlaneStressPlasticity {
     rest = multiply_add(s.xy, s.xy, rest);
     rest = multiply_add(s.yz, s.yz, rest);
     rest = multiply_add(s.zx, s.zx, rest);
-    const Pack factor = rate.factor(strain);
-    const Pack yield = hardening.at(load<Pack>(plastic_strain(history))).stress;
+    const Pack aside = hardening.aside(strain, factor);
+    const Pack yield = hardening.at(load<Pack>(plastic_strain(history)), aside).stress;
     Pack radius = factor * yield;
     // What has failed does not flow any more: its plastic strain stays what it was.
     if (fails()) radius = select<Pack>(intact(history), radius, Pack(unreachable));
-    return {Pack(Real(0.25)) * (sum * sum), Pack(Real(3)) * rest, radius, factor, Pack(Real(0))};
+    return {Pack(Real(0.25)) * (sum * sum), Pack(Real(3)) * rest, radius, factor, Pack(Real(0)), aside};
   }
 
   CRUMPLE_INLINE Mask yields(const Trial& t) const {
@@ -106,7 +110,11 @@ struct PlaneStressPlasticity {
   /// the bracket then halves. A lane that has converged is left alone, so that its bits do not depend on its
   /// neighbours.
   CRUMPLE_INLINE Solution solve(const Trial& t, const Mask& mask, const Pack& old_strain) const {
-    constexpr Real tolerance = sizeof(Real) == sizeof(float) ? Real(2.5e-7) : Real(4e-15);
+    // Powers have round-off of their own.
+    const bool rough = Hardening::rough || rate.viscoplastic;
+    constexpr bool single = sizeof(Real) == sizeof(float);
+    const Real tolerance =
+        rough ? (single ? Real(5e-7) : Real(4e-14)) : (single ? Real(2.5e-7) : Real(4e-15));
     constexpr int most_iterations = 60;
     const Pack zero(Real(0));
     const Pack one(Real(1));
@@ -121,7 +129,8 @@ struct PlaneStressPlasticity {
     const Pack floor_stress = scale * Pack(hardening.least());
     Pack low = zero;
     Pack high = (square_root(Pack(u + v)) / floor_stress - one) / Pack(slowest) + Pack(Real(1e-6));
-    Solution found{zero, one};
+    // A power of the plastic strain rate rises without bound from zero: start beside it.
+    Solution found{rate.viscoplastic ? Pack(Real(1e-3) * high) : zero, one};
     Mask open = mask;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       const Pack over_a = one / multiply_add(ratio, found.x, one);
@@ -130,7 +139,9 @@ struct PlaneStressPlasticity {
       const Pack vb = v * (over_b * over_b);
       const Pack size = square_root(Pack(ua + vb));
       const Pack fall = multiply_add(Pack(ratio * ua), over_a, Pack(vb * over_b)) / size;
-      const auto yield = hardening.at(Pack(old_strain + strain_unit * (found.x * size)));
+      const Pack increment = strain_unit * (found.x * size);
+      auto yield = hardening.at(Pack(old_strain + increment), hardening.viscoplastic() ? increment : t.aside);
+      if (rate.viscoplastic) yield = rate.raised(yield, increment);
       const Pack quotient = scale * yield.stress / size;
       const Pack g = quotient - one;
       found.size = select<Pack>(open, size, found.size);

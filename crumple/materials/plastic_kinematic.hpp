@@ -14,10 +14,17 @@ struct LinearHardening {
   Real initial;
   Real modulus;
 
+  static constexpr bool rough = false;
+
   template <class Pack>
-  CRUMPLE_INLINE YieldPoint<Pack> at(const Pack& strain) const {
+  CRUMPLE_INLINE Pack aside(const PlaneStrain<Pack>& /*strain*/, const Pack& factor) const {
+    return factor;
+  }
+  template <class Pack>
+  CRUMPLE_INLINE YieldPoint<Pack> at(const Pack& strain, const Pack& /*aside*/) const {
     return {multiply_add(Pack(modulus), strain, Pack(initial)), Pack(modulus)};
   }
+  CRUMPLE_INLINE bool viscoplastic() const { return false; }
   CRUMPLE_INLINE Real least() const { return initial; }
 };
 
@@ -36,12 +43,13 @@ struct PlasticKinematicLaw {
     using Real = RealOf<Pack>;
     using Hardening = LinearHardening<Real>;
 
-    // constants: E, nu, sigma_0, isotropic modulus, kinematic modulus, C, p, failure strain
+    // constants: E, nu, sigma_0, isotropic modulus, kinematic modulus, C, p, failure strain, viscoplastic
     CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
         : PlaneStressPlasticity<Pack, Hardening>(
               task.constants[0], task.constants[1], task.constants[4],
               Hardening{static_cast<Real>(task.constants[2]), static_cast<Real>(task.constants[3])},
-              CowperSymonds<Real>(task.constants[5], task.constants[6], task.step), task.constants[7]) {}
+              CowperSymonds<Real>(task.constants[5], task.constants[6], task.step, task.constants[8] != 0),
+              task.constants[7]) {}
   };
 };
 

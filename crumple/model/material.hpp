@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,6 +26,14 @@ struct PlasticKinematic {
   double cowper_symonds_rate = 0;      ///< C [1/time]; 0 switches the rate effect off
   double cowper_symonds_exponent = 0;  ///< p [-]
   double failure_strain = 0;           ///< effective plastic strain at failure; 0 is none
+  bool viscoplastic = false;           ///< the rate is the plastic strain's, else the total one
+};
+
+/// A hardening curve at one strain rate.
+struct HardeningAtRate {
+  double rate = 0;                     ///< [1/time], or its natural logarithm
+  std::vector<double> plastic_strain;  ///< ascending from 0
+  std::vector<double> yield_stress;    ///< [stress]
 };
 
 /// J2 plasticity with tabulated isotropic hardening (*MAT_PIECEWISE_LINEAR_PLASTICITY).
@@ -36,10 +45,51 @@ struct PiecewiseLinearPlasticity {
   double cowper_symonds_rate = 0;      ///< C [1/time]; 0 switches the rate effect off
   double cowper_symonds_exponent = 0;  ///< p [-]
   double failure_strain = 0;           ///< effective plastic strain at failure; 0 is none
+  bool viscoplastic = false;           ///< the rate is the plastic strain's, else the total one
+  double viscoplastic_base = 0;        ///< what the Cowper-Symonds term multiplies then; 0: the yield stress
+  std::vector<double> factor_rate{};   ///< a curve of factors over strain rates, ascending; or empty
+  std::vector<double> rate_factor{};   ///< [-]
+  std::vector<HardeningAtRate> by_rate{};  ///< curves by ascending rate, in place of the one above; or empty
+  bool logarithmic_rates = false;          ///< by_rate is interpolated in the logarithm of the rate
+};
+
+/// J2 plasticity with a power of the plastic strain, k (e_y + p)^n (*MAT_POWER_LAW_PLASTICITY).
+struct PowerLawPlasticity {
+  double youngs_modulus = 0;           ///< E [stress]
+  double poissons_ratio = 0;           ///< nu [-]
+  double strength = 0;                 ///< k [stress]
+  double exponent = 0;                 ///< n [-]
+  double yield_strain = 0;             ///< e_y, elastic strain at first yield [-]
+  double cowper_symonds_rate = 0;      ///< C [1/time]; 0 switches the rate effect off
+  double cowper_symonds_exponent = 0;  ///< p [-]
+  double failure_strain = 0;           ///< effective plastic strain at failure; 0 is none
+  bool viscoplastic = false;           ///< the rate is the plastic strain's, else the total one
+};
+
+/// (A + B p^n) (1 + C ln(rate / reference)) (1 - T*^m) after Johnson & Cook, with their failure criterion
+/// (*MAT_JOHNSON_COOK, *MAT_SIMPLIFIED_JOHNSON_COOK).
+struct JohnsonCook {
+  double youngs_modulus = 0;         ///< E [stress]
+  double poissons_ratio = 0;         ///< nu [-]
+  double yield_stress = 0;           ///< A [stress]
+  double hardening = 0;              ///< B [stress]
+  double exponent = 0;               ///< n [-]
+  double rate_coefficient = 0;       ///< C [-]
+  double reference_rate = 1;         ///< strain rate up to which there is no rate effect [1/time]
+  double largest_hardened = 0;       ///< upper bound of A + B p^n [stress]; 0 is none
+  double saturation_stress = 0;      ///< upper bound of the yield stress with its rate effect; 0 is none
+  double thermal_exponent = 0;       ///< m [-]; 0 switches thermal softening off
+  double melting_rise = 0;           ///< melting less initial temperature [temperature]
+  double heat_capacity = 0;          ///< per mass [energy/(mass temperature)]; 0 switches heating off
+  double failure_strain = 0;         ///< effective plastic strain at failure; 0 is none
+  std::array<double, 5> damage{};    ///< D1 to D5 of the fracture strain [-]; all zero is none
+  double least_fracture_strain = 0;  ///< lower bound of D1 + D2 exp(D3 s) [-]
+  bool viscoplastic = false;         ///< the rate is the plastic strain's, else the total one
 };
 
 /// The constitutive law and its constants. A new law is one more alternative here.
-using ConstitutiveLaw = std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity>;
+using ConstitutiveLaw =
+    std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook>;
 
 struct Material {
   UserId id = 0;

@@ -452,12 +452,6 @@ TEST(Unsupported, CardsBehindTheLastKnownOne) {
             "the line");
 }
 
-TEST(Unsupported, ViscoplasticRateOnlyWithARate) {
-  const std::string start = "*MAT_003\n2,7.83E-6,207,0.3,0.2\n";
-  EXPECT_TRUE(messages_with(start + "0,0,0,1\n").empty());
-  ASSERT_EQ(messages_with(start + "40,5,0,1\n").size(), 1U);
-}
-
 TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
   SmallDeck deck;
   deck.more = "*LOAD_BODY_Z\n1,9810\n*CONTROL_SHELL\n20,0,-1,4\n";

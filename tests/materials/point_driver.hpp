@@ -132,8 +132,15 @@ inline model::Material plastic_kinematic(double tangent, double beta, double rat
   model::Material material;
   material.id = 1;
   material.density = 7.85e-9;
-  material.law = model::PlasticKinematic{youngs_modulus, poissons_ratio, initial_yield, tangent,
-                                         beta,           rate,           exponent,      0};
+  model::PlasticKinematic law;
+  law.youngs_modulus = youngs_modulus;
+  law.poissons_ratio = poissons_ratio;
+  law.yield_stress = initial_yield;
+  law.tangent_modulus = tangent;
+  law.isotropic_fraction = beta;
+  law.cowper_symonds_rate = rate;
+  law.cowper_symonds_exponent = exponent;
+  material.law = law;
   return material;
 }
 
@@ -141,7 +148,49 @@ inline model::Material tabulated(const std::vector<double>& strain, const std::v
   model::Material material;
   material.id = 2;
   material.density = 7.85e-9;
-  material.law = model::PiecewiseLinearPlasticity{youngs_modulus, poissons_ratio, strain, stress, 0, 0, 0};
+  model::PiecewiseLinearPlasticity law;
+  law.youngs_modulus = youngs_modulus;
+  law.poissons_ratio = poissons_ratio;
+  law.plastic_strain = strain;
+  law.yield_stress = stress;
+  material.law = law;
+  return material;
+}
+
+/// 500 MPa (e + p)^0.22 from the intersection with the elastic line on.
+inline model::Material power_law(double rate = 0, double exponent = 0) {
+  model::Material material;
+  material.id = 3;
+  material.density = 7.85e-9;
+  model::PowerLawPlasticity law;
+  law.youngs_modulus = youngs_modulus;
+  law.poissons_ratio = poissons_ratio;
+  law.strength = 500;
+  law.exponent = 0.22;
+  law.yield_strain = std::pow(youngs_modulus / 500, 1 / (0.22 - 1));
+  law.cowper_symonds_rate = rate;
+  law.cowper_symonds_exponent = exponent;
+  material.law = law;
+  return material;
+}
+
+/// Steel 4340 of Johnson & Cook (1985), without heat and fracture, in t, mm, s.
+inline model::JohnsonCook johnson_cook_law() {
+  model::JohnsonCook law;
+  law.youngs_modulus = youngs_modulus;
+  law.poissons_ratio = poissons_ratio;
+  law.yield_stress = 792;
+  law.hardening = 510;
+  law.exponent = 0.26;
+  law.rate_coefficient = 0.014;
+  law.reference_rate = 1;
+  return law;
+}
+inline model::Material johnson_cook(const model::JohnsonCook& law) {
+  model::Material material;
+  material.id = 4;
+  material.density = 7.83e-9;
+  material.law = law;
   return material;
 }
 

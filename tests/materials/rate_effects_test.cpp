@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Yield stresses that depend on the strain rate, total or plastic, and on temperature; fracture.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "base/error.hpp"
+#include "materials/point_driver.hpp"
+
+namespace crumple::materials::testing {
+namespace {
+
+constexpr double step = 1e-6;
+constexpr double root3 = 1.7320508075688772;
+
+/// Yield stress over plastic strain and effective strain rate, written anew for each law.
+using YieldStress = std::function<double(double plastic, double rate)>;
+
+double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  if (at <= x.front()) return y.front();
+  for (std::size_t k = 0; k + 1 < x.size(); ++k)
+    if (at <= x[k + 1]) return y[k] + (y[k + 1] - y[k]) / (x[k + 1] - x[k]) * (at - x[k]);
+  return y.back();
+}
+
+struct Case {
+  const char* name;
+  model::Material material;
+  YieldStress yield;
+};
+
+const std::vector<double> table_strain{0, 0.02, 0.1, 1.0};
+const std::vector<double> rates{0.1, 10, 100, 2000};
+const std::vector<std::vector<double>> table_stress{
+    {250, 300, 350, 500}, {280, 340, 380, 520}, {300, 380, 400, 520}, {350, 420, 480, 700}};
+
+model::Material by_rate(bool logarithmic) {
+  model::Material material = tabulated({0}, {1});
+  auto& law = std::get<model::PiecewiseLinearPlasticity>(material.law);
+  law.logarithmic_rates = logarithmic;
+  for (std::size_t k = 0; k < rates.size(); ++k)
+    law.by_rate.push_back({logarithmic ? std::log(rates[k]) : rates[k], table_strain, table_stress[k]});
+  return material;
+}
+double yield_by_rate(double plastic, double rate, bool logarithmic) {
+  std::vector<double> x = rates;
+  if (logarithmic)
+    for (double& r : x) r = std::log(r);
+  std::vector<double> y;
+  for (const auto& stress : table_stress) y.push_back(interpolated(table_strain, stress, plastic));
+  return interpolated(x, y, logarithmic ? std::log(std::max(rate, 1e-20)) : rate);
+}
+
+void set_viscoplastic(model::Material& material, bool value) {
+  std::visit(
+      [&](auto& law) {
+        if constexpr (requires { law.viscoplastic; }) law.viscoplastic = value;
+      },
+      material.law);
+}
+
+std::vector<Case> cases(bool viscoplastic) {
+  constexpr double c = 40.4;
+  constexpr double p = 5;
+  const double h = plastic_modulus(2100);
+  const auto cowper = [](double rate) { return 1 + std::pow(rate / c, 1 / p); };
+  std::vector<Case> all;
+  all.push_back({"isotropic", plastic_kinematic(2100, 1, c, p),
+                 [=](double plastic, double rate) { return (initial_yield + h * plastic) * cowper(rate); }});
+  all.push_back({"power", power_law(c, p), [=](double plastic, double rate) {
+                   const double first = std::pow(youngs_modulus / 500, 1 / (0.22 - 1));
+                   return 500 * std::pow(first + plastic, 0.22) * cowper(rate);
+                 }});
+  model::Material table = tabulated({0, 0.02, 0.5}, {250, 300, 400});
+  auto& law = std::get<model::PiecewiseLinearPlasticity>(table.law);
+  law.cowper_symonds_rate = c;
+  law.cowper_symonds_exponent = p;
+  const auto rest = [](double plastic) { return interpolated({0, 0.02, 0.5}, {250, 300, 400}, plastic); };
+  all.push_back({"table", table, [=](double plastic, double rate) { return rest(plastic) * cowper(rate); }});
+  if (viscoplastic) {
+    law.viscoplastic_base = 230;
+    all.push_back({"table with base", table,
+                   [=](double plastic, double rate) { return rest(plastic) + 230 * (cowper(rate) - 1); }});
+  }
+  model::Material curve = tabulated({0, 0.02, 0.5}, {250, 300, 400});
+  auto& curved = std::get<model::PiecewiseLinearPlasticity>(curve.law);
+  curved.factor_rate = {0, 1, 50, 1000};
+  curved.rate_factor = {1.1, 1.2, 1.4, 2};
+  all.push_back({"curve of factors", curve, [=](double plastic, double rate) {
+                   return rest(plastic) * interpolated({0, 1, 50, 1000}, {1.1, 1.2, 1.4, 2}, rate);
+                 }});
+  all.push_back({"Johnson-Cook", johnson_cook(johnson_cook_law()), [](double plastic, double rate) {
+                   return (792 + 510 * std::pow(plastic, 0.26)) * (1 + 0.014 * std::log(std::max(rate, 1.0)));
+                 }});
+  for (const bool logarithmic : {false, true})
+    all.push_back({logarithmic ? "curves by log rate" : "curves by rate", by_rate(logarithmic),
+                   [=](double plastic, double rate) { return yield_by_rate(plastic, rate, logarithmic); }});
+  for (Case& one : all) set_viscoplastic(one.material, viscoplastic);
+  return all;
+}
+
+double effective(const Five& e) {
+  return std::sqrt(4.0 / 3 * (e[0] * e[0] + e[0] * e[1] + e[1] * e[1]) +
+                   (e[2] * e[2] + e[3] * e[3] + e[4] * e[4]) / 3);
+}
+
+/// After every step the stress lies on the yield surface of the rate of that step.
+template <class Real>
+double worst_excess(const Case& one, bool viscoplastic, Isa isa, int flows) {
+  double worst = 0;
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int sample = 0; sample < 40; ++sample) {
+    PointDriver<Real> point(one.material, isa);
+    int flowing = 0;
+    for (int i = 0; i < 200 && flowing < flows; ++i) {
+      Five strain;
+      const double size = 1e-4 * std::exp2(4 * uniform(generator));
+      for (double& e : strain) e = static_cast<double>(static_cast<Real>(size * (0.5 + uniform(generator))));
+      const double before = point.item("plastic_strain");
+      point.apply(strain, step);
+      const double flow = point.item("plastic_strain") - before;
+      if (!(flow > 0)) continue;
+      ++flowing;
+      const double dt = static_cast<double>(static_cast<Real>(step));
+      const double rate = (viscoplastic ? flow : effective(strain)) / dt;
+      const double yield = one.yield(before + flow, rate);
+      worst = std::max(worst, std::fabs(equivalent(point.stress()) - yield) / yield);
+    }
+    EXPECT_EQ(flowing, flows) << one.name;
+  }
+  return worst;
+}
+
+TEST(RateEffects, StressLiesOnTheYieldSurfaceOfTheRate) {
+  for (const bool viscoplastic : {false, true})
+    for (const Case& one : cases(viscoplastic))
+      for (const Isa isa : available_isas()) {
+        const std::string name =
+            std::string(one.name) + (viscoplastic ? " viscoplastic " : " ") + std::string(isa_name(isa));
+        EXPECT_LE(worst_excess<double>(one, viscoplastic, isa, 60), 1e-12) << name;
+        // In float the increment of plastic strain can be told from the state in the first step only.
+        EXPECT_LE(worst_excess<float>(one, viscoplastic, isa, viscoplastic ? 1 : 60), 1e-6) << name;
+      }
+}
+
+/// Shear at a constant rate: the plastic rate is the total less what the hardening stretches elastically.
+TEST(RateEffects, PlasticRateFollowsTheTotalOneInSteadyFlow) {
+  for (const double rate : {0.01, 5.0, 300.0, 5000.0}) {
+    const double dt = 1e-4 / rate;
+    for (const Case& one : cases(true)) {
+      PointDriver<double> point(one.material, available_isas().back());
+      double before = 0;
+      for (int i = 0; i < 5000; ++i) {
+        before = point.item("plastic_strain");
+        point.apply({0, 0, root3 * 1e-4, 0, 0}, dt);
+      }
+      const double flow = (point.item("plastic_strain") - before) / dt;
+      const double p = point.item("plastic_strain");
+      // d q = 3 G (d e - d p) and d q = dY/dp d p.
+      const double hardening = (one.yield(p, flow) - one.yield(p - 1e-5, flow)) / 1e-5;
+      EXPECT_NEAR(flow, rate / (1 + hardening / (3 * shear_modulus)), 2e-4 * rate) << one.name;
+      EXPECT_NEAR(root3 * point.stress()[2], one.yield(p, flow), 1e-9) << one.name;
+    }
+  }
+}
+
+/// Held at a strain, a viscoplastic point relaxes. With p = 1 and no hardening the overstress decays
+/// exponentially: d q = -3 G d p and d p / dt = C (q / sigma_0 - 1).
+TEST(RateEffects, OverstressRelaxesExponentially) {
+  constexpr double c = 100;
+  model::Material material = plastic_kinematic(0, 1, c, 1);
+  set_viscoplastic(material, true);
+  const double time_scale = initial_yield / (3 * shear_modulus * c);
+  double errors[3];
+  int run = 0;
+  for (const int steps : {100, 200, 400}) {
+    PointDriver<double> point(material, Isa::Scalar);
+    // One very short step, in which nothing can flow.
+    point.apply({0, 0, 0.003, 0, 0}, 1e-12 * time_scale);
+    const double start = root3 * point.stress()[2];
+    EXPECT_NEAR(start, root3 * shear_modulus * 0.003, 1e-6 * start);
+    for (int i = 0; i < steps; ++i) point.apply({0, 0, 0, 0, 0}, time_scale / steps);
+    const double exact = initial_yield + (start - initial_yield) * std::exp(-1.0);
+    errors[run++] = std::fabs(root3 * point.stress()[2] - exact);
+  }
+  EXPECT_LT(errors[2], 1e-3 * initial_yield);
+  EXPECT_NEAR(errors[0] / errors[1], 2, 0.1);
+  EXPECT_NEAR(errors[1] / errors[2], 2, 0.05);
+}
+
+/// The rate equations of Perzyna's form in five components, integrated independently (Runge-Kutta).
+TEST(RateEffects, NonProportionalViscoplasticPathHasFirstOrder) {
+  constexpr double c = 50;
+  constexpr double p = 2;
+  constexpr double duration = 1e-3;
+  model::Material material = plastic_kinematic(2100, 1, c, p);
+  set_viscoplastic(material, true);
+  const double h = plastic_modulus(2100);
+  const auto strain_rate = [&](double t) {
+    const double x = t / duration;
+    return Five{6 * std::cos(2 * x), -3 + 4 * std::sin(x), 12 * std::sin(2 * x), 3 * x, 2 * std::sin(3 * x)};
+  };
+  struct State {
+    Five s{};
+    double plastic = 0;
+  };
+  const auto rate_of = [&](const State& state, double t) {
+    const Five& s = state.s;
+    Five e = strain_rate(t);
+    const double q = equivalent(s);
+    const double yield = initial_yield + h * state.plastic;
+    const double flow = q > yield ? c * std::pow(q / yield - 1, p) : 0;
+    if (flow > 0) {
+      e[0] -= flow * (2 * s[0] - s[1]) / (2 * q);
+      e[1] -= flow * (2 * s[1] - s[0]) / (2 * q);
+      for (int k = 2; k < components; ++k) e[k] -= flow * 3 * s[k] / q;
+    }
+    const double d = youngs_modulus / (1 - poissons_ratio * poissons_ratio);
+    return State{{d * (e[0] + poissons_ratio * e[1]), d * (e[1] + poissons_ratio * e[0]),
+                  shear_modulus * e[2], shear_modulus * e[3], shear_modulus * e[4]},
+                 flow};
+  };
+  const auto moved = [](State state, const State& r, double by) {
+    for (int k = 0; k < components; ++k) state.s[k] += by * r.s[k];
+    state.plastic += by * r.plastic;
+    return state;
+  };
+  State exact;
+  const int fine = 200000;
+  for (int i = 0; i < fine; ++i) {
+    const double dt = duration / fine;
+    const double t = i * dt;
+    const State k1 = rate_of(exact, t);
+    const State k2 = rate_of(moved(exact, k1, dt / 2), t + dt / 2);
+    const State k3 = rate_of(moved(exact, k2, dt / 2), t + dt / 2);
+    const State k4 = rate_of(moved(exact, k3, dt), t + dt);
+    exact = moved(moved(moved(moved(exact, k1, dt / 6), k2, dt / 3), k3, dt / 3), k4, dt / 6);
+  }
+  double errors[3];
+  int run = 0;
+  for (const int steps : {400, 800, 1600}) {
+    PointDriver<double> point(material, Isa::Scalar);
+    const double dt = duration / steps;
+    for (int i = 0; i < steps; ++i) {
+      Five strain{};
+      // Gauss's rule with two points for the increment.
+      for (const double place : {0.21132486540518712, 0.78867513459481288}) {
+        const Five r = strain_rate((i + place) * dt);
+        for (int k = 0; k < components; ++k) strain[k] += 0.5 * dt * r[k];
+      }
+      point.apply(strain, dt);
+    }
+    double error = 0;
+    for (int k = 0; k < components; ++k) error = std::max(error, std::fabs(point.stress()[k] - exact.s[k]));
+    errors[run++] = error / initial_yield;
+  }
+  RecordProperty("relative_error_1600", std::to_string(errors[2]));
+  EXPECT_LT(errors[2], 5e-3);
+  EXPECT_GT(errors[2], 1e-8);
+  EXPECT_NEAR(errors[0] / errors[1], 2, 0.3);
+  EXPECT_NEAR(errors[1] / errors[2], 2, 0.2);
+}
+
+/// Adiabatic shear: heat softens. The rate equations in one variable, integrated independently.
+TEST(JohnsonCook, AdiabaticHeatingConvergesWithFirstOrder) {
+  model::JohnsonCook law = johnson_cook_law();
+  law.thermal_exponent = 1.03;
+  law.melting_rise = 1500;
+  law.heat_capacity = 477e6;  // mJ / (t K)
+  const model::Material material = johnson_cook(law);
+  constexpr double total = 0.6;  // effective
+  constexpr double rate = 1000;
+  const double rate_factor = 1 + 0.014 * std::log(rate);
+  const double per_work = 1 / (7.83e-9 * 477e6);
+  // Plastic strain as independent variable: d T / d p = Y(p, T) rho^-1 c^-1, until elastic and plastic strain
+  // make up the total.
+  const auto yield = [&](double p, double t) {
+    return (792 + 510 * std::pow(p, 0.26)) * rate_factor * (1 - std::pow(t / 1500, 1.03));
+  };
+  double temperature = 0;
+  double plastic = 0;
+  const double dp = total / 400000;
+  while (plastic + yield(plastic, temperature) / (3 * shear_modulus) < total) {
+    const double k1 = per_work * yield(plastic, temperature);
+    const double k2 = per_work * yield(plastic + dp / 2, temperature + dp / 2 * k1);
+    temperature += dp * k2;
+    plastic += dp;
+  }
+  const double exact = yield(plastic, temperature);
+  EXPECT_GT(temperature, 100);
+  for (const Isa isa : available_isas()) {
+    double errors[3];
+    int run = 0;
+    for (const int steps : {200, 400, 800}) {
+      PointDriver<double> point(material, isa);
+      for (int i = 0; i < steps; ++i) point.apply({0, 0, root3 * total / steps, 0, 0}, total / steps / rate);
+      errors[run++] = std::fabs(root3 * point.stress()[2] - exact) / exact;
+      EXPECT_NEAR(point.item("temperature_rise"), temperature, 0.01 * temperature);
+    }
+    EXPECT_LT(errors[2], 1e-3);
+    EXPECT_NEAR(errors[0] / errors[1], 2, 0.2);
+    EXPECT_NEAR(errors[1] / errors[2], 2, 0.2);
+  }
+}
+
+/// At constant triaxiality and rate the point fails at the fracture strain itself.
+TEST(JohnsonCook, FractureStrainDependsOnTriaxialityAndRate) {
+  model::JohnsonCook law = johnson_cook_law();
+  law.damage = {0.05, 0.3, -2.12, 0.002, 0.61};
+  law.least_fracture_strain = 1e-6;
+  const model::Material material = johnson_cook(law);
+  ASSERT_TRUE(can_fail(material));
+  struct Path {
+    Five strain;
+    double triaxiality;
+  };
+  for (const Path& path : {Path{{0, 0, root3, 0, 0}, 0}, Path{{0.5, 0.5, 0, 0, 0}, 2.0 / 3},
+                           Path{{-0.5, -0.5, 0, 0, 0}, -2.0 / 3}})
+    for (const double rate : {0.1, 1000.0})
+      for (const Isa isa : available_isas()) {
+        const double expected =
+            (0.05 + 0.3 * std::exp(-2.12 * path.triaxiality)) * (1 + 0.002 * std::log(std::max(rate, 1.0)));
+        PointDriver<double> point(material, isa);
+        const double size = 1e-4;
+        Five strain = path.strain;
+        for (double& e : strain) e *= size;
+        const double dt = effective(strain) / rate;
+        int steps = 0;
+        do point.apply(strain, dt);
+        while (point.intact() && ++steps < 20000);
+        EXPECT_FALSE(point.intact());
+        EXPECT_NEAR(point.item("plastic_strain"), expected, 1.1 * size) << path.triaxiality;
+        EXPECT_EQ(point.stress(), Five{});
+      }
+}
+
+TEST(JohnsonCook, StressIsBoundedBeforeAndAfterTheRateEffect) {
+  for (const double rate : {0.5, 1000.0}) {
+    const double factor = 1 + 0.014 * std::log(std::max(rate, 1.0));
+    for (const bool saturation : {false, true}) {
+      model::JohnsonCook law = johnson_cook_law();
+      (saturation ? law.saturation_stress : law.largest_hardened) = 1000;
+      PointDriver<double> point(johnson_cook(law), available_isas().back());
+      for (int i = 0; i < 4000; ++i) point.apply({0, 0, root3 * 1e-4, 0, 0}, 1e-4 / rate);
+      const double expected = saturation ? 1000 : 1000 * factor;
+      EXPECT_NEAR(root3 * point.stress()[2], expected, 1e-11 * expected);
+    }
+  }
+}
+
+TEST(RateInput, BadNumbersAreNamed) {
+  const auto refuses = [](const model::Material& material) {
+    EXPECT_THROW(shell_material_constants(material), Error);
+  };
+  auto power = power_law();
+  std::get<model::PowerLawPlasticity>(power.law).exponent = 1.5;
+  refuses(power);
+  power = power_law();
+  std::get<model::PowerLawPlasticity>(power.law).yield_strain = 0;
+  refuses(power);
+  model::JohnsonCook law = johnson_cook_law();
+  law.reference_rate = 0;
+  refuses(johnson_cook(law));
+  law = johnson_cook_law();
+  law.saturation_stress = 10;
+  refuses(johnson_cook(law));
+  law = johnson_cook_law();
+  law.damage[0] = 1;
+  refuses(johnson_cook(law));
+  auto table = by_rate(false);
+  std::swap(std::get<model::PiecewiseLinearPlasticity>(table.law).by_rate[0],
+            std::get<model::PiecewiseLinearPlasticity>(table.law).by_rate[1]);
+  refuses(table);
+}
+
+}  // namespace
+}  // namespace crumple::materials::testing
