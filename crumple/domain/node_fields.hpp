@@ -46,7 +46,7 @@ struct NodeFields {
   AlignedArray<std::uint8_t> fixed;     ///< see fixed_translation, fixed_rotation
   AlignedArray<NodeForce> force;        ///< forces on the nodes at time n, cleared by the integrator
   AlignedArray<Vec3> reference;         ///< position at time zero [length]; never changes
-  AlignedArray<Vec3> acceleration;      ///< at time n, for output [length/time^2]
+  AlignedArray<Vec3> acceleration;      ///< at time n, if output asks for it [length/time^2]
 
   AlignedArray<NodeRecord<float>> float_records;    ///< filled in mixed precision, else empty
   AlignedArray<NodeRecord<double>> double_records;  ///< filled in double precision, else empty

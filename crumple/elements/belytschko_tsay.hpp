@@ -13,12 +13,9 @@ struct BelytschkoTsay {
   static constexpr int planes = 1;
   static constexpr bool own_areas = false;
 
-  static constexpr int row_r31 = 0;
-  static constexpr int row_r42 = 3;
-  static constexpr int row_mode = 6;
-  static constexpr int row_rates = 9;
-  static constexpr int row_area = 14;
-  static constexpr int rows = 15;
+  static constexpr int row_rates = 0;
+  static constexpr int row_area = 5;
+  static constexpr int rows = 6;
 
   template <class Pack>
   static void strains(const ShellPlace<RealOf<Pack>>& place);
@@ -32,43 +29,43 @@ template <class Pack>
 CRUMPLE_INLINE void BelytschkoTsay::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const ShellConstants<Real>& constants = place.task.constants;
-  const ShellNodes<Pack> n = gather<Pack>(place.task.nodes, place.node);
+  const GatheredNodes<Pack> n = gathered<Pack>(place);
   const Pack back(-(Real(0.5) * place.task.step));
-  const auto r31 = math::multiply_add(back, n.v31, n.r31);
-  const auto r42 = math::multiply_add(back, n.v42, n.r42);
-  const auto r_mode = math::multiply_add(back, n.v_mode, n.r_mode);
+  const auto r31 = math::multiply_add(back, n.v31(), n.r31());
+  const auto r42 = math::multiply_add(back, n.v42(), n.r42());
+  const auto r_mode = math::multiply_add(back, n.v_mode(), n.r_mode());
   const auto frame = lamina_frame(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
                                   own_state<Pack>(place, element_state::frame + 1));
   const auto g = lamina_geometry(frame, r31, r42, r_mode);
 
-  const auto velocity_gradient = [&](const math::PackVec3<Pack>& axis) {
-    return gradient(g, math::dot(n.v31, axis), math::dot(n.v42, axis));
+  // One vector after the other: all of them at once are more than there are registers.
+  const auto local = [&](const math::PackVec3<Pack>& v) {
+    return math::PackVec3<Pack>{math::dot(v, frame.e1), math::dot(v, frame.e2), math::dot(v, frame.e3)};
   };
-  const auto spin_gradient = [&](const math::PackVec3<Pack>& axis) {
-    return gradient(g, math::dot(n.w31, axis), math::dot(n.w42, axis));
-  };
-  const auto vx = velocity_gradient(frame.e1);
-  const auto vy = velocity_gradient(frame.e2);
-  const auto vz = velocity_gradient(frame.e3);
-  const auto wx = spin_gradient(frame.e1);
-  const auto wy = spin_gradient(frame.e2);
+  const auto v31 = local(n.v31());
+  const auto v42 = local(n.v42());
+  const auto vx = gradient(g, v31.x, v42.x);
+  const auto vy = gradient(g, v31.y, v42.y);
+  const auto vz = gradient(g, v31.z, v42.z);
+  const auto w31 = n.w31();
+  const auto w42 = n.w42();
+  const auto wx = gradient(g, math::dot(w31, frame.e1), math::dot(w42, frame.e1));
+  const auto wy = gradient(g, math::dot(w31, frame.e2), math::dot(w42, frame.e2));
+  keep_modes(place, row_rates,
+             hourglass_rates(frame, g, n.v_mode(), n.w_mode(), VelocityGradients<Pack>{vx, vy, vz, wx, wy}));
+  keep(place, row_area, g.area);
 
   const Pack step(place.task.step);
   const Pack shear_step = step * Pack(constants.shear_root);
   const Pack quarter(Real(0.25));
+  const auto w_sum = n.w_sum();
   const materials::PlaneStrain<Pack> membrane{
       step * vx.x, step * vy.y, step * (vx.y + vy.x),
-      shear_step * multiply_add(-quarter, math::dot(n.w_sum, frame.e1), vz.y),
-      shear_step * multiply_add(quarter, math::dot(n.w_sum, frame.e2), vz.x)};
+      shear_step * multiply_add(-quarter, math::dot(w_sum, frame.e1), vz.y),
+      shear_step * multiply_add(quarter, math::dot(w_sum, frame.e2), vz.x)};
   const Pack half_thickness = Real(0.5) * own_state<Pack>(place, element_state::thickness);
   const Pack bend = half_thickness * step;
   store_strains(place, membrane, Bending<Pack>{bend * wy.x, -(bend * wx.y), bend * (wy.y - wx.x)});
-
-  keep_vec(place, row_r31, n.r31);
-  keep_vec(place, row_r42, n.r42);
-  keep_vec(place, row_mode, n.r_mode);
-  keep_modes(place, row_rates, hourglass_rates(frame, g, n, VelocityGradients<Pack>{vx, vy, vz, wx, wy}));
-  keep(place, row_area, g.area);
 }
 
 /// What node 1 (and, negative, node 3) or node 2 (and 4) gets of the resultants; b1 and b2 are the area times
@@ -91,12 +88,14 @@ template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> BelytschkoTsay::forces(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
-  const Vec r31 = kept_vec<Pack>(place, row_r31);
-  const Vec r42 = kept_vec<Pack>(place, row_r42);
-  const Vec r_mode = kept_vec<Pack>(place, row_mode);
+  const GatheredNodes<Pack> n = gathered<Pack>(place);
+  const Vec r31 = n.r31();
+  const Vec r42 = n.r42();
+  const Vec r_mode = n.r_mode();
   const auto frame = lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
                                         own_state<Pack>(place, element_state::frame + 1));
   const auto g = lamina_geometry(frame, r31, r42, r_mode);
+  limit_step(place, g, r31, r42, r_mode);
   const Pack active = own_state<Pack>(place, element_state::active);
 
   const Pack mean_thickness = update_thickness<Pack>(place);
@@ -133,19 +132,16 @@ CRUMPLE_INLINE ShellForces<Pack> BelytschkoTsay::forces(const ShellPlace<RealOf<
   const Vec moment_s = global2(-(quarter_area * r.yz), quarter_area * r.zx);
   const Vec moment_q = global2(q.bending_x, q.bending_y);
 
-  const Pack minus(Real(-1));
   const HourglassVector<Pack> gamma = hourglass_vector(g);
   ShellForces<Pack> out;
   out.force[0] = math::multiply_add(gamma.node[0], force_q, force_a);
   out.force[1] = math::multiply_add(gamma.node[1], force_q, force_b);
-  out.force[2] = math::multiply_add(gamma.node[2], force_q, minus * force_a);
-  out.force[3] = math::multiply_add(gamma.node[3], force_q, minus * force_b);
+  out.force[2] = math::multiply_add(gamma.node[2], force_q, -force_a);
+  out.force[3] = math::multiply_add(gamma.node[3], force_q, -force_b);
   out.moment[0] = math::multiply_add(gamma.node[0], moment_q, moment_s + moment_a);
   out.moment[1] = math::multiply_add(gamma.node[1], moment_q, moment_s + moment_b);
   out.moment[2] = math::multiply_add(gamma.node[2], moment_q, moment_s - moment_a);
   out.moment[3] = math::multiply_add(gamma.node[3], moment_q, moment_s - moment_b);
-
-  limit_step(place, g, r31, r42, r_mode);
   return out;
 }
 

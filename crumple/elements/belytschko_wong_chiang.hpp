@@ -69,7 +69,7 @@ CRUMPLE_INLINE CentreGradient<Pack> projected_shear(const LaminaGeometry<Pack>& 
 template <class Pack>
 CRUMPLE_INLINE void BelytschkoWongChiang::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
-  const ShellNodes<Pack> n = gather<Pack>(place.task.nodes, place.node);
+  const ShellNodes<Pack> n = gathered<Pack>(place).all();
   const Pack back(-(Real(0.5) * place.task.step));
   const auto r31 = math::multiply_add(back, n.v31, n.r31);
   const auto r42 = math::multiply_add(back, n.v42, n.r42);
@@ -96,7 +96,7 @@ CRUMPLE_INLINE void BelytschkoWongChiang::strains(const ShellPlace<RealOf<Pack>>
   keep_vec(place, row_r31, n.r31);
   keep_vec(place, row_r42, n.r42);
   keep_vec(place, row_mode, n.r_mode);
-  keep_modes(place, row_rates, hourglass_rates(frame, g, n, d));
+  keep_modes(place, row_rates, hourglass_rates(frame, g, n.v_mode, n.w_mode, d));
   keep(place, row_area, g.area);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <type_traits>
+
 #include "elements/erosion.hpp"
 #include "elements/formulation.hpp"
 
@@ -14,6 +16,7 @@ struct TileScratch {
   Real* strain;
   Real* rows;
   Real* area;
+  Real* nodes;
 };
 
 /// A loop over the packs of one tile.
@@ -23,13 +26,13 @@ CRUMPLE_INLINE void for_each_pack(const ShellTask<RealOf<Pack>>& task, Index fir
   for (Index group = 0; group < groups; ++group)
     for (Index lane = 0; lane < lanes; lane += width_of<Pack>) {
       const std::ptrdiff_t at = first_group + group;
-      visit(
-          ShellPlace<RealOf<Pack>>{
-              task, task.node + at * 4 * lanes + lane,
-              task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes + lane,
-              scratch.strain + group * lanes + lane, scratch.rows + group * lanes + lane,
-              scratch.area + group * lanes + lane},
-          task.target + at * 4 * lanes + lane);
+      visit(ShellPlace<RealOf<Pack>>{task, task.node + at * 4 * lanes + lane,
+                                     task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes +
+                                         lane,
+                                     scratch.strain + group * lanes + lane,
+                                     scratch.rows + group * lanes + lane, scratch.area + group * lanes + lane,
+                                     scratch.nodes + (group * lanes + lane) * gather_row::count},
+            task.target + at * 4 * lanes + lane);
     }
 }
 
@@ -76,13 +79,18 @@ struct LaneSums {
   LaneSums() {
     for (Real& limit : shortest) limit = Real(1e30);
   }
-  void add_group(const Real* rows) {
-    for (Index lane = 0; lane < lanes; ++lane) {
-      internal[lane] += static_cast<double>(rows[scratch_row::internal_energy * tile_lanes + lane]);
-      hourglass[lane] += static_cast<double>(rows[scratch_row::hourglass_energy * tile_lanes + lane]);
-      const Real limit = rows[scratch_row::shortest_step * tile_lanes + lane];
-      shortest[lane] = limit < shortest[lane] ? limit : shortest[lane];
-    }
+  CRUMPLE_INLINE void add_group(const Real* rows) {
+    add(internal, rows + scratch_row::internal_energy * tile_lanes);
+    add(hourglass, rows + scratch_row::hourglass_energy * tile_lanes);
+    const Real* const limit = rows + scratch_row::shortest_step * tile_lanes;
+    for (Index lane = 0; lane < lanes; lane += width_of<Pack>)
+      store(shortest + lane, smaller(load<Pack>(limit + lane), load<Pack>(shortest + lane)));
+  }
+  CRUMPLE_INLINE static void add(double* sums, const Real* row) {
+    using Four = std::conditional_t<sizeof(Real) == sizeof(float), math::Float4, math::Double4>;
+    for (Index lane = 0; lane < lanes; lane += 4)
+      math::write(sums + lane,
+                  math::read<math::Double4>(sums + lane) + math::to_double(math::read<Four>(row + lane)));
   }
   /// Adds up over the lanes in order.
   void add_to(ShellSums& sums) const {
@@ -104,13 +112,19 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ShellSums& sums) {
   alignas(cache_line) Real strain[most_points * materials::components * tile_lanes];
   alignas(cache_line) Real rows[(scratch_row::own + Formulation::rows) * tile_lanes];
   alignas(cache_line) Real area[Formulation::own_areas ? most_points * tile_lanes : tile_lanes];
-  const TileScratch<Real> scratch{strain, rows, area};
+  alignas(cache_line) Real nodes[gather_row::count * tile_lanes];
+  const TileScratch<Real> scratch{strain, rows, area, nodes};
   LaneSums<Pack> lane_sums;
   sums = {};
   sums.shortest_step = 1e30;
   materials::MaterialTask<Real> material = material_task<Formulation, Pack>(task);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
+    // The whole tile first: what has just been written in small parts is slow to be read as one pack.
+    for_each_pack<Pack>(task, first, groups, scratch,
+                        [](const ShellPlace<Real>& place, const Index* /*target*/) {
+                          gather<Pack>(place.task.nodes, place.node, place.nodes);
+                        });
     for_each_pack<Pack>(task, first, groups, scratch,
                         [](const ShellPlace<Real>& place, const Index* /*target*/) {
                           Formulation::template strains<Pack>(place);

@@ -9,7 +9,7 @@
 //                                        ShellPlace::area; true if there are several planes
 //   template <class Pack> static void strains(const ShellPlace<Real>&)
 //   template <class Pack> static ShellForces<Pack> forces(const ShellPlace<Real>&)
-// strains() gathers the nodes and leaves the strain increments of all points, forces() makes nodal forces of
+// strains() leaves the strain increments of all points, forces() makes nodal forces of
 // the updated stresses. Between the two the material brings the tile up to date (chunk.hpp).
 
 #include "elements/gather.hpp"
@@ -43,7 +43,14 @@ struct ShellPlace {
   Real* strain;       ///< [plane][points][5][tile_lanes]
   Real* rows;         ///< [row][tile_lanes]
   Real* area;         ///< [plane][points][tile_lanes]
+  Real* nodes;        ///< what gather() has left, see gathered()
 };
+
+/// What the nodes of the elements are and do. They have been gathered before strains() is called.
+template <class Pack>
+CRUMPLE_INLINE GatheredNodes<Pack> gathered(const ShellPlace<RealOf<Pack>>& place) {
+  return {place.nodes};
+}
 
 template <class Pack>
 CRUMPLE_INLINE Pack own_state(const ShellPlace<RealOf<Pack>>& place, Index item) {
@@ -113,13 +120,15 @@ struct VelocityGradients {
 /// positions: the turn of the normal, the gradient of vz, times the warp takes that out again.
 template <class Pack>
 CRUMPLE_INLINE HourglassModes<Pack> hourglass_rates(const LaminaFrame<Pack>& frame,
-                                                    const LaminaGeometry<Pack>& g, const ShellNodes<Pack>& n,
+                                                    const LaminaGeometry<Pack>& g,
+                                                    const math::PackVec3<Pack>& v_mode,
+                                                    const math::PackVec3<Pack>& w_mode,
                                                     const VelocityGradients<Pack>& d) {
-  return {multiply_add(g.z_mode, d.vz.x, hourglass_part(g, math::dot(n.v_mode, frame.e1), d.vx)),
-          multiply_add(g.z_mode, d.vz.y, hourglass_part(g, math::dot(n.v_mode, frame.e2), d.vy)),
-          hourglass_part(g, math::dot(n.v_mode, frame.e3), d.vz),
-          hourglass_part(g, math::dot(n.w_mode, frame.e1), d.wx),
-          hourglass_part(g, math::dot(n.w_mode, frame.e2), d.wy)};
+  return {multiply_add(g.z_mode, d.vz.x, hourglass_part(g, math::dot(v_mode, frame.e1), d.vx)),
+          multiply_add(g.z_mode, d.vz.y, hourglass_part(g, math::dot(v_mode, frame.e2), d.vy)),
+          hourglass_part(g, math::dot(v_mode, frame.e3), d.vz),
+          hourglass_part(g, math::dot(w_mode, frame.e1), d.wx),
+          hourglass_part(g, math::dot(w_mode, frame.e2), d.wy)};
 }
 
 /// Brings the hourglass stresses in the state up to date and leaves the energy for the driver.

@@ -35,6 +35,33 @@ inline constexpr int w_sum = 27;
 inline constexpr int count = 30;
 }  // namespace gather_row
 
+/// The same as gather() has left it, each read when it is asked for: all together are more than a processor
+/// has registers.
+template <class Pack>
+struct GatheredNodes {
+  using Vec = math::PackVec3<Pack>;
+  const RealOf<Pack>* rows;  ///< [gather_row::count][width]
+
+  CRUMPLE_INLINE Vec r31() const { return vec(gather_row::r31); }
+  CRUMPLE_INLINE Vec r42() const { return vec(gather_row::r42); }
+  CRUMPLE_INLINE Vec r_mode() const { return vec(gather_row::r_mode); }
+  CRUMPLE_INLINE Vec v31() const { return vec(gather_row::v31); }
+  CRUMPLE_INLINE Vec v42() const { return vec(gather_row::v42); }
+  CRUMPLE_INLINE Vec v_mode() const { return vec(gather_row::v_mode); }
+  CRUMPLE_INLINE Vec w31() const { return vec(gather_row::w31); }
+  CRUMPLE_INLINE Vec w42() const { return vec(gather_row::w42); }
+  CRUMPLE_INLINE Vec w_mode() const { return vec(gather_row::w_mode); }
+  CRUMPLE_INLINE Vec w_sum() const { return vec(gather_row::w_sum); }
+  CRUMPLE_INLINE ShellNodes<Pack> all() const {
+    return {r31(), r42(), r_mode(), v31(), v42(), v_mode(), w31(), w42(), w_mode(), w_sum()};
+  }
+
+  CRUMPLE_INLINE Vec vec(int row) const {
+    const RealOf<Pack>* const first = rows + row * width_of<Pack>;
+    return {load<Pack>(first), load<Pack>(first + width_of<Pack>), load<Pack>(first + 2 * width_of<Pack>)};
+  }
+};
+
 /// The differences of one quantity over the element.
 template <class Number>
 struct NodeDifferences {
@@ -157,22 +184,18 @@ CRUMPLE_INLINE void gather_four(const domain::NodeRecord<double>* nodes, const I
   }
 }
 
-/// Reads the nodes of width_of<Pack> elements; `node` is [4][lanes] from the first of them.
+/// Reads the nodes of width_of<Pack> elements into `rows`, [gather_row::count][width]; `node` is [4][lanes]
+/// from the first of them.
 template <class Pack>
-CRUMPLE_INLINE ShellNodes<Pack> gather(const domain::NodeRecord<RealOf<Pack>>* nodes, const Index* node) {
+CRUMPLE_INLINE void gather(const domain::NodeRecord<RealOf<Pack>>* nodes, const Index* node,
+                           RealOf<Pack>* rows) {
   using Real = RealOf<Pack>;
   constexpr int width = width_of<Pack>;
-  alignas(cache_line) Real rows[gather_row::count][width];
+  const auto row = reinterpret_cast<Real(*)[width]>(rows);
   if constexpr (width >= 4)
-    for (int lane = 0; lane < width; lane += 4) gather_four<width>(nodes, node, lane, rows);
+    for (int lane = 0; lane < width; lane += 4) gather_four<width>(nodes, node, lane, row);
   else
-    for (int lane = 0; lane < width; ++lane) gather_one<Real, width>(nodes, node, lane, rows);
-  const auto vec = [&](int row) {
-    return math::PackVec3<Pack>{load<Pack>(rows[row]), load<Pack>(rows[row + 1]), load<Pack>(rows[row + 2])};
-  };
-  using namespace gather_row;
-  return {vec(r31),    vec(r42), vec(r_mode), vec(v31),    vec(v42),
-          vec(v_mode), vec(w31), vec(w42),    vec(w_mode), vec(w_sum)};
+    for (int lane = 0; lane < width; ++lane) gather_one<Real, width>(nodes, node, lane, row);
 }
 
 }  // namespace crumple::elements

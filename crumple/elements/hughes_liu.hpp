@@ -68,7 +68,7 @@ template <class Pack>
 CRUMPLE_INLINE void HughesLiu::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const ShellConstants<Real>& constants = place.task.constants;
-  const ShellNodes<Pack> n = gather<Pack>(place.task.nodes, place.node);
+  const ShellNodes<Pack> n = gathered<Pack>(place).all();
   const Pack back(-(Real(0.5) * place.task.step));
   const auto r31 = math::multiply_add(back, n.v31, n.r31);
   const auto r42 = math::multiply_add(back, n.v42, n.r42);
@@ -92,7 +92,7 @@ CRUMPLE_INLINE void HughesLiu::strains(const ShellPlace<RealOf<Pack>>& place) {
   const VelocityGradients<Pack> gradients{gradient(g, m.v31.x, m.v42.x), gradient(g, m.v31.y, m.v42.y),
                                           gradient(g, m.v31.z, m.v42.z), gradient(g, m.w31.x, m.w42.x),
                                           gradient(g, m.w31.y, m.w42.y)};
-  keep_modes(place, row_rates, hourglass_rates(frame, g, n, gradients));
+  keep_modes(place, row_rates, hourglass_rates(frame, g, n.v_mode, n.w_mode, gradients));
   keep_vec(place, row_r31, n.r31);
   keep_vec(place, row_r42, n.r42);
   keep_vec(place, row_mode, n.r_mode);

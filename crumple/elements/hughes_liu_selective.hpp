@@ -109,7 +109,7 @@ template <class Pack>
 CRUMPLE_INLINE void HughesLiuSelective::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const ShellConstants<Real>& constants = place.task.constants;
-  const ShellNodes<Pack> n = gather<Pack>(place.task.nodes, place.node);
+  const ShellNodes<Pack> n = gathered<Pack>(place).all();
   const Pack back(-(Real(0.5) * place.task.step));
   const auto r31 = math::multiply_add(back, n.v31, n.r31);
   const auto r42 = math::multiply_add(back, n.v42, n.r42);

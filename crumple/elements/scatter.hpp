@@ -15,28 +15,36 @@ struct ShellForces {
   math::PackVec3<Pack> moment[4];
 };
 
-template <class Real>
-struct SmallVector;
-template <>
-struct SmallVector<float> {
-  using type = math::Float4;
-};
-template <>
-struct SmallVector<double> {
-  using type = math::Double4;
-};
-
-template <class Vector>
-CRUMPLE_INLINE math::Double4 to_double(const Vector& v) {
-  return __builtin_convertvector(v, math::Double4);
+/// Forces and moments at one node of each of four elements: the rows fx, fy, fz, mx, my, mz turned into one
+/// item per element.
+template <int Width>
+CRUMPLE_INLINE math::Four<math::Float8> items_of(const float (*rows)[Width], int lane) {
+  using math::Float4;
+  const auto both = [&](int row) {
+    return math::joined(math::read<Float4>(&rows[row][lane]), math::read<Float4>(&rows[row + 3][lane]));
+  };
+  return math::transposed(both(0), both(1), both(2), math::Float8{});
 }
 
-/// Forces (or moments) of four elements at one node each, as vectors; rows are x, y, z.
-template <class Real, int Width>
-CRUMPLE_INLINE auto columns_of(const Real (*rows)[Width], int lane) {
-  using Vector = typename SmallVector<Real>::type;
-  return math::transposed(math::read<Vector>(&rows[0][lane]), math::read<Vector>(&rows[1][lane]),
-                          math::read<Vector>(&rows[2][lane]), Vector{});
+struct DoubleItems {
+  math::Four<math::Double4> force, moment;
+};
+template <int Width>
+CRUMPLE_INLINE DoubleItems items_of(const double (*rows)[Width], int lane) {
+  using math::Double4;
+  const auto columns = [&](int row) {
+    return math::transposed(math::read<Double4>(&rows[row][lane]), math::read<Double4>(&rows[row + 1][lane]),
+                            math::read<Double4>(&rows[row + 2][lane]), Double4{});
+  };
+  return {columns(0), columns(3)};
+}
+
+CRUMPLE_INLINE void subtract_item(domain::NodeForce& sum, const math::Four<math::Float8>& items, int i) {
+  math::subtract_from(sum.force, items.row[i]);
+}
+CRUMPLE_INLINE void subtract_item(domain::NodeForce& sum, const DoubleItems& items, int i) {
+  math::write(sum.force, math::read<math::Double4>(sum.force) - items.force.row[i]);
+  math::write(sum.moment, math::read<math::Double4>(sum.moment) - items.moment.row[i]);
 }
 
 /// Subtracts internal forces from the sums at the nodes, in double, element after element and in each node
@@ -57,19 +65,11 @@ CRUMPLE_INLINE void scatter(domain::NodeForce* sums, const Index* target, const 
   }
   if constexpr (width >= 4) {
     for (int lane = 0; lane < width; lane += 4) {
-      using Vector = typename SmallVector<Real>::type;
-      math::Four<Vector> force[4];
-      math::Four<Vector> moment[4];
-      for (int k = 0; k < 4; ++k) {
-        force[k] = columns_of<Real, width>(rows[k], lane);
-        moment[k] = columns_of<Real, width>(rows[k] + 3, lane);
-      }
+      const decltype(items_of<width>(rows[0], lane)) items[4] = {
+          items_of<width>(rows[0], lane), items_of<width>(rows[1], lane), items_of<width>(rows[2], lane),
+          items_of<width>(rows[3], lane)};
       for (int i = 0; i < 4; ++i)
-        for (int k = 0; k < 4; ++k) {
-          domain::NodeForce& sum = sums[target[k * lanes + lane + i]];
-          math::write(sum.force, math::read<math::Double4>(sum.force) - to_double(force[k].row[i]));
-          math::write(sum.moment, math::read<math::Double4>(sum.moment) - to_double(moment[k].row[i]));
-        }
+        for (int k = 0; k < 4; ++k) subtract_item(sums[target[k * lanes + lane + i]], items[k], i);
     }
   } else {
     for (int lane = 0; lane < width; ++lane)

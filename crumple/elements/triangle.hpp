@@ -67,7 +67,7 @@ CRUMPLE_INLINE PlaneVector<Pack> centroid_shear(const LaminaGeometry<Pack>& g, c
 template <class Pack>
 CRUMPLE_INLINE void Triangle::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
-  const ShellNodes<Pack> n = gather<Pack>(place.task.nodes, place.node);
+  const ShellNodes<Pack> n = gathered<Pack>(place).all();
   const Pack back(-(Real(0.5) * place.task.step));
   const auto r31 = math::multiply_add(back, n.v31, n.r31);
   const auto r32 = math::multiply_add(back, n.v42, n.r42);

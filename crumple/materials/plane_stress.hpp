@@ -35,16 +35,23 @@ CRUMPLE_INLINE void store_five(RealOf<decltype(Five::xx)>* to, Index stride, con
   store(to + 4 * stride, value.zx);
 }
 
+/// Half of a stress times a strain increment [energy/volume].
+template <class Pack>
+CRUMPLE_INLINE Pack half_work(const PlaneStress<Pack>& stress, const PlaneStrain<Pack>& strain) {
+  Pack whole = stress.zx * strain.zx;
+  whole = multiply_add(stress.yz, strain.yz, whole);
+  whole = multiply_add(stress.xy, strain.xy, whole);
+  whole = multiply_add(stress.yy, strain.yy, whole);
+  whole = multiply_add(stress.xx, strain.xx, whole);
+  return RealOf<Pack>(0.5) * whole;
+}
+
 /// Work density of the mean of two stresses on a strain increment [energy/volume].
 template <class Pack>
 CRUMPLE_INLINE Pack mean_work(const PlaneStress<Pack>& a, const PlaneStress<Pack>& b,
                               const PlaneStrain<Pack>& strain) {
-  Pack twice = (a.zx + b.zx) * strain.zx;
-  twice = multiply_add(Pack(a.yz + b.yz), strain.yz, twice);
-  twice = multiply_add(Pack(a.xy + b.xy), strain.xy, twice);
-  twice = multiply_add(Pack(a.yy + b.yy), strain.yy, twice);
-  twice = multiply_add(Pack(a.xx + b.xx), strain.xx, twice);
-  return RealOf<Pack>(0.5) * twice;
+  return half_work(PlaneStress<Pack>{a.xx + b.xx, a.yy + b.yy, a.xy + b.xy, a.yz + b.yz, a.zx + b.zx},
+                   strain);
 }
 
 /// Hooke's law with zero stress zz (docs/theory/elastic.md).

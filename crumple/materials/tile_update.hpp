@@ -15,7 +15,8 @@
 //   bool fails() const                               whether this material has a failure criterion at all
 //   Mask intact(history) const                       points that still carry stress
 // Elements hardly ever yield all at once: the trial is made for all points of a pack first, and one test
-// decides whether any of them needs the correction.
+// decides whether any of them needs the correction. It then makes the trial again: that is cheaper than to
+// keep it.
 
 #include "materials/plane_stress.hpp"
 #include "materials/shell_material.hpp"
@@ -34,20 +35,105 @@ struct HistoryView {
   CRUMPLE_INLINE Real* at(int component) const { return first + component * lanes; }
 };
 
+/// One pack of elements of a tile, and the sums over its points. The stress in the state is brought up to
+/// date in two goes: elastically for all points, then again for those that yield or have failed, which are
+/// few.
+template <class Law, class Pack>
+struct PointUpdate {
+  using Real = RealOf<Pack>;
+  using Stress = PlaneStress<Pack>;
+  using Strain = PlaneStrain<Pack>;
+
+  const Law& law;
+  const MaterialTask<Real>& task;
+  Real* state;         ///< component 0
+  Real* stress_state;  ///< of the first point
+  const Real* strains;
+  const Real* area;  ///< of the first point, or nullptr
+  Pack energy;
+  Pack thickness;  ///< strain zz
+
+  CRUMPLE_INLINE PointUpdate(const Law& which, const MaterialTask<Real>& of, Index group, Index lane)
+      : law(which),
+        task(of),
+        state(of.state + group * of.group_stride + lane),
+        stress_state(state + (of.stress + components * of.first_point) * lanes),
+        strains(of.strain + group * lanes + lane),
+        area(of.area != nullptr ? of.area + group * lanes + lane : nullptr),
+        energy(Real(0)),
+        thickness(Real(0)) {}
+
+  CRUMPLE_INLINE HistoryView<Real> history(int p) const {
+    return {state + task.history * lanes, task.all_points, task.first_point + p};
+  }
+  CRUMPLE_INLINE Stress stress(int p) const {
+    return load_five<Stress>(stress_state + p * components * lanes, lanes);
+  }
+  CRUMPLE_INLINE void set_stress(int p, const Stress& stress) {
+    store_five(stress_state + p * components * lanes, lanes, stress);
+  }
+  CRUMPLE_INLINE Strain strain(int p) const {
+    return load_five<Strain>(strains + p * components * tile_lanes, tile_lanes);
+  }
+  CRUMPLE_INLINE Pack share(int p) const {
+    const Pack weight(task.weight[p]);
+    return area == nullptr ? weight : Pack(weight * load<Pack>(area + p * tile_lanes));
+  }
+
+  /// The elastic step of one point.
+  CRUMPLE_INLINE Stress elastic_step(int p, const Strain& of) {
+    const Stress old = stress(p);
+    const Stress now = law.elasticity.stress(old, of);
+    energy = multiply_add(share(p), mean_work(old, now, of), energy);
+    count_thickness(p, old, now, Pack(Real(0)));
+    set_stress(p, now);
+    return now;
+  }
+
+  /// Puts another stress in the place of the present one.
+  CRUMPLE_INLINE void replace(int p, const Stress& present, const Stress& now, const Pack& plastic_zz) {
+    const Stress change{now.xx - present.xx, now.yy - present.yy, now.xy - present.xy, now.yz - present.yz,
+                        now.zx - present.zx};
+    energy = multiply_add(share(p), half_work(change, strain(p)), energy);
+    count_thickness(p, present, now, plastic_zz);
+    set_stress(p, now);
+  }
+
+  CRUMPLE_INLINE void count_thickness(int p, const Stress& old, const Stress& now, const Pack& plastic_zz) {
+    const Pack sum = (now.xx - old.xx) + (now.yy - old.yy);
+    const Pack zz = plastic_zz - Pack(law.elasticity.lateral) * sum;
+    thickness = multiply_add(Pack(task.weight[p]), zz, thickness);
+  }
+};
+
+/// Returns the stress of the points that yield.
+template <class Law, class Pack>
+CRUMPLE_INLINE void correct_points(PointUpdate<Law, Pack>& points) {
+  for (int p = 0; p < points.task.points; ++p) {
+    const auto trial_stress = points.stress(p);
+    auto trial = points.law.trial(trial_stress, points.strain(p), points.history(p));
+    const auto mask = points.law.yields(trial);
+    if (!any<Pack>(mask)) continue;
+    auto stress = trial_stress;
+    points.law.correct(stress, trial, mask, points.history(p));
+    points.replace(p, trial_stress, stress, trial.plastic_zz);
+  }
+}
+
 /// Takes the stress from points that have failed. Leaves whether any is intact.
-template <class Law, class Pack, class History>
-CRUMPLE_INLINE void take_failed_stress(const Law& law, const MaterialTask<RealOf<Pack>>& task,
-                                       PlaneStress<Pack>* stress, const History& history,
-                                       RealOf<Pack>* intact) {
+template <class Law, class Pack>
+CRUMPLE_INLINE void take_failed_stress(PointUpdate<Law, Pack>& points, RealOf<Pack>* intact) {
   using Real = RealOf<Pack>;
   const Pack zero(Real(0));
   Pack any_intact = zero;
-  for (int p = 0; p < task.points; ++p) {
-    const auto holds = law.intact(history(p));
+  for (int p = 0; p < points.task.points; ++p) {
+    const auto holds = points.law.intact(points.history(p));
     any_intact = select<Pack>(holds, Pack(Real(1)), any_intact);
-    stress[p] = {select<Pack>(holds, stress[p].xx, zero), select<Pack>(holds, stress[p].yy, zero),
-                 select<Pack>(holds, stress[p].xy, zero), select<Pack>(holds, stress[p].yz, zero),
-                 select<Pack>(holds, stress[p].zx, zero)};
+    const auto stress = points.stress(p);
+    const PlaneStress<Pack> left{select<Pack>(holds, stress.xx, zero), select<Pack>(holds, stress.yy, zero),
+                                 select<Pack>(holds, stress.xy, zero), select<Pack>(holds, stress.yz, zero),
+                                 select<Pack>(holds, stress.zx, zero)};
+    points.replace(p, stress, left, zero);
   }
   store(intact, any_intact);
 }
@@ -55,56 +141,20 @@ CRUMPLE_INLINE void take_failed_stress(const Law& law, const MaterialTask<RealOf
 template <class Law, class Pack>
 CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>& task, Index group,
                                 Index lane) {
-  using Real = RealOf<Pack>;
-  using Stress = PlaneStress<Pack>;
-  using Strain = PlaneStrain<Pack>;
-  Real* const state = task.state + group * task.group_stride + lane;
-  Real* const stress_state = state + (task.stress + components * task.first_point) * lanes;
-  const Real* const strains = task.strain + group * lanes + lane;
-
-  [[maybe_unused]] const auto history = [&](int p) {
-    return HistoryView<Real>{state + task.history * lanes, task.all_points, task.first_point + p};
-  };
-
-  Stress stress[max_points];
-  [[maybe_unused]] typename Law::Trial trial[max_points];
+  PointUpdate<Law, Pack> points(law, task, group, lane);
   [[maybe_unused]] bool any_yields = false;
   for (int p = 0; p < task.points; ++p) {
-    const auto old = load_five<Stress>(stress_state + p * components * lanes, lanes);
-    const auto strain = load_five<Strain>(strains + p * components * tile_lanes, tile_lanes);
-    stress[p] = law.elasticity.stress(old, strain);
-    if constexpr (Law::can_yield) {
-      trial[p] = law.trial(stress[p], strain, history(p));
-      any_yields |= any<Pack>(law.yields(trial[p]));
-    }
+    const auto strain = points.strain(p);
+    [[maybe_unused]] const auto stress = points.elastic_step(p, strain);
+    if constexpr (Law::can_yield)
+      any_yields |= any<Pack>(law.yields(law.trial(stress, strain, points.history(p))));
   }
   if constexpr (Law::can_yield)
-    if (any_yields)
-      for (int p = 0; p < task.points; ++p) {
-        const auto mask = law.yields(trial[p]);
-        if (any<Pack>(mask)) law.correct(stress[p], trial[p], mask, history(p));
-      }
+    if (any_yields) correct_points(points);
   if constexpr (Law::may_fail)
-    if (law.fails())
-      take_failed_stress<Law, Pack>(law, task, stress, history, task.intact + group * lanes + lane);
-
-  Pack energy(Real(0));
-  Pack thickness(Real(0));
-  for (int p = 0; p < task.points; ++p) {
-    const Pack weight(task.weight[p]);
-    const auto old = load_five<Stress>(stress_state + p * components * lanes, lanes);
-    const auto strain = load_five<Strain>(strains + p * components * tile_lanes, tile_lanes);
-    Pack share = weight;
-    if (task.area != nullptr) share = weight * load<Pack>(task.area + p * tile_lanes + group * lanes + lane);
-    energy = multiply_add(share, mean_work(old, stress[p], strain), energy);
-    const Pack sum = (stress[p].xx - old.xx) + (stress[p].yy - old.yy);
-    Pack zz = -(Pack(law.elasticity.lateral) * sum);
-    if constexpr (Law::can_yield) zz = zz + trial[p].plastic_zz;
-    thickness = multiply_add(weight, zz, thickness);
-    store_five(stress_state + p * components * lanes, lanes, stress[p]);
-  }
-  store(task.energy + group * lanes + lane, energy);
-  store(task.thickness_strain + group * lanes + lane, thickness);
+    if (law.fails()) take_failed_stress(points, task.intact + group * lanes + lane);
+  store(task.energy + group * lanes + lane, points.energy);
+  store(task.thickness_strain + group * lanes + lane, points.thickness);
 }
 
 /// Brings all points of a tile up to date.

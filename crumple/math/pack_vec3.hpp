@@ -27,6 +27,11 @@ CRUMPLE_INLINE PackVec3<Pack> operator*(const Pack& s, const PackVec3<Pack>& a) 
   return {s * a.x, s * a.y, s * a.z};
 }
 
+template <class Pack>
+CRUMPLE_INLINE PackVec3<Pack> operator-(const PackVec3<Pack>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+
 /// s a + b.
 template <class Pack>
 CRUMPLE_INLINE PackVec3<Pack> multiply_add(const Pack& s, const PackVec3<Pack>& a, const PackVec3<Pack>& b) {

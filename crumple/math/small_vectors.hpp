@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
+
 #include "base/pack.hpp"
 
 namespace crumple::math {
@@ -23,6 +27,38 @@ CRUMPLE_INLINE Vector read(const void* from) {
 template <class Vector>
 CRUMPLE_INLINE void write(void* to, const Vector& from) {
   __builtin_memcpy(to, &from, sizeof(Vector));
+}
+
+// GCC 12 converts vectors of this kind in halves over the stack, where one instruction would do.
+CRUMPLE_INLINE Float4 to_float(const Double4& v) {
+#if defined(__AVX__)
+  return __builtin_bit_cast(Float4, _mm256_cvtpd_ps(__builtin_bit_cast(__m256d, v)));
+#else
+  return __builtin_convertvector(v, Float4);
+#endif
+}
+CRUMPLE_INLINE Double4 to_double(const Float4& v) {
+#if defined(__AVX__)
+  return __builtin_bit_cast(Double4, _mm256_cvtps_pd(__builtin_bit_cast(__m128, v)));
+#else
+  return __builtin_convertvector(v, Double4);
+#endif
+}
+CRUMPLE_INLINE Double4 to_double(const Double4& v) {
+  return v;
+}
+
+CRUMPLE_INLINE Float8 joined(const Float4& low, const Float4& high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// Subtracts eight numbers from doubles. In halves even where a register holds all eight: the next element
+/// often reads what this one has just written, and a store of a whole line is slow to be read back.
+CRUMPLE_INLINE void subtract_from(double* sum, const Float8& v) {
+  const Float4 low = __builtin_shufflevector(v, v, 0, 1, 2, 3);
+  const Float4 high = __builtin_shufflevector(v, v, 4, 5, 6, 7);
+  write(sum, read<Double4>(sum) - to_double(low));
+  write(sum + 4, read<Double4>(sum + 4) - to_double(high));
 }
 
 /// Rows become columns: out[c] holds number c of the four inputs.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "domain/domain.hpp"
+#include "timeloop/node_kernels.hpp"
 
 namespace crumple::timeloop {
 
@@ -11,12 +12,11 @@ namespace crumple::timeloop {
 /// x(n+1) = x(n) + step v(n+1/2); writes the node records.
 void move_nodes(domain::Domain& domain, double step);
 
-/// v(n+1/2) = v(n-1/2) + interval f(n) / m, likewise the rotations; holds fixed degrees of freedom, leaves
-/// v(n-1/2) in `previous_velocity`, accelerations in the node fields, and clears the forces. Returns the
-/// rotational energy 1/2 I omega(n-1/2).omega(n+1/2) [energy].
-double accelerate_nodes(domain::Domain& domain, AlignedArray<math::Vec3>& previous_velocity, double interval);
+/// v(n+1/2) = v(n-1/2) + interval f(n) / m, likewise the rotations; holds fixed degrees of freedom and clears
+/// the forces. Returns the kinetic energy of time n.
+KickEnergy accelerate_nodes(domain::Domain& domain, const Kick& kick);
 
-/// 1/2 m v(n-1/2).v(n+1/2), the kinetic energy that balances trapezoidal work [energy].
+/// 1/2 m v(n-1/2).v(n+1/2), where something has changed velocities after the kick [energy].
 double kinetic_energy(const domain::Domain& domain, const AlignedArray<math::Vec3>& previous_velocity,
                       const AlignedArray<math::Vec3>& velocity);
 

@@ -10,6 +10,7 @@
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
 #include "model/model.hpp"
+#include "timeloop/node_kernels.hpp"
 
 namespace crumple::timeloop {
 
@@ -59,8 +60,8 @@ class Simulation {
   std::vector<constraints::PlanarWall> walls_;
   loads::NodalLoads nodal_loads_;
   loads::PressureLoads pressure_loads_;
-  AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick for the energy balance
-  double rotational_energy_ = 0;                ///< 1/2 I omega(n-1/2).omega(n+1/2) [energy]
+  AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if there are walls
+  KickEnergy kick_energy_;                      ///< of the last kick, walls included
   double largest_step_ = 0;                     ///< no step exceeds this [time]
   double next_step_ = 0;                        ///< from n to n+1 [time]
 };

@@ -29,7 +29,7 @@ void Simulation::start() {
   compute_forces();
   choose_step();
   const AlignedArray<math::Vec3>& velocity = domain_.nodes.velocity;
-  previous_velocity_ = velocity;
+  if (!walls_.empty()) previous_velocity_ = velocity;
   domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + rotational_energy(domain_);
   balance();
   domain_.energy.initial_total = domain_.energy.total();
@@ -41,8 +41,7 @@ void Simulation::step() {
   compute_forces();
   choose_step();
   kick(0.5 * (domain_.clock.step + next_step_));
-  domain_.energy.kinetic =
-      kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity) + rotational_energy_;
+  domain_.energy.kinetic = kick_energy_.translational + kick_energy_.rotational;
   balance();
 }
 
@@ -80,11 +79,15 @@ void Simulation::choose_step() {
 void Simulation::kick(double interval) {
   {
     const StageTimer timer(domain_.times.integrate);
-    rotational_energy_ = accelerate_nodes(domain_, previous_velocity_, interval);
+    const bool output_wants_acceleration = !model_->output.history_nodes.empty();
+    math::Vec3* const previous = walls_.empty() ? nullptr : previous_velocity_.data();
+    kick_energy_ = accelerate_nodes(domain_, {interval, previous, output_wants_acceleration});
   }
+  if (walls_.empty()) return;
   const StageTimer timer(domain_.times.constraints);
   for (constraints::PlanarWall& wall : walls_)
     wall.stop_nodes(domain_, previous_velocity_, interval, next_step_);
+  kick_energy_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity);
 }
 
 void Simulation::balance() {
