@@ -111,6 +111,21 @@ TEST(ZeroModes, OfSelectiveReduction) {
   EXPECT_EQ(zero_modes(small_plate(hughes_liu_selective, 2, true)), 6 + 9);
 }
 
+/// A triangle has 18 degrees of freedom and 8 strains; what is left beside 6 rigid motions and 3 drilling
+/// rotations is the in-plane twist w = (x, y). Two triangles cannot share it; control has nothing to hold.
+TEST(ZeroModes, OfTriangles) {
+  for (const bool control : {false, true}) {
+    model::Model one = small_plate(triangle, 1, control);
+    one.shells.resize(1);
+    one.nodes.id.resize(3);
+    one.nodes.position.resize(3);
+    one.shells[0].node = {0, 1, 2, 2};
+    EXPECT_EQ(zero_modes(one), 18 - 8);
+    EXPECT_EQ(zero_modes(small_plate(triangle, 1, control)), 6 + 4);
+    EXPECT_EQ(zero_modes(small_plate(triangle, 2, control)), 6 + 9);
+  }
+}
+
 /// Full integration needs no hourglass control: 6 rigid motions and the drilling rotations, nothing else.
 TEST(ZeroModes, OfFullIntegrationAreRigidMotionsAndDrilling) {
   EXPECT_EQ(zero_modes(small_plate(fully_integrated, 1, false)), 6 + 4);
