@@ -164,6 +164,7 @@ void build_shells(Build& build) {
     model::ShellElement shell;
     shell.id = raw.id;
     shell.thickness = raw.thickness;
+    shell.material_angle = raw.material_angle;
     shell.part = build.find(Item::Part, {raw.part, "PID", raw.where});
     bool complete = shell.part != no_index;
     for (std::size_t i = 0; i < 4; ++i) {

@@ -30,6 +30,9 @@ void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_johnson_cook(Cards& cards, RawDeck& deck);
 void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck);
+// read_elastic_materials.cpp
+void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck);
+void read_mat_null(Cards& cards, RawDeck& deck);
 
 // read_curves_sets.cpp
 void read_define_curve(Cards& cards, RawDeck& deck);

@@ -20,6 +20,7 @@ constexpr Keyword table[] = {
     {"NODE", read_node},
     {"ELEMENT_SHELL", read_element_shell},
     {"ELEMENT_SHELL_THICKNESS", read_element_shell_thickness},
+    {"ELEMENT_SHELL_BETA", read_element_shell_thickness},
     {"ELEMENT_MASS", read_element_mass},
     {"ELEMENT_MASS_NODE_SET", read_element_mass_node_set},
 
@@ -39,6 +40,10 @@ constexpr Keyword table[] = {
     {"MAT_015", read_mat_johnson_cook, title},
     {"MAT_SIMPLIFIED_JOHNSON_COOK", read_mat_simplified_johnson_cook, title},
     {"MAT_098", read_mat_simplified_johnson_cook, title},
+    {"MAT_ORTHOTROPIC_ELASTIC", read_mat_orthotropic_elastic, title},
+    {"MAT_002", read_mat_orthotropic_elastic, title},
+    {"MAT_NULL", read_mat_null, title},
+    {"MAT_009", read_mat_null, title},
 
     {"DEFINE_CURVE", read_define_curve, title},
     {"DEFINE_TABLE", read_define_table, title},

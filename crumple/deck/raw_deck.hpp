@@ -30,6 +30,7 @@ struct RawShell {
   UserId part = 0;
   std::array<UserId, 4> node{};
   std::array<double, 4> thickness{};
+  double material_angle = 0;  ///< [rad]
   Where where;
 };
 

@@ -2,6 +2,8 @@
 // *NODE, *ELEMENT_SHELL, *ELEMENT_MASS.
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "deck/families.hpp"
 
 namespace crumple::deck {
@@ -41,7 +43,7 @@ constexpr Field thickness_card[] = {
     sized(16, real("THIC2", 0, not_negative)),
     sized(16, real("THIC3", 0, not_negative)),
     sized(16, real("THIC4", 0, not_negative)),
-    sized(16, unused("BETA")),  // direction of the material, which is isotropic here
+    sized(16, real("BETA")),
 };
 
 constexpr Field mass_card[] = {
@@ -103,6 +105,7 @@ void read_element_shell_thickness(Cards& cards, RawDeck& deck) {
     const Card second = cards.next(thickness_card);
     shell.thickness = {second.real("THIC1"), second.real("THIC2"), second.real("THIC3"),
                        second.real("THIC4")};
+    shell.material_angle = second.real("BETA") * std::numbers::pi / 180;
     // Two equal nodes make a triangle; its fourth thickness is the third one's.
     if (shell.node[3] == shell.node[2]) shell.thickness[3] = shell.thickness[2];
     if (has_ids(card)) deck.shells.push_back(shell);

@@ -109,8 +109,27 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   declare_own_items(constants.can_fail, block);
   allocate(block, domain.execution.precision);
   block.material_constants = materials::shell_material_constants(material);
+  if (!materials::has_stiffness(material.law))
+    constants.hourglass_membrane = constants.hourglass_warping = constants.hourglass_bending = 0;
   block.element_constants = to_numbers(constants);
   return constants;
+}
+
+/// Factor on the step of shells that have no stiffness: no other shell's step is longer.
+constexpr double no_limit = 1e12;
+
+/// What the material wants to know of an element.
+materials::LaminaAxes lamina_axes(const model::ShellElement& shell, const ShellCorners& corner) {
+  const math::Vec3 r31 = corner[2] - corner[0];
+  const math::Vec3 r42 = corner[3] - corner[1];
+  materials::LaminaAxes axes;
+  axes.e1 = normalised(r31 - r42);
+  axes.e3 = normalised(cross(r31, r42));
+  axes.e2 = cross(axes.e3, axes.e1);
+  axes.side = corner[1] - corner[0];
+  axes.angle = shell.material_angle;
+  axes.shell = shell.id;
+  return axes;
 }
 
 /// Factor on the mass that DT2MS asks for, given the step without it.
@@ -150,17 +169,20 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
 
   const std::array<double, 4> at_nodes = model::shell_thickness(model, shell);
   const double thickness = 0.25 * ((at_nodes[0] + at_nodes[1]) + (at_nodes[2] + at_nodes[3]));
-  const double factor = mass_factor(model.control.mass_scaling_step, length * constants.slowness);
+  const model::Material& material = model.materials[model.parts[block.part].material];
+  const bool stiff = materials::has_stiffness(material.law);
+  const double factor = stiff ? mass_factor(model.control.mass_scaling_step, length * constants.slowness) : 1;
   const std::array<double, 2> frame = reference_frame(corner);
   const Index own = constants.own;
   block.set_state(place, own + element_state::thickness, thickness);
   block.set_state(place, own + element_state::active, place < block.elements ? 1 : 0);
   block.set_state(place, own + element_state::frame, frame[0]);
   block.set_state(place, own + element_state::frame + 1, frame[1]);
-  block.set_state(place, own + element_state::step_scale, (triangle ? 2 : 1) * std::sqrt(factor));
+  block.set_state(place, own + element_state::step_scale,
+                  (stiff ? triangle ? 2 : 1 : no_limit) * std::sqrt(factor));
+  materials::prepare_element(material.law, lamina_axes(shell, corner), block, constants.history, place);
 
-  const double density = model.materials[model.parts[block.part].material].density;
-  const double mass = density * area * thickness;
+  const double mass = material.density * area * thickness;
   const double offset = 0.5 * thickness * section_of(model, block).node_place;
   const double about_nodes = thickness * thickness / 12 + offset * offset;
   return {factor * mass, std::max(about_nodes, area * shear_inertia(model, block, constants.shear_root)),

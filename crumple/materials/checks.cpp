@@ -21,6 +21,11 @@ void require_cowper_symonds(const model::Material& material, double rate, double
           "the Cowper-Symonds exponent p must be above zero where the rate C is given");
 }
 
+void fail_axis(UserId shell) {
+  throw Error("Shell " + std::to_string(shell) +
+              ": the direction of its material's axis a is normal to the shell; give another vector.");
+}
+
 void require_failure_strain(const model::Material& material, double failure_strain) {
   require(failure_strain >= 0, material, "the failure strain must not be negative; zero is no failure");
 }

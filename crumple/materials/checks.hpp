@@ -16,6 +16,9 @@ void require_elastic(const model::Material& material, double youngs_modulus, dou
 /// Cowper-Symonds: rate and exponent both above zero, or the rate zero (no rate effect).
 void require_cowper_symonds(const model::Material& material, double rate, double exponent);
 
+/// Throws: the axis that a shell's material is to follow is normal to the shell.
+[[noreturn]] void fail_axis(UserId shell);
+
 /// Failure strain above zero, or zero (no failure).
 void require_failure_strain(const model::Material& material, double failure_strain);
 

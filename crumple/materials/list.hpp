@@ -3,6 +3,8 @@
 
 #include "materials/elastic.hpp"
 #include "materials/johnson_cook.hpp"
+#include "materials/null.hpp"
+#include "materials/orthotropic_elastic.hpp"
 #include "materials/piecewise_linear_plasticity.hpp"
 #include "materials/plastic_kinematic.hpp"
 #include "materials/power_law_plasticity.hpp"
@@ -16,11 +18,13 @@ struct LawList {
 
 /// Every constitutive law of shells, one line each. What a law must have is written in tile_update.hpp (the
 /// update, a template over the pack) and in registry.cpp (name, history and constants).
-using ShellLaws = LawList<  //
-    ElasticLaw,             //
-    PlasticKinematicLaw,    //
-    PiecewiseLinearPlasticityLaw,
-    PowerLawPlasticityLaw,  //
-    JohnsonCookLaw>;
+using ShellLaws = LawList<         //
+    ElasticLaw,                    //
+    PlasticKinematicLaw,           //
+    PiecewiseLinearPlasticityLaw,  //
+    PowerLawPlasticityLaw,         //
+    JohnsonCookLaw,                //
+    OrthotropicElasticLaw,         //
+    NullLaw>;
 
 }  // namespace crumple::materials

@@ -58,6 +58,28 @@ std::vector<double> shell_material_constants(const model::Material& material) {
   return constants;
 }
 
+void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, domain::ShellBlock& block,
+                     Index history, Index place) {
+  with_law(
+      law,
+      [&]<class Law>(Law, int) {
+        if constexpr (requires { Law::prepare_element(law, axes, block, history, place); })
+          Law::prepare_element(law, axes, block, history, place);
+      },
+      ShellLaws{});
+}
+
+bool has_stiffness(const model::ConstitutiveLaw& law) {
+  bool stiff = true;
+  with_law(
+      law,
+      [&]<class Law>(Law, int) {
+        if constexpr (requires { Law::has_stiffness; }) stiff = Law::has_stiffness;
+      },
+      ShellLaws{});
+  return stiff;
+}
+
 bool can_fail(const model::Material& material) {
   bool fails = false;
   with_law(

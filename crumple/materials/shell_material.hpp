@@ -9,6 +9,7 @@
 #include "base/isa.hpp"
 #include "base/pack.hpp"
 #include "domain/shell_block.hpp"
+#include "math/vec3.hpp"
 #include "model/material.hpp"
 
 namespace crumple::materials {
@@ -73,6 +74,22 @@ Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& blo
 
 /// The numbers that the update reads. Throws Error naming the material if one is out of its range.
 std::vector<double> shell_material_constants(const model::Material& material);
+
+/// Axes of an element at time zero.
+struct LaminaAxes {
+  math::Vec3 e1, e2, e3;  ///< those that stresses are counted in, see lamina_frame.hpp
+  math::Vec3 side;        ///< from the first to the second node
+  double angle = 0;       ///< model::ShellElement::material_angle [rad]
+  UserId shell = 0;
+};
+
+/// Sets what the law keeps for each element, once before the run; `history` is what declare_history returned.
+/// Throws Error naming the shell if its axes do not fit.
+void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, domain::ShellBlock& block,
+                     Index history, Index place);
+
+/// False if the material never has a stress: its shells limit no step and have no hourglass control.
+bool has_stiffness(const model::ConstitutiveLaw& law);
 
 /// True if points of this material can fail: MaterialTask::intact must be given then.
 bool can_fail(const model::Material& material);

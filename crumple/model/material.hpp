@@ -87,9 +87,47 @@ struct JohnsonCook {
   bool viscoplastic = false;         ///< the rate is the plastic strain's, else the total one
 };
 
+/// Linear orthotropic elasticity (*MAT_ORTHOTROPIC_ELASTIC) with axes a, b in the shell and c along its
+/// normal.
+struct OrthotropicElastic {
+  /// What the axis a follows at time zero, in the plane of the shell.
+  enum class Axes {
+    Side,         ///< the side from the first to the second node
+    Vector,       ///< `direction`, projected
+    CrossNormal,  ///< the cross product of `direction` with the normal
+  };
+
+  /// Of the isotropic law that stands in for step size, hourglass control, rotary inertia and contact: not
+  /// slower nor softer in shear than this one, see orthotropic_stand_in().
+  double youngs_modulus = 0;  ///< [stress]
+  double poissons_ratio = 0;  ///< [-]
+  double modulus_a = 0;       ///< E_a [stress]
+  double modulus_b = 0;       ///< E_b [stress]
+  double modulus_c = 0;       ///< E_c [stress]
+  double poisson_ba = 0;      ///< nu_ba: -strain a over strain b under stress b [-]
+  double poisson_ca = 0;      ///< nu_ca [-]
+  double poisson_cb = 0;      ///< nu_cb [-]
+  double shear_ab = 0;        ///< G_ab [stress]
+  double shear_bc = 0;        ///< G_bc [stress]
+  double shear_ca = 0;        ///< G_ca [stress]
+  Axes axes = Axes::Side;
+  std::array<double, 3> direction{};  ///< of any length
+  double angle = 0;  ///< from what a follows to a, about the normal [rad]; an element's own goes before it
+};
+
+/// Sets the isotropic stand-in: its plate waves are as fast as the fastest in any direction in the plane, its
+/// shear modulus is not below those of the transverse shears.
+void set_stand_in(OrthotropicElastic& law);
+
+/// No stress; mass, and a surface for contact (*MAT_NULL).
+struct NullMaterial {
+  double youngs_modulus = 0;  ///< E of the contact stiffness [stress]
+  double poissons_ratio = 0;  ///< nu of the contact stiffness [-]
+};
+
 /// The constitutive law and its constants. A new law is one more alternative here.
-using ConstitutiveLaw =
-    std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook>;
+using ConstitutiveLaw = std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity,
+                                     JohnsonCook, OrthotropicElastic, NullMaterial>;
 
 struct Material {
   UserId id = 0;

@@ -22,6 +22,7 @@ struct ShellElement {
   Index part = no_index;
   std::array<Index, 4> node{no_index, no_index, no_index, no_index};  ///< a triangle repeats one, see below
   std::array<double, 4> thickness{};  ///< at the nodes [length]; all zero takes the section's
+  double material_angle = 0;          ///< of an orthotropic law [rad]; zero takes the material's
 };
 
 /// Place of the entry that the next one around the element repeats, or -1: the element is a triangle, in

@@ -128,6 +128,59 @@ TEST(RateMaterial, ViscoplasticForms) {
   EXPECT_EQ(messages_of("*MAT_024\n1,7.83E-6,200,0.3,0.25\n40,5,0,0,3\n\n\n").size(), 1U);
 }
 
+TEST(ElasticMaterial, Orthotropic) {
+  const auto law = law_of<model::OrthotropicElastic>(
+      "*MAT_ORTHOTROPIC_ELASTIC\n"
+      "         1    1.6E-9  138000.0    9000.0    8000.0      0.02      0.03      0.40\n"
+      "    7000.0    3500.0    6500.0       2.0\n"
+      "       0.0       0.0       0.0       0.0       1.0       0.5\n"
+      "       0.0       0.0       0.0       0.0       0.0       0.0      30.0\n");
+  EXPECT_EQ(law.modulus_b, 9000);
+  EXPECT_EQ(law.poisson_cb, 0.4);
+  EXPECT_EQ(law.shear_bc, 3500);
+  EXPECT_EQ(law.axes, model::OrthotropicElastic::Axes::Vector);
+  EXPECT_EQ(law.direction, (std::array<double, 3>{0, 1, 0.5}));
+  EXPECT_NEAR(law.angle, 0.52359877559829887, 1e-15);
+  EXPECT_GT(law.youngs_modulus, 100000);
+  const auto crossed =
+      law_of<model::OrthotropicElastic>("*MAT_002\n1,1.6E-9,138000,9000,8000\n7000,3500,6500,3\n\n0,0,1\n");
+  EXPECT_EQ(crossed.axes, model::OrthotropicElastic::Axes::CrossNormal);
+  EXPECT_EQ(crossed.direction[2], 1);
+}
+
+TEST(ElasticMaterial, OrthotropicFaults) {
+  const auto only = [](const std::string& text, const std::string& expected) {
+    const auto messages = messages_of(text);
+    ASSERT_EQ(messages.size(), 1U) << text;
+    EXPECT_NE(messages[0].find(expected), std::string::npos) << messages[0];
+  };
+  only("*MAT_002\n1,1.6E-9,138000,9000,8000,0.3\n7000,3500,6500\n\n\n", "field PRBA");
+  only("*MAT_002\n1,1.6E-9,138000,9000,8000\n7000,3500,6500,2\n\n\n", "field A1");
+  only("*MAT_002\n1,1.6E-9,138000,9000,8000\n7000,3500,6500,4\n\n\n", "field AOPT");
+  only("*MAT_002\n1,1.6E-9,138000,9000,8000\n7000,0,6500\n\n\n", "field GBC");
+}
+
+TEST(ElasticMaterial, AngleOfTheElement) {
+  SmallDeck deck;
+  deck.shells =
+      "*ELEMENT_SHELL_BETA\n      11       1       1       2       3       4\n"
+      "             0.0             0.0             0.0             0.0            90.0\n"
+      "      12       1       2       5       6       3\n\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_NEAR(model.shells[0].material_angle, std::acos(0.0), 1e-15);
+  EXPECT_EQ(model.shells[1].material_angle, 0);
+  EXPECT_EQ(model::shell_thickness(model, model.shells[0])[0], 0.1);
+}
+
+TEST(ElasticMaterial, Null) {
+  const auto law = law_of<model::NullMaterial>("*MAT_NULL\n1,7.83E-9,0,0,0,0,210000,0.3\n");
+  EXPECT_EQ(law.youngs_modulus, 210000);
+  EXPECT_EQ(law.poissons_ratio, 0.3);
+  const auto messages = messages_of("*MAT_009\n1,7.83E-9\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("field YM"), std::string::npos);
+}
+
 constexpr const char* two_curves =
     "*DEFINE_CURVE\n21\n0.0,0.2\n0.1,0.3\n"
     "*DEFINE_CURVE\n22\n0.0,0.3\n0.2,0.5\n";

@@ -36,6 +36,11 @@ class PointDriver {
     if (can_fail(material)) intact_.assign(tile_lanes, Real(-1));
   }
 
+  /// Gives every element the same axes.
+  void prepare(const model::ConstitutiveLaw& law, const LaminaAxes& axes) {
+    for (Index e = 0; e < tile_lanes; ++e) prepare_element(law, axes, block_, history_, e);
+  }
+
   void set_strain(Index element, int point, const Five& strain) {
     for (int c = 0; c < components; ++c)
       strain_[(static_cast<std::size_t>(point) * components + c) * tile_lanes + element] =

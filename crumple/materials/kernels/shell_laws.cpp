@@ -9,7 +9,12 @@ namespace {
 
 template <class Law, class Real>
 void update(const MaterialTask<Real>& task) {
-  update_tile<typename Law::template Update<NativePack<Real>>, NativePack<Real>>(task);
+  using Pack = NativePack<Real>;
+  using Update = typename Law::template Update<Pack>;
+  if constexpr (requires { Law::is_turned; })
+    update_turned_tile<Update, Pack>(task);
+  else
+    update_tile<Update, Pack>(task);
 }
 
 template <class Real, class... Laws>

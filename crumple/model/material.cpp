@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/material.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace crumple::model {
+
+void set_stand_in(OrthotropicElastic& law) {
+  const double poisson_ab = law.poisson_ba * law.modulus_a / law.modulus_b;
+  const double determinant = 1 - law.poisson_ba * poisson_ab;
+  const double aa = law.modulus_a / determinant;
+  const double bb = law.modulus_b / determinant;
+  const double ab = law.poisson_ba * aa;
+  // Largest eigenvalue of the acoustic tensor over the directions of propagation.
+  double fastest = 0;
+  constexpr int directions = 180;
+  for (int k = 0; k < directions; ++k) {
+    const double angle = std::numbers::pi * k / directions;
+    const double cc = std::cos(angle) * std::cos(angle);
+    const double ss = 1 - cc;
+    const double first = aa * cc + law.shear_ab * ss;
+    const double second = bb * ss + law.shear_ab * cc;
+    const double mixed = (ab + law.shear_ab) * std::cos(angle) * std::sin(angle);
+    const double half = 0.5 * (first - second);
+    fastest = std::max(fastest, 0.5 * (first + second) + std::sqrt(half * half + mixed * mixed));
+  }
+  // E / (1 - nu^2) = fastest and E / (2 (1 + nu)) >= shear.
+  const double shear = std::max(law.shear_bc, law.shear_ca);
+  law.poissons_ratio = std::clamp(1 - 2 * shear / fastest, -0.9, 0.4);
+  law.youngs_modulus = fastest * (1 - law.poissons_ratio * law.poissons_ratio);
+}
+
+}  // namespace crumple::model
