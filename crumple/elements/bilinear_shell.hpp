@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "elements/gather.hpp"
-#include "elements/lamina_frame.hpp"
+#include "elements/formulation.hpp"
 
 // What the shells with 2 x 2 points in plane share: a four-node surface whose nodes carry fibres, written in
 // the coordinates xi, eta of -1..1 instead of node by node. docs/theory/fully_integrated.md.
@@ -158,6 +157,37 @@ CRUMPLE_INLINE void to_nodes(const LaminaFrame<Pack>& frame, const Bilinear<Pack
   node[1] = from_axes(frame, plus_xi - plus_eta);
   node[2] = from_axes(frame, plus_xi + plus_eta);
   node[3] = from_axes(frame, minus_xi + minus_eta);
+}
+
+/// Brings the drilling stresses in the state up to date, against what differs over the element of the nodes'
+/// rotation about the normal, and leaves the energy for the driver. Where fibres of neighbours differ by
+/// ever so little, free drilling rotations would open hinges between them. x, y and bending_x of the modes
+/// hold xi, eta and twist of the drilling; `warping` is a new stress of the caller's, for z.
+template <class Pack>
+CRUMPLE_INLINE HourglassModes<Pack> update_drilling(const ShellPlace<RealOf<Pack>>& place,
+                                                    const Pack& thickness, const HourglassModes<Pack>& rate,
+                                                    const Pack& warping) {
+  using Real = RealOf<Pack>;
+  const Pack step(place.task.step);
+  const Pack modulus = Pack(place.task.constants.hourglass_membrane) * (thickness * (thickness * thickness));
+  const Pack stiffness = step * modulus;
+  const HourglassModes<Pack> old = hourglass_state<Pack>(place);
+  HourglassModes<Pack> now{multiply_add(stiffness, rate.x, old.x), multiply_add(stiffness, rate.y, old.y),
+                           warping, multiply_add(stiffness, rate.bending_x, old.bending_x), Pack(Real(0))};
+  if (place.task.constants.can_fail) now = scaled(now, own_state<Pack>(place, element_state::active));
+  set_hourglass_state(place, now);
+  store(place.rows + scratch_row::hourglass_energy * tile_lanes, hourglass_work(step, old, now, rate));
+  return now;
+}
+
+/// Adds the drilling moments to those on the coefficients of the angular velocities.
+template <class Pack>
+CRUMPLE_INLINE Bilinear<Pack> with_drilling(const Bilinear<Pack>& moments, const HourglassModes<Pack>& q) {
+  Bilinear<Pack> sum = moments;
+  sum.xi.z = sum.xi.z + q.x;
+  sum.eta.z = sum.eta.z + q.y;
+  sum.twist.z = sum.twist.z + q.bending_x;
+  return sum;
 }
 
 /// The 2 x 2 points: xi and eta are sign / sqrt(3); order as the nodes.

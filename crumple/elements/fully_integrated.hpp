@@ -2,7 +2,6 @@
 #pragma once
 
 #include "elements/bilinear_shell.hpp"
-#include "elements/formulation.hpp"
 
 namespace crumple::elements {
 
@@ -19,7 +18,8 @@ struct FullyIntegrated {
   static constexpr int row_r31 = 0;
   static constexpr int row_r42 = 3;
   static constexpr int row_mode = 6;
-  static constexpr int rows = 9;
+  static constexpr int row_drilling = 9;
+  static constexpr int rows = 12;
 
   template <class Pack>
   static void strains(const ShellPlace<RealOf<Pack>>& place);
@@ -256,9 +256,9 @@ CRUMPLE_INLINE void FullyIntegrated::strains(const ShellPlace<RealOf<Pack>>& pla
   const BilinearSurface<Pack> s = bilinear_surface(frame, r31, r42, r_mode);
   const AssumedStrains<Pack> a = assumed_strains(s, constants.poissons_ratio);
   const Pack zero(Real(0));
+  const Bilinear<Pack> w = bilinear(frame, n.w31, n.w42, n.w_mode, n.w_sum);
   const ShellRates<Pack> rates =
-      shell_rates(s, a, bilinear(frame, n.v31, n.v42, n.v_mode, math::PackVec3<Pack>{zero, zero, zero}),
-                  bilinear(frame, n.w31, n.w42, n.w_mode, n.w_sum));
+      shell_rates(s, a, bilinear(frame, n.v31, n.v42, n.v_mode, math::PackVec3<Pack>{zero, zero, zero}), w);
   for (int plane = 0; plane < planes; ++plane) {
     const PlanePoint<Pack> point = plane_point(s, plane);
     store_strains(place, plane, strain_at(rates.membrane, a, point), strain_at(rates.bending, a, point),
@@ -269,6 +269,7 @@ CRUMPLE_INLINE void FullyIntegrated::strains(const ShellPlace<RealOf<Pack>>& pla
   keep_vec(place, row_r31, n.r31);
   keep_vec(place, row_r42, n.r42);
   keep_vec(place, row_mode, n.r_mode);
+  keep_vec(place, row_drilling, math::PackVec3<Pack>{w.xi.z, w.eta.z, w.twist.z});
 }
 
 /// Stresses of one point in plane over the thickness: mean, and mean times the place.
@@ -415,12 +416,15 @@ CRUMPLE_INLINE ShellForces<Pack> FullyIntegrated::forces(const ShellPlace<RealOf
   const Pack thickness = active * own_state<Pack>(place, element_state::thickness);
   const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
   store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * (active * mean_thickness)));
-  store(place.rows + scratch_row::hourglass_energy * tile_lanes, Pack(Real(0)));
+  const Vec drilling = kept_vec<Pack>(place, row_drilling);
+  const Pack zero(Real(0));
+  const auto q = update_drilling(place, thickness,
+                                 HourglassModes<Pack>{drilling.x, drilling.y, zero, drilling.z, zero}, zero);
 
   const SurfaceForces<Pack> f = surface_forces(s, a, element_forces(place, s, a, thickness));
   ShellForces<Pack> out;
   to_nodes(frame, f.on_velocity, out.force);
-  to_nodes(frame, fibre_moments(s, f.on_fibre), out.moment);
+  to_nodes(frame, with_drilling(fibre_moments(s, f.on_fibre), q), out.moment);
   limit_step(place, Pack(Real(4) * s.jacobian), r31, r42, r_mode);
   return out;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "elements/bilinear_shell.hpp"
-#include "elements/formulation.hpp"
 
 namespace crumple::elements {
 
@@ -19,7 +18,8 @@ struct HughesLiuSelective {
   static constexpr int row_r42 = 3;
   static constexpr int row_mode = 6;
   static constexpr int row_rate = 9;
-  static constexpr int rows = 10;
+  static constexpr int row_drilling = 10;
+  static constexpr int rows = 13;
 
   template <class Pack>
   static void strains(const ShellPlace<RealOf<Pack>>& place);
@@ -120,7 +120,8 @@ CRUMPLE_INLINE void HughesLiuSelective::strains(const ShellPlace<RealOf<Pack>>& 
   const BilinearSurface<Pack> s = layered_surface(frame, r31, r42, r_mode, thickness);
   const Pack zero(Real(0));
   const Bilinear<Pack> v = bilinear(frame, n.v31, n.v42, n.v_mode, math::PackVec3<Pack>{zero, zero, zero});
-  const Bilinear<Pack> b = fibre_rates(s, bilinear(frame, n.w31, n.w42, n.w_mode, n.w_sum));
+  const Bilinear<Pack> w = bilinear(frame, n.w31, n.w42, n.w_mode, n.w_sum);
+  const Bilinear<Pack> b = fibre_rates(s, w);
 
   const Pack step(place.task.step);
   const Pack shear_step = step * Pack(constants.shear_root);
@@ -148,6 +149,7 @@ CRUMPLE_INLINE void HughesLiuSelective::strains(const ShellPlace<RealOf<Pack>>& 
   keep_vec(place, row_r42, n.r42);
   keep_vec(place, row_mode, n.r_mode);
   keep(place, row_rate, warping_rate(s, v, b));
+  keep_vec(place, row_drilling, math::PackVec3<Pack>{w.xi.z, w.eta.z, w.twist.z});
 }
 
 /// Forces on the coefficients of the velocities and of the fibre rates.
@@ -275,13 +277,17 @@ CRUMPLE_INLINE ShellForces<Pack> HughesLiuSelective::forces(const ShellPlace<Rea
   store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * (active * mean_thickness)));
 
   const Pack zero(Real(0));
-  const auto q = update_hourglass(place, g, thickness,
-                                  HourglassModes<Pack>{zero, zero, kept<Pack>(place, row_rate), zero, zero});
+  const Vec drilling = kept_vec<Pack>(place, row_drilling);
+  const HourglassModes<Pack> rate{drilling.x, drilling.y, kept<Pack>(place, row_rate), drilling.z, zero};
+  const ShellConstants<Real>& constants = place.task.constants;
+  const auto warping = hourglass_stress(constants, hourglass_moduli(constants, g, thickness),
+                                        Pack(place.task.step), hourglass_state<Pack>(place), rate);
+  const auto q = update_drilling(place, thickness, rate, warping.z);
   LayeredForces<Pack> sum = layered_forces(place, s, thickness);
   add_warping(sum, s, q.z);
   ShellForces<Pack> out;
   to_nodes(frame, sum.on_velocity, out.force);
-  to_nodes(frame, fibre_moments(s, sum.on_fibre), out.moment);
+  to_nodes(frame, with_drilling(fibre_moments(s, sum.on_fibre), q), out.moment);
   limit_step(place, Pack(Real(4) * smallest_layer(place, s, full_thickness)), r31, r42, r_mode);
   return out;
 }

@@ -20,7 +20,9 @@ ShellFormulation formulation(const std::string& elform, const std::string& contr
 TEST(ShellFormulation, FollowsElform) {
   EXPECT_EQ(formulation("         1"), ShellFormulation::HughesLiu);
   EXPECT_EQ(formulation("         2"), ShellFormulation::BelytschkoTsay);
+  EXPECT_EQ(formulation("         6"), ShellFormulation::HughesLiuSelectiveReduced);
   EXPECT_EQ(formulation("        10"), ShellFormulation::BelytschkoWongChiang);
+  EXPECT_EQ(formulation("        16"), ShellFormulation::FullyIntegrated);
   EXPECT_EQ(formulation(""), ShellFormulation::BelytschkoTsay);
 }
 
@@ -29,6 +31,8 @@ TEST(ShellFormulation, FollowsControlShell) {
   const std::string theory_10 = "*CONTROL_SHELL\n                                                10\n";
   EXPECT_EQ(formulation("", theory_10), ShellFormulation::BelytschkoWongChiang);
   EXPECT_EQ(formulation("         1", theory_10), ShellFormulation::HughesLiu);
+  const std::string theory_16 = "*CONTROL_SHELL\n                                                16\n";
+  EXPECT_EQ(formulation("", theory_16), ShellFormulation::FullyIntegrated);
   const std::string warping =
       "*CONTROL_SHELL\n      20.0         1        -1         0         2         1         1         1\n";
   EXPECT_EQ(formulation("         2", warping), ShellFormulation::BelytschkoWongChiang);
