@@ -119,8 +119,9 @@ void print_eroded(std::ostream& out, const output::View& view) {
     if (block.eroded == 0) continue;
     if (first) fmt::print(out, "\nEroded shells\n");
     first = false;
-    fmt::print(out, "  part {:<21} {:>13} of {}, with the energy {:.6e}\n", view.model.parts[block.part].id,
-               block.eroded, block.elements, block.eroded_energy);
+    const bool triangles = block.formulation == model::ShellFormulation::Triangle;
+    fmt::print(out, "  part {:<21} {:>13} of {}{}, with the energy {:.6e}\n", view.model.parts[block.part].id,
+               block.eroded, block.elements, triangles ? " triangles" : "", block.eroded_energy);
   }
 }
 
