@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "support/meshes.hpp"
 #include "support/run.hpp"
@@ -94,13 +95,25 @@ TEST_P(Cantilever, AmplitudeAndPeriodFollowBeamTheory) {
   EXPECT_LT(work_error, 1e-3 * force * exact_peak);
 }
 
-INSTANTIATE_TEST_SUITE_P(BothShells, Cantilever,
+std::string name_of(const ::testing::TestParamInfo<model::ShellFormulation>& which) {
+  using enum model::ShellFormulation;
+  switch (which.param) {
+    case HughesLiu:
+      return "HughesLiu";
+    case HughesLiuSelectiveReduced:
+      return "HughesLiuSelectiveReduced";
+    case FullyIntegrated:
+      return "FullyIntegrated";
+    default:
+      return "BelytschkoTsay";
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Shells, Cantilever,
                          ::testing::Values(model::ShellFormulation::BelytschkoTsay,
-                                           model::ShellFormulation::HughesLiu),
-                         [](const auto& which) {
-                           return which.param == model::ShellFormulation::HughesLiu ? "HughesLiu"
-                                                                                    : "BelytschkoTsay";
-                         });
+                                           model::ShellFormulation::HughesLiu,
+                                           model::ShellFormulation::HughesLiuSelectiveReduced,
+                                           model::ShellFormulation::FullyIntegrated),
+                         name_of);
 
 }  // namespace
 }  // namespace crumple
