@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "materials/checks.hpp"
+#include "materials/plastic_state.hpp"
 
 namespace crumple::materials {
 namespace {
@@ -29,7 +30,7 @@ bool JohnsonCookLaw::can_fail(const model::ConstitutiveLaw& law) {
 
 void JohnsonCookLaw::declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block) {
   const auto& own = std::get<Model>(law);
-  domain::add_item(block, "plastic_strain", "-", block.points());
+  declare_plastic_strain(block);
   if (softens(own)) domain::add_item(block, "temperature_rise", "temperature", block.points());
   if (damages(own)) domain::add_item(block, "damage", "-", block.points());
 }

@@ -141,10 +141,10 @@ struct JohnsonCookLaw {
 
     CRUMPLE_INLINE Real number(Place place) const { return static_cast<Real>(c[place]); }
     CRUMPLE_INLINE static Real* temperature(const History& history) {
-      return history.at(history.points + history.point);
+      return history.at(2 * history.points + history.point);
     }
     CRUMPLE_INLINE Real* damage(const History& history) const {
-      return history.at((softens ? 2 : 1) * history.points + history.point);
+      return history.at((softens ? 3 : 2) * history.points + history.point);
     }
 
     CRUMPLE_INLINE bool fails() const { return damages || this->failure > 0; }
@@ -177,11 +177,9 @@ struct JohnsonCookLaw {
 
     CRUMPLE_INLINE void correct(PlaneStress<Pack>& stress, Trial& t, const Mask& mask,
                                 const History& history) const {
-      const Pack zero(Real(0));
-      const Pack before = load<Pack>(Base::plastic_strain(history));
       Base::correct(stress, t, mask, history);
       if (!softens && !damages) return;
-      const Pack flow = select<Pack>(mask, Pack(load<Pack>(Base::plastic_strain(history)) - before), zero);
+      const Pack flow = t.flow;
       Pack square = stress.xx * stress.xx - stress.xx * stress.yy;
       square = multiply_add(stress.yy, stress.yy, square);
       Pack shears = stress.xy * stress.xy;

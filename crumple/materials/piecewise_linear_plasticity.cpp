@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "materials/checks.hpp"
+#include "materials/plastic_state.hpp"
 
 namespace crumple::materials {
 namespace {
@@ -49,7 +50,7 @@ void check_rates(const model::Material& material, const model::PiecewiseLinearPl
 
 void PiecewiseLinearPlasticityLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
                                                    domain::ShellBlock& block) {
-  domain::add_item(block, "plastic_strain", "-", block.points());
+  declare_plastic_strain(block);
 }
 
 std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Material& material) {

@@ -27,6 +27,7 @@ struct PlaneStressPlasticity {
     Pack radius;       ///< yield stress at the old plastic strain and the present rate
     Pack rate_factor;
     Pack plastic_zz;  ///< increment of plastic strain zz
+    Pack flow;        ///< increment of the effective plastic strain
     Pack aside;       ///< what the hardening wants to know in the return
   };
   static constexpr bool can_yield = true;
@@ -61,8 +62,11 @@ struct PlaneStressPlasticity {
   static constexpr Real unreachable = sizeof(Real) == sizeof(float) ? Real(1e18) : Real(1e150);
 
   CRUMPLE_INLINE static Real* plastic_strain(const History& history) { return history.at(history.point); }
+  CRUMPLE_INLINE static Real* plastic_strain_rest(const History& history) {
+    return history.at(history.points + history.point);
+  }
   CRUMPLE_INLINE static Real* back_stress(const History& history) {
-    return history.at(history.points + components * history.point);
+    return history.at(2 * history.points + components * history.point);
   }
 
   CRUMPLE_INLINE PlaneStress<Pack> relative(const PlaneStress<Pack>& stress, const History& history) const {
@@ -92,7 +96,13 @@ struct PlaneStressPlasticity {
     Pack radius = factor * yield;
     // What has failed does not flow any more: its plastic strain stays what it was.
     if (fails()) radius = select<Pack>(intact(history), radius, Pack(unreachable));
-    return {Pack(Real(0.25)) * (sum * sum), Pack(Real(3)) * rest, radius, factor, Pack(Real(0)), aside};
+    return {Pack(Real(0.25)) * (sum * sum),
+            Pack(Real(3)) * rest,
+            radius,
+            factor,
+            Pack(Real(0)),
+            Pack(Real(0)),
+            aside};
   }
 
   CRUMPLE_INLINE Mask yields(const Trial& t) const {
@@ -159,6 +169,19 @@ struct PlaneStressPlasticity {
     return found;
   }
 
+  /// The rounding error of the sum is kept and added the next time, or slow flow would come to a halt in
+  /// float (sum with its error after D.E. Knuth, The Art of Computer Programming 2, section 4.2.2).
+  CRUMPLE_INLINE static void add_plastic_strain(const History& history, const Pack& flow) {
+    const Pack old = load<Pack>(plastic_strain(history));
+    const Pack rest = load<Pack>(plastic_strain_rest(history));
+    const Pack growth = select<Pack>(flow > Pack(Real(0)), Pack(flow + rest), Pack(Real(0)));
+    const Pack sum = old + growth;
+    const Pack taken = sum - old;
+    const Pack lost = (old - (sum - taken)) + (growth - taken);
+    store(plastic_strain(history), sum);
+    store(plastic_strain_rest(history), select<Pack>(flow > Pack(Real(0)), lost, rest));
+  }
+
   CRUMPLE_INLINE void correct(PlaneStress<Pack>& stress, Trial& t, const Mask& mask,
                               const History& history) const {
     const Pack zero(Real(0));
@@ -194,9 +217,8 @@ struct PlaneStressPlasticity {
     stress.xy = select<Pack>(mask, returned.xy, stress.xy);
     stress.yz = select<Pack>(mask, returned.yz, stress.yz);
     stress.zx = select<Pack>(mask, returned.zx, stress.zx);
-    const Pack grown =
-        multiply_add(Pack(Pack(Real(2.0 / 3.0)) * gamma), Pack(solution.size * t.radius), old_strain);
-    store(plastic_strain(history), select<Pack>(mask, grown, old_strain));
+    t.flow = select<Pack>(mask, Pack(Pack(Pack(Real(2.0 / 3.0)) * gamma) * (solution.size * t.radius)), zero);
+    add_plastic_strain(history, t.flow);
     t.plastic_zz = select<Pack>(mask, Pack(-(Pack(Real(2.0 / 3.0)) * gamma * sum)), zero);
   }
 };

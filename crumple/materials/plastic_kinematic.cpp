@@ -2,11 +2,12 @@
 #include "materials/plastic_kinematic.hpp"
 
 #include "materials/checks.hpp"
+#include "materials/plastic_state.hpp"
 
 namespace crumple::materials {
 
 void PlasticKinematicLaw::declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block) {
-  domain::add_item(block, "plastic_strain", "-", block.points());
+  declare_plastic_strain(block);
   const auto& own = std::get<Model>(law);
   if (own.tangent_modulus != 0 && own.isotropic_fraction < 1)
     domain::add_item(block, "back_stress", "stress", components * block.points());

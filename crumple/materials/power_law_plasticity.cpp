@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "materials/checks.hpp"
+#include "materials/plastic_state.hpp"
 
 namespace crumple::materials {
 
 void PowerLawPlasticityLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
                                             domain::ShellBlock& block) {
-  domain::add_item(block, "plastic_strain", "-", block.points());
+  declare_plastic_strain(block);
 }
 
 std::vector<double> PowerLawPlasticityLaw::constants(const model::Material& material) {
