@@ -39,13 +39,13 @@ void print_parts(std::ostream& out, const model::Model& model, const domain::Dom
   const output::PartMasses masses(output::View{model, domain, 0});
   std::vector<Index> shells(model.parts.size());
   for (const model::ShellElement& shell : model.shells) ++shells[shell.part];
-  fmt::print(out, "  {:>8} {:>8}  {:<18} {:<18} {:>3} {:>14} {:>11}  title\n", "part", "shells", "element",
+  fmt::print(out, "  {:>8} {:>8}  {:<22} {:<18} {:>3} {:>14} {:>11}  title\n", "part", "shells", "element",
              "material", "nip", "thickness", "mass");
   const Index rows = std::min(part_rows, static_cast<Index>(model.parts.size()));
   for (Index p = 0; p < rows; ++p) {
     const model::Part& part = model.parts[p];
     const model::ShellSection& section = model.shell_sections[part.section];
-    fmt::print(out, "  {:>8} {:>8}  {:<18} {:<18} {:>3} {:>14} {:>11.4g}  {}\n", part.id, shells[p],
+    fmt::print(out, "  {:>8} {:>8}  {:<22} {:<18} {:>3} {:>14} {:>11.4g}  {}\n", part.id, shells[p],
                elements::shell_kind(section.formulation).name,
                materials::shell_material_name(model.materials[part.material].law), section.thickness_points,
                thickness_range(model, p), masses.mass(p), part.title);
