@@ -6,9 +6,9 @@
 namespace crumple::elements {
 
 /// The C0 triangle of Kennedy, Belytschko & Lin (Nuclear Engineering and Design 97 (1986) 1-24):
-/// docs/theory/c0_triangle.md. Its fourth node repeats the third, so that the differences over the "diagonals"
-/// 31 and 42 are those over sides 1-3 and 2-3. Membrane and bending strains are constant; nothing is left for
-/// hourglass control to hold.
+/// docs/theory/c0_triangle.md. Its fourth node repeats the third, so that the differences over the
+/// "diagonals" 31 and 42 are those over sides 1-3 and 2-3. Membrane and bending strains are constant; nothing
+/// is left for hourglass control to hold.
 struct Triangle {
   static constexpr model::ShellFormulation formulation = model::ShellFormulation::Triangle;
   static constexpr const char* name = "C0 triangle";
