@@ -24,6 +24,7 @@ constexpr const char* examples = R"(Examples:
   crumple run deck.k --contact auto         contact of everything with everything
   crumple run deck.k --search brute-force   another method of the contact search
   crumple check deck.k                      what is read, ignored, wrong; masses and time steps
+  crumple bench -t 2                        how fast this machine is, about a minute
   crumple i=deck.k ncpu=4 memory=200m       as LS-DYNA is called
 
 Exit codes:
@@ -69,14 +70,20 @@ void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
       ->check(CLI::IsMember({"auto"}));
 }
 
+/// Options of running and measuring.
+void add_machine_options(CLI::App& command, Options& options) {
+  command
+      .add_option("-t,--threads", options.threads, "Threads; results are bitwise the same for any number [1]")
+      ->check(CLI::Range(1, 1024));
+  command.add_option("--isa", options.isa, "Instruction set of the kernels [the fastest of this processor]")
+      ->check(CLI::IsMember(isa_names()));
+}
+
 void add_run_options(CLI::App& run, Options& options) {
   run.add_option("-o,--output", options.folder, "Folder of the results [the deck's name with .out, here]");
-  run.add_option("-t,--threads", options.threads, "Threads; results are bitwise the same for any number [1]")
-      ->check(CLI::Range(1, 1024));
+  add_machine_options(run, options);
   run.add_option("--precision", options.precision, "Arithmetic of elements and contact [double]")
       ->check(CLI::IsMember({"mixed", "double"}));
-  run.add_option("--isa", options.isa, "Instruction set of the kernels [the fastest of this processor]")
-      ->check(CLI::IsMember(isa_names()));
   run.add_option("--search", options.search, "Method of the contact search [production]")
       ->check(CLI::IsMember(search_names()));
   run.add_option("--verify-search", options.verify_search,
@@ -107,6 +114,10 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
   CLI::App* run = program.add_subcommand("run", "Run an LS-DYNA keyword deck");
   CLI::App* check =
       program.add_subcommand("check", "Read a deck, say what it holds and what is wrong with it");
+  CLI::App* bench =
+      program.add_subcommand("bench", "Measure this machine: the time step of shells, the contact search");
+  bench->footer("Example:\n  crumple bench -t 2 --isa avx2");
+  add_machine_options(*bench, line.options);
   bool automatic_contact = false;
   add_reading_options(*run, line.options, automatic_contact);
   add_run_options(*run, line.options);
@@ -128,7 +139,7 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     return line;
   }
   line.options.automatic_contact = automatic_contact;
-  line.command = run->parsed() ? Command::Run : Command::Check;
+  line.command = run->parsed() ? Command::Run : check->parsed() ? Command::Check : Command::Bench;
   return line;
 }
 

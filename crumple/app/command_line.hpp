@@ -27,11 +27,11 @@ struct Options {
   std::vector<std::string> notes;  ///< on arguments that were accepted without effect
 };
 
-enum class Command { Run, Check, Help, Mistake };
+enum class Command { Run, Check, Bench, Help, Mistake };
 
 struct CommandLine {
   Command command = Command::Mistake;
-  Options options;   ///< for Run and Check
+  Options options;   ///< for Run, Check and Bench
   std::string text;  ///< for Help and Mistake: what to tell the user
 };
 

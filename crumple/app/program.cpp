@@ -6,6 +6,7 @@
 #include <exception>
 #include <ostream>
 
+#include "app/bench_command.hpp"
 #include "app/check_command.hpp"
 #include "app/command_line.hpp"
 #include "app/run_command.hpp"
@@ -24,6 +25,8 @@ ExitCode run_program(const std::vector<std::string>& arguments, const Console& c
         return ExitCode::Usage;
       case Command::Check:
         return check_deck(line.options, console);
+      case Command::Bench:
+        return bench_machine(line.options, console);
       case Command::Run:
         return run_deck(line.options, console);
     }

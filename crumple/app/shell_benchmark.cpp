@@ -21,6 +21,7 @@ constexpr double yielding_share = 0.2;
 constexpr double strain_per_cycle = 2e-5;
 constexpr double elastic_strain_per_cycle = 2e-8;
 constexpr double yield_strain = 250.0 / 210000;
+static_assert(cycles_to_yield * strain_per_cycle > 1.5 * yield_strain);
 constexpr long most_cycles = 4000;  ///< keeps the strain below a tenth
 
 double processor_seconds() {
@@ -81,6 +82,12 @@ Law steel() {
   if constexpr (requires { law.yield_stress = 250.0; }) law.yield_stress = 250;
   if constexpr (requires { law.tangent_modulus; }) law.tangent_modulus = 2100;
   if constexpr (requires { law.isotropic_fraction; }) law.isotropic_fraction = 1;
+  if constexpr (requires { law.hardening = 300.0; }) law.hardening = 300;
+  if constexpr (requires { law.exponent = 0.2; }) law.exponent = 0.2;
+  if constexpr (requires { law.strength = 960.0; }) {
+    law.strength = 960;  // 250 at the yield strain
+    law.yield_strain = yield_strain;
+  }
   if constexpr (requires { law.plastic_strain.size(); }) {
     law.plastic_strain = {0, 0.002, 0.01, 0.03, 0.1};
     law.yield_stress = {250, 260, 280, 300, 320};
@@ -122,15 +129,19 @@ std::vector<NamedFormulation> benchmark_formulations() {
   return found;
 }
 
-ShellTimes measure_shells(const ShellBenchmark& benchmark, double seconds) {
+model::Model shell_benchmark_model(const ShellBenchmark& benchmark) {
   model::Model model = sheet(benchmark);
   set_in_motion(model, benchmark.side);
+  return model;
+}
+
+ShellTimes measure_shells(const ShellBenchmark& benchmark, double seconds) {
+  const model::Model model = shell_benchmark_model(benchmark);
   timeloop::Simulation simulation(model, benchmark.execution);
   simulation.start();
   const double shells = static_cast<double>(model.shells.size());
   // Two milliseconds are short beside what the scheduler gives in one piece, long beside reading the clock.
   const long batch = std::max(1L, static_cast<long>(1e5 / shells));
-  constexpr int cycles_to_yield = static_cast<int>(1.5 * yield_strain / strain_per_cycle);
   for (int cycle = 0; cycle < cycles_to_yield; ++cycle) simulation.step();
 
   const Stopwatch total;

@@ -43,6 +43,10 @@ struct NamedFormulation {
 std::vector<NamedLaw> benchmark_laws();
 std::vector<NamedFormulation> benchmark_formulations();
 
+/// The sheet with its initial velocities. Where it is to yield it does so after cycles_to_yield steps.
+model::Model shell_benchmark_model(const ShellBenchmark& benchmark);
+inline constexpr int cycles_to_yield = 90;
+
 /// Runs whole time steps for about `seconds`. Throws Error if the formulation refuses the material.
 ShellTimes measure_shells(const ShellBenchmark& benchmark, double seconds);
 

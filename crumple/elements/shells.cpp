@@ -18,10 +18,10 @@ using domain::Domain;
 using domain::ShellBlock;
 
 template <class Real>
-void work_off(Domain& domain, const Chunk& chunk, ShellSums& sums) {
+void work_off(Domain& domain, const Chunk& chunk, const ShellConstants<Real>& constants, ShellSums& sums) {
   ShellBlock& block = domain.shells[chunk.block];
   ShellTask<Real> task;
-  task.constants = from_numbers<Real>(block.element_constants);
+  task.constants = constants;
   task.nodes = domain::records<Real>(domain.nodes).data();
   task.force = domain.nodes.force.data();
   const std::size_t first = static_cast<std::size_t>(chunk.first_group) * lanes;
@@ -34,6 +34,17 @@ void work_off(Domain& domain, const Chunk& chunk, ShellSums& sums) {
   task.material_constants = block.material_constants.data();
   task.material = materials::shell_material_update<Real>(domain.execution.isa, task.constants.material);
   shell_kernel<Real>(domain.execution.isa, task.constants.formulation)(task, sums);
+}
+
+/// Works off all chunks of all blocks.
+template <class Real>
+void work_off_all(Domain& domain, std::vector<ShellSums>& sums) {
+  std::vector<ShellConstants<Real>> constants;
+  for (const ShellBlock& block : domain.shells)
+    constants.push_back(from_numbers<Real>(block.element_constants));
+  const std::vector<Chunk>& chunks = domain.assembly.chunks();
+  parallel_for(static_cast<Index>(chunks.size()), domain.execution.threads,
+               [&](Index c) { work_off<Real>(domain, chunks[c], constants[chunks[c].block], sums[c]); });
 }
 
 /// Visits every active element with its present stable step.
@@ -53,12 +64,10 @@ void add_shell_forces(Domain& domain) {
   const std::vector<Chunk>& chunks = domain.assembly.chunks();
   const int threads = domain.execution.threads;
   std::vector<ShellSums> sums(chunks.size());
-  parallel_for(static_cast<Index>(chunks.size()), threads, [&](Index c) {
-    if (domain.execution.precision == Precision::Mixed)
-      work_off<float>(domain, chunks[c], sums[c]);
-    else
-      work_off<double>(domain, chunks[c], sums[c]);
-  });
+  if (domain.execution.precision == Precision::Mixed)
+    work_off_all<float>(domain, sums);
+  else
+    work_off_all<double>(domain, sums);
   domain.assembly.gather_interface(domain.nodes.force, threads);
   domain.clock.element_limit = 1e30;
   for (std::size_t c = 0; c < chunks.size(); ++c) {

@@ -47,6 +47,14 @@ TEST(CommandLineTest, TakesEveryOptionOfRun) {
   EXPECT_EQ(line.options.seed, 4U);
 }
 
+TEST(CommandLineTest, MeasuresWithoutADeck) {
+  const CommandLine line = parse_command_line({"bench", "-t", "2", "--isa", "scalar"});
+  ASSERT_EQ(line.command, Command::Bench) << line.text;
+  EXPECT_EQ(line.options.threads, 2);
+  EXPECT_EQ(line.options.isa, "scalar");
+  EXPECT_EQ(parse_command_line({"bench", "deck.k"}).command, Command::Mistake);
+}
+
 TEST(CommandLineTest, WhatIsNotGivenIsLeftOpen) {
   const CommandLine line = parse_command_line({"run", "deck.k"});
   ASSERT_EQ(line.command, Command::Run) << line.text;

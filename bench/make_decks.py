@@ -1,0 +1,116 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes the large decks of whole_runs.py. Units: kg, mm, ms.
+
+    ./make_decks.py tubes > tubes.k      25 square tubes of 4000 shells run onto a wall and fold, self-contact
+    ./make_decks.py sheet > sheet.k      1000 x 1000 shells, clamped along one edge, set swinging
+"""
+
+import argparse
+import math
+
+HEAD = """*KEYWORD
+*TITLE
+{title}
+*CONTROL_TERMINATION
+{end_time:10g}{cycles:10d}
+*CONTROL_TIMESTEP
+       0.0       0.9
+*CONTROL_ENERGY
+         2         2         2
+*CONTROL_HOURGLASS
+         4      0.03
+*PART
+shells
+         1         1         1
+*SECTION_SHELL
+         1         2  0.833333         3
+{thickness:10g}{thickness:10g}{thickness:10g}{thickness:10g}
+*MAT_PLASTIC_KINEMATIC
+         1   7.85e-6       210       0.3      0.25       1.0       1.0
+         0         0         0"""
+
+
+def node_card(number, x, y, z):
+    return f"{number:8d}{x:16.9g}{y:16.9g}{z:16.9g}"
+
+
+def shell_card(number, nodes):
+    return f"{number:8d}{1:8d}" + "".join(f"{node:8d}" for node in nodes)
+
+
+def tubes(cycles, rows=5, width=60.0, around=100, high=40):
+    """rows x rows square tubes beside each other, nodes shared round each corner."""
+    yield HEAD.format(title=f"{rows * rows} square tubes onto a rigid wall", end_time=10.0, cycles=cycles, thickness=1.0)
+    edge = 4 * width / around
+    yield f"""*CONTACT_AUTOMATIC_SINGLE_SURFACE
+         0         0         0         0
+       0.1       0.1       0.0       0.0      20.0
+         0
+*RIGIDWALL_PLANAR_ID
+         1
+         0         0         0
+       0.0       0.0       0.0       0.0       0.0     100.0       0.3
+*INITIAL_VELOCITY
+         0
+       0.0       0.0     -20.0
+*NODE"""
+    side = around // 4
+    per_tube = around * (high + 1)
+    for tube in range(rows * rows):
+        x0, y0 = (tube % rows) * 1.2 * width, (tube // rows) * 1.2 * width
+        for j in range(high + 1):
+            for i in range(around):
+                face, along = divmod(i, side)
+                bow = 0.3 * math.sin(2 * math.pi * j * edge / width) * math.sin(math.pi * along / side) * (-1) ** face
+                across, out = along * edge - width / 2, width / 2 + bow
+                x, y = [(across, -out), (out, across), (-across, out), (-out, -across)][face]
+                yield node_card(tube * per_tube + j * around + i + 1, x0 + x, y0 + y, 0.1 + j * edge)
+    yield "*ELEMENT_SHELL"
+    number = 0
+    for tube in range(rows * rows):
+        for j in range(high):
+            for i in range(around):
+                number += 1
+                first = tube * per_tube + j * around + 1
+                corners = (first + i, first + (i + 1) % around)
+                yield shell_card(number, (*corners, corners[1] + around, corners[0] + around))
+    yield "*END"
+
+
+def sheet(cycles, cells=1000, edge=5.0):
+    yield HEAD.format(title=f"sheet of {cells * cells} shells", end_time=100.0, cycles=cycles, thickness=1.5)
+    line = cells + 1
+    yield "*SET_NODE_LIST\n         1"
+    clamped = list(range(1, line + 1))
+    for at in range(0, line, 8):
+        yield "".join(f"{node:10d}" for node in clamped[at:at + 8])
+    yield """*BOUNDARY_SPC_SET
+         1         0         1         1         1         1         1         1
+*INITIAL_VELOCITY
+         0
+       0.0       0.0      10.0
+*NODE"""
+    for j in range(line):
+        for i in range(line):
+            z = 2 * math.sin(0.25 * i) + math.cos(0.2 * j)
+            yield node_card(j * line + i + 1, i * edge, j * edge, z)
+    yield "*ELEMENT_SHELL"
+    for j in range(cells):
+        for i in range(cells):
+            corner = j * line + i + 1
+            yield shell_card(j * cells + i + 1, (corner, corner + 1, corner + line + 1, corner + line))
+    yield "*END"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("deck", choices=("tubes", "sheet"))
+    parser.add_argument("--cycles", type=int, default=0, help="stop after so many (default: run to the end time)")
+    arguments = parser.parse_args()
+    for line in {"tubes": tubes, "sheet": sheet}[arguments.deck](arguments.cycles):
+        print(line)
+
+
+if __name__ == "__main__":
+    main()

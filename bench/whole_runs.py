@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whole runs of the program, timed: the box beam of the paper at 5, 2.5 and 1.25 mm, 25 tubes of 4000 shells that
+fold with self-contact, a sheet of a million shells. Prints one line per run: time per element and cycle, in all and
+by stage, from run.json.
+
+    bench/whole_runs.py build/release/crumple                        the quick ones, minutes
+    bench/whole_runs.py build/release/crumple --all -t 2             every one, long
+    bench/whole_runs.py build/release/crumple --only tubes --cycles 2000
+"""
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+BOX_BEAM = HERE.parent / "examples" / "01_box_beam" / "make_box_beam.py"
+STAGES = ("elements", "contact_search", "contact_local", "contact_forces", "constraints", "integrate", "output")
+
+# Name: (generator and its arguments, takes --cycles, part of the quick set).
+RUNS = {
+    "box beam 5 mm": ([BOX_BEAM], False, True),
+    "box beam 2.5 mm": ([BOX_BEAM, "--element-size", "0.0025"], False, False),
+    "box beam 1.25 mm": ([BOX_BEAM, "--element-size", "0.00125"], False, False),
+    "tubes 100k": ([HERE / "make_decks.py", "tubes"], True, True),
+    "sheet 1M": ([HERE / "make_decks.py", "sheet"], True, True),
+}
+
+
+def write_deck(path, generator, cycles):
+    command = [sys.executable, *map(str, generator)] + (["--cycles", str(cycles)] if cycles else [])
+    with open(path, "w") as deck:
+        subprocess.run(command, stdout=deck, check=True)
+
+
+def run(program, deck, options):
+    folder = deck.with_suffix(".out")
+    subprocess.run([program, "run", str(deck), "-o", str(folder), "--quiet", *options], stdout=subprocess.DEVNULL)
+    return json.loads((folder / "run.json").read_text())
+
+
+def print_line(name, record):
+    work = record["elements"]["shells"] * record["cycles"]
+    stages = [1e9 * record["timings"][stage] / work for stage in STAGES]
+    print(f"{name:17} {record['precision']:6} {record['isa']:8} {record['threads']:2} {record['elements']['shells']:8}"
+          f" {record['cycles']:8} {1e9 * record['loop_seconds'] / work:7.1f}" + "".join(f" {s:7.1f}" for s in stages)
+          + f" {100 * record['energy']['error']:6.2f}%  {record['termination']}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", help="the crumple program")
+    parser.add_argument("--all", action="store_true", help="the long runs, too")
+    parser.add_argument("--only", help="runs whose name holds this")
+    parser.add_argument("--cycles", type=int, default=200, help="of the tubes and the sheet (default 200; 0 is all)")
+    parser.add_argument("--precision", choices=("mixed", "double"), help="(default both)")
+    parser.add_argument("-t", "--threads", default="1")
+    arguments = parser.parse_args()
+    print("ns per element-cycle\n" + f"{'run':17} {'':6} {'':8} {'t':>2} {'shells':>8} {'cycles':>8} {'all':>7}"
+          + "".join(f" {stage.replace('contact_', '')[:7]:>7}" for stage in STAGES) + "  error")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, (generator, limited, quick) in RUNS.items():
+            if arguments.only is not None and arguments.only not in name:
+                continue
+            if arguments.only is None and not (quick or arguments.all):
+                continue
+            deck = Path(folder) / (name.replace(" ", "_") + ".k")
+            write_deck(deck, generator, arguments.cycles if limited else 0)
+            for precision in [arguments.precision] if arguments.precision else ["mixed", "double"]:
+                print_line(name, run(arguments.program, deck, ["-t", arguments.threads, "--precision", precision]))
+
+
+if __name__ == "__main__":
+    main()
