@@ -22,13 +22,14 @@ struct ShellConstants {
   bool viscous = true;  ///< hourglass form: viscous, else stiffness
   bool thickness_change = false;
   bool can_fail = false;  ///< elements may erode; their energy is then kept, see element_state::energy
-  Real place[materials::max_points] = {};   ///< of the points over half the thickness, from the surface of the nodes
+  Real place[materials::max_points] =
+      {};  ///< of the points over half the thickness, from the surface of the nodes
   Real weight[materials::max_points] = {};  ///< of the points, summing to 1
   Real shear_root = 1;  ///< square root of the shear factor: on shear strains and, again, on their stresses
-  Real hourglass_membrane = 0;  ///< see hourglass.hpp
+  Real hourglass_membrane = 0;  ///< see hourglass.hpp; with 2 x 2 points in plane the drilling modulus
   Real hourglass_warping = 0;
   Real hourglass_bending = 0;
-  Real slowness = 0;  ///< 1 / plate wave speed [time/length]
+  Real slowness = 0;        ///< 1 / plate wave speed [time/length]
   Real poissons_ratio = 0;  ///< of the elastic part, for assumed strains [-]
 };
 
