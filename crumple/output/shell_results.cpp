@@ -2,15 +2,16 @@
 #include "output/shell_results.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace crumple::output {
 
 namespace {
 
-/// Stress components per thickness point: xx, yy, xy, yz, zx.
-constexpr Index stress_components = 5;
+/// zz is zero in a shell.
+double von_mises_of(const ShellResults::Stress& s) {
+  return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * (s[2] * s[2] + s[3] * s[3] + s[4] * s[4]));
+}
 
 }  // namespace
 
@@ -33,15 +34,24 @@ double ShellResults::plastic_strain(Index place) const {
 double ShellResults::von_mises(Index place) const {
   if (stress_ == nullptr) return 0;
   double largest = 0;
-  for (Index point = 0; point < stress_->count / stress_components; ++point)
-    largest = std::max(largest, von_mises_between(place, point, point));
+  for (Index point = 0; point < stress_->count / stress_components; ++point) {
+    Stress stress{};
+    add_stress(place, point, 1, stress);
+    largest = std::max(largest, von_mises_of(stress));
+  }
   return largest;
 }
 
 double ShellResults::mid_von_mises(Index place) const {
   if (stress_ == nullptr) return 0;
-  const Index points = stress_->count / stress_components;
-  return von_mises_between(place, (points - 1) / 2, points / 2);
+  const Index planes = block_->plane_points;
+  const Index points = stress_->count / stress_components / planes;
+  Stress mean{};
+  for (Index plane = 0; plane < planes; ++plane) {
+    add_stress(place, plane * points + (points - 1) / 2, 0.5 / planes, mean);
+    add_stress(place, plane * points + points / 2, 0.5 / planes, mean);
+  }
+  return von_mises_of(mean);
 }
 
 double ShellResults::thickness(Index place) const {
@@ -59,13 +69,9 @@ bool ShellResults::alive(Index place) const {
   return active_ == nullptr || block_->state(place, active_->first) != 0;
 }
 
-/// Of the mean of the stresses at two points; zz is zero in a shell.
-double ShellResults::von_mises_between(Index place, Index first_point, Index second_point) const {
-  std::array<double, stress_components> s{};
+void ShellResults::add_stress(Index place, Index point, double share, Stress& sum) const {
   for (Index i = 0; i < stress_components; ++i)
-    s[i] = 0.5 * (block_->state(place, stress_->first + first_point * stress_components + i) +
-                  block_->state(place, stress_->first + second_point * stress_components + i));
-  return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * (s[2] * s[2] + s[3] * s[3] + s[4] * s[4]));
+    sum[i] += share * block_->state(place, stress_->first + point * stress_components + i);
 }
 
 }  // namespace crumple::output

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "base/index.hpp"
 #include "domain/shell_block.hpp"
 #include "model/model.hpp"
@@ -12,14 +14,18 @@ namespace crumple::output {
 /// this.
 class ShellResults {
  public:
+  /// Stress components per point: xx, yy, xy, yz, zx.
+  static constexpr Index stress_components = 5;
+  using Stress = std::array<double, stress_components>;
+
   ShellResults(const model::Model& model, const domain::ShellBlock& block);
 
-  /// Largest effective plastic strain over the thickness points [-].
+  /// Largest effective plastic strain of all points, in plane and through the thickness [-].
   double plastic_strain(Index place) const;
-  /// Largest von Mises stress over the thickness points [stress].
+  /// Largest von Mises stress of all points [stress].
   double von_mises(Index place) const;
-  /// Von Mises stress of the middle point, or of the mean stress of the two points next to the middle: the
-  /// membrane stress, without bending [stress].
+  /// Von Mises stress of the middle point, or of the mean stress of the two points next to the middle, and
+  /// of the mean over the points in plane: the membrane stress, without bending [stress].
   double mid_von_mises(Index place) const;
   /// Mean thickness now [length].
   double thickness(Index place) const;
@@ -27,7 +33,7 @@ class ShellResults {
   bool alive(Index place) const;
 
  private:
-  double von_mises_between(Index place, Index first_point, Index second_point) const;
+  void add_stress(Index place, Index point, double share, Stress& sum) const;
 
   const model::Model* model_;
   const domain::ShellBlock* block_;

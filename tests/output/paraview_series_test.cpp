@@ -61,6 +61,21 @@ TEST_F(ParaviewSeriesTest, FieldsFollowTheDecksOrderWhateverTheDomains) {
   EXPECT_EQ(file["alive"].values<std::uint8_t>(), (std::vector<std::uint8_t>{1, 0, 1}));
 }
 
+/// Shells with four points in plane: the greatest stress of all points, and of the mid-surface the mean.
+TEST_F(ParaviewSeriesTest, StressIsTakenOverThePointsInPlane) {
+  for (domain::ShellBlock& block : domain_.shells) {
+    block.plane_points = block.find("stress")->count / 5;  // one point through the thickness
+    ASSERT_GT(block.plane_points, 1);
+    for (Index place = 0; place < block.elements; ++place)
+      block.set_state(place, block.find("stress")->first + 5, 12.0 * block.plane_points);
+  }
+  ParaviewSeries(folder_, "run", view()).write_frame(view());
+  const VtuReader file = frame(0);
+  const auto planes = static_cast<float>(domain_.shells[0].plane_points);
+  EXPECT_EQ(file["von_mises"].values<float>(), (std::vector<float>(3, 12 * planes)));
+  EXPECT_EQ(file["von_mises_mid"].values<float>(), (std::vector<float>(3, 12)));
+}
+
 TEST_F(ParaviewSeriesTest, TheCollectionListsEveryFrameAtEveryMoment) {
   ParaviewSeries series(folder_, "run", view());
   for (int number = 0; number < 3; ++number) {
