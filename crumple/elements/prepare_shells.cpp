@@ -101,7 +101,8 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.poissons_ratio = elastic.poissons_ratio;
   set_thickness_rule(part, section, constants);
   set_hourglass(model::hourglass_of(model, part), elastic, section.shear_factor, constants);
-  // Full integration has no membrane mode to control; drilling takes its place (docs/theory/fully_integrated.md).
+  // Full integration has no membrane mode to control; drilling takes its place
+  // (docs/theory/fully_integrated.md).
   if (kind.planes > 1) constants.hourglass_membrane = 0.04 * elastic.youngs_modulus / 12;
 
   block.plane_points = kind.planes;

@@ -13,8 +13,8 @@ enum class ShellFormulation {
   HughesLiu,                  ///< degenerated Mindlin-Reissner shell, Hughes & Liu 1981, one point in plane
   BelytschkoWongChiang,       ///< Belytschko-Tsay with warping stiffness, Belytschko, Wong & Chiang 1992
   HughesLiuSelectiveReduced,  ///< Hughes & Liu with 2 x 2 points in plane and one for the transverse shear
-  FullyIntegrated,            ///< 2 x 2 points in plane with assumed strains, Engelmann, Whirley & Goudreau 1989
-  Triangle,                   ///< C0 triangle, Kennedy, Belytschko & Lin 1986
+  FullyIntegrated,  ///< 2 x 2 points in plane with assumed strains, Engelmann, Whirley & Goudreau 1989
+  Triangle,         ///< C0 triangle, Kennedy, Belytschko & Lin 1986
 };
 
 enum class ThicknessRule {

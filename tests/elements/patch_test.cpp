@@ -152,8 +152,9 @@ TEST(BendingPatch, IsExactOnParallelograms) {
       }
 }
 
-/// On distorted meshes one-point shells without projected shear are not exact: the gradient of a quadratic deflection is off by
-/// curvature times element size, which shows as transverse shear. It must vanish with first order.
+/// On distorted meshes one-point shells without projected shear are not exact: the gradient of a quadratic
+/// deflection is off by curvature times element size, which shows as transverse shear. It must vanish with
+/// first order.
 TEST(BendingPatch, ErrorOnDistortedMeshesVanishesWithFirstOrder) {
   for (const Kind& kind : {belytschko_tsay, hughes_liu}) {
     double error[3] = {};
