@@ -112,7 +112,11 @@ void SingleSurface::add_forces(domain::Domain& domain) {
   if (own.acting(domain.clock.time)) {
     {
       const StageTimer timer(domain.times.contact_search);
-      own.search.update(domain, drop_eroded(own.surface, domain));
+      const bool changed = drop_eroded(own.surface, domain);
+      if (changed)
+        std::erase_if(own.remembered,
+                      [&](const RememberedPair& pair) { return own.surface.active[pair.segment] == 0; });
+      own.search.update(domain, changed);
       if (own.verify_cycles > 0 && domain.clock.cycle % own.verify_cycles == 0) own.search.verify(domain);
     }
     const StageTimer timer(domain.times.contact_local);

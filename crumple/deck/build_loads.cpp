@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loads on nodes and segments.
+#include <algorithm>
+#include <array>
+#include <map>
+
 #include "deck/build.hpp"
 
 namespace crumple::deck {
@@ -37,6 +41,7 @@ void build_pressure_load(const RawPressureLoad& raw, Build& build) {
     const Index shell = build.find(Item::Shell, {raw.shell, "EID", raw.where});
     if (shell == no_index) return;
     load.node = build.model.shells[static_cast<std::size_t>(shell)].node;
+    load.shell = shell;
   } else {
     constexpr std::array<std::string_view, 4> fields = {"N1", "N2", "N3", "N4"};
     const std::size_t corners = raw.node[3] == raw.node[2] ? 3 : 4;
@@ -49,11 +54,31 @@ void build_pressure_load(const RawPressureLoad& raw, Build& build) {
   if (load.curve != no_index) build.model.pressure_loads.push_back(load);
 }
 
+std::array<Index, 4> sorted(std::array<Index, 4> node) {
+  std::sort(node.begin(), node.end());
+  return node;
+}
+
+/// A segment that is a shell is loaded as long as that shell is there.
+void find_loaded_shells(model::Model& model) {
+  const auto segment = [](const model::PressureLoad& load) { return load.shell == no_index; };
+  if (std::none_of(model.pressure_loads.begin(), model.pressure_loads.end(), segment)) return;
+  std::map<std::array<Index, 4>, Index> shells;
+  for (std::size_t i = 0; i < model.shells.size(); ++i)
+    shells.emplace(sorted(model.shells[i].node), static_cast<Index>(i));
+  for (model::PressureLoad& load : model.pressure_loads) {
+    if (!segment(load)) continue;
+    const auto found = shells.find(sorted(load.node));
+    if (found != shells.end()) load.shell = found->second;
+  }
+}
+
 }  // namespace
 
 void build_loads(Build& build) {
   for (const RawNodalLoad& raw : build.deck.nodal_loads) build_nodal_load(raw, build);
   for (const RawPressureLoad& raw : build.deck.pressure_loads) build_pressure_load(raw, build);
+  find_loaded_shells(build.model);
 }
 
 }  // namespace crumple::deck

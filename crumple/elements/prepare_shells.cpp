@@ -159,6 +159,19 @@ double shear_inertia(const model::Model& model, const ShellBlock& block, double 
   return std::max(0.125, 0.25 * ratio / std::max(1 - ratio, 0.1));
 }
 
+/// Factor on the stable step where the nodes lie off the mid-surface by `offset`: stretching and bending are
+/// coupled then. Of the shortest waves, in which neighbouring columns move and turn against each other, the
+/// squared frequency over that of stretching alone is the largest eigenvalue of [1, -o/sqrt(I); -o/sqrt(I),
+/// (o^2 + t^2/12)/I], I being the rotary inertia per mass.
+double coupled_step(double offset, double thickness, double inertia) {
+  if (offset == 0) return 1;
+  const double bending = (offset * offset + thickness * thickness / 12) / inertia;
+  const double half_difference = 0.5 * (1 - bending);
+  const double largest =
+      0.5 * (1 + bending) + std::sqrt(half_difference * half_difference + offset * offset / inertia);
+  return 1 / std::sqrt(largest);
+}
+
 ShellMass prepare_element(const model::Model& model, const domain::Domain& domain, ShellBlock& block,
                           const ShellConstants<double>& constants, Index place) {
   const Index real = std::min(place, block.elements - 1);
@@ -174,7 +187,12 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
   const double thickness = 0.25 * ((at_nodes[0] + at_nodes[1]) + (at_nodes[2] + at_nodes[3]));
   const model::Material& material = model.materials[model.parts[block.part].material];
   const bool stiff = materials::has_stiffness(material.law);
-  const double factor = stiff ? mass_factor(model.control.mass_scaling_step, length * constants.slowness) : 1;
+  const double offset = 0.5 * thickness * section_of(model, block).node_place;
+  const double about_nodes = thickness * thickness / 12 + offset * offset;
+  const double inertia = std::max(about_nodes, area * shear_inertia(model, block, constants.shear_root));
+  const double coupled = coupled_step(offset, thickness, inertia);
+  const double factor =
+      stiff ? mass_factor(model.control.mass_scaling_step, coupled * length * constants.slowness) : 1;
   const std::array<double, 2> frame = reference_frame(corner);
   const Index own = constants.own;
   block.set_state(place, own + element_state::thickness, thickness);
@@ -182,14 +200,11 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
   block.set_state(place, own + element_state::frame, frame[0]);
   block.set_state(place, own + element_state::frame + 1, frame[1]);
   block.set_state(place, own + element_state::step_scale,
-                  (stiff ? triangle ? 2 : 1 : no_limit) * std::sqrt(factor));
+                  (stiff ? triangle ? 2 : 1 : no_limit) * coupled * std::sqrt(factor));
   materials::prepare_element(material.law, lamina_axes(shell, corner), block, constants.history, place);
 
   const double mass = material.density * area * thickness;
-  const double offset = 0.5 * thickness * section_of(model, block).node_place;
-  const double about_nodes = thickness * thickness / 12 + offset * offset;
-  return {factor * mass, std::max(about_nodes, area * shear_inertia(model, block, constants.shear_root)),
-          (factor - 1) * mass};
+  return {factor * mass, inertia, (factor - 1) * mass};
 }
 
 }  // namespace

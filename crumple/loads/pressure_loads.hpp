@@ -11,7 +11,7 @@ namespace crumple::loads {
 
 /// Pressures on segments that follow a curve in time and the segments' motion. A positive pressure pushes
 /// against the normal (nodes 1, 2, 3, 4 counter-clockwise); the force, pressure times the vector area
-/// 1/2 (x3 - x1) x (x4 - x2), is shared equally by the nodes.
+/// 1/2 (x3 - x1) x (x4 - x2), is shared equally by the nodes. The load on a shell ends when that erodes.
 class PressureLoads {
  public:
   /// The model must outlive the loads.
@@ -26,13 +26,17 @@ class PressureLoads {
     std::array<Index, 4> node{};  ///< domain nodes; a triangle repeats its third one
     double pressure = 0;          ///< at a factor of one [stress]
     Index curve = no_index;
-    double arrival = 0;   ///< [time]
-    math::Vec3 previous;  ///< force on each node at time n-1
+    double arrival = 0;      ///< [time]
+    Index shell = no_index;  ///< in the model
+    bool ended = false;      ///< its shell has eroded
+    math::Vec3 previous;     ///< force on each node at time n-1
   };
   math::Vec3 force_on_nodes(const domain::Domain& domain, const Load& load) const;
+  void end_with_shells(const domain::Domain& domain);
 
   const model::Model* model_;
   std::vector<Load> loads_;
+  Index eroded_ = 0;  ///< shells that had eroded when `ended` was set
 };
 
 }  // namespace crumple::loads

@@ -30,7 +30,10 @@ struct JohnsonCookHardening {
     return {smaller(stress, bound), select<Pack>(stress < bound, slope, Pack(Real(0)))};
   }
   CRUMPLE_INLINE bool viscoplastic() const { return false; }
-  CRUMPLE_INLINE Real least() const { return initial; }
+  template <class Pack>
+  CRUMPLE_INLINE Pack least(const Pack& bound) const {
+    return smaller(Pack(initial), bound);
+  }
 };
 
 /// 1 + C ln(rate / reference), and 1 below the reference rate.

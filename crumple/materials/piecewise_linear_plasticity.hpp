@@ -60,7 +60,10 @@ struct TabulatedHardening {
     }
     return found;
   }
-  CRUMPLE_INLINE Real least() const { return least_stress; }
+  template <class Pack>
+  CRUMPLE_INLINE Pack least(const Pack& /*aside*/) const {
+    return Pack(least_stress);
+  }
 
  private:
   CRUMPLE_INLINE static PointTable<Real> table(const double* curve) {

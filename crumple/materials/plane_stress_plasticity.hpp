@@ -12,7 +12,7 @@ namespace crumple::materials {
 /// 649-670) in the five components at once, since sum, difference and shears of the stress are the
 /// eigenvectors of both elasticity and yield function (docs/theory/plane_stress_plasticity.md). `Hardening`
 /// gives at(strain, aside) -> YieldPoint, where aside is what it asked to be kept in the trial by
-/// aside(strain increment, factor), and least(), a bound that the yield stress never falls below. `Rate`
+/// aside(strain increment, factor), and least(aside), a bound that the yield stress never falls below. `Rate`
 /// gives factor(strain increment), viscoplastic and raised(YieldPoint, plastic increment).
 template <class Pack, class Hardening, class Rate = CowperSymonds<RealOf<Pack>>>
 struct PlaneStressPlasticity {
@@ -136,7 +136,7 @@ struct PlaneStressPlasticity {
     const Pack strain_unit = third * t.radius / Pack(rest_slope);
     const Pack scale = t.rate_factor / t.radius;
     const Real slowest = sum_slope < rest_slope ? sum_slope / rest_slope : Real(1);
-    const Pack floor_stress = scale * Pack(hardening.least());
+    const Pack floor_stress = scale * hardening.least(t.aside);
     Pack low = zero;
     Pack high = (square_root(Pack(u + v)) / floor_stress - one) / Pack(slowest) + Pack(Real(1e-6));
     // A power of the plastic strain rate rises without bound from zero: start beside it.

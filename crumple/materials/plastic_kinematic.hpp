@@ -25,7 +25,10 @@ struct LinearHardening {
     return {multiply_add(Pack(modulus), strain, Pack(initial)), Pack(modulus)};
   }
   CRUMPLE_INLINE bool viscoplastic() const { return false; }
-  CRUMPLE_INLINE Real least() const { return initial; }
+  template <class Pack>
+  CRUMPLE_INLINE Pack least(const Pack& /*aside*/) const {
+    return Pack(initial);
+  }
 };
 
 /// J2 plasticity with linear hardening, isotropic by a share beta of the plastic modulus and kinematic by the

@@ -29,7 +29,10 @@ struct PowerHardening {
     return {stress, Pack(exponent) * stress / total};
   }
   CRUMPLE_INLINE bool viscoplastic() const { return false; }
-  CRUMPLE_INLINE Real least() const { return initial; }
+  template <class Pack>
+  CRUMPLE_INLINE Pack least(const Pack& /*aside*/) const {
+    return Pack(initial);
+  }
 };
 
 /// J2 plasticity with a power of the strain as yield stress and the Cowper-Symonds rate effect

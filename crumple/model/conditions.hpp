@@ -39,6 +39,7 @@ struct PressureLoad {
   double pressure = 0;                                                ///< [stress]
   Index curve = no_index;  ///< in Model::curves; abscissa [time], ordinate a factor
   double arrival = 0;      ///< AT: no load before [time]
+  Index shell = no_index;  ///< in Model::shells: the load ends when this shell erodes
 };
 
 /// A plane that nodes may not cross (*RIGIDWALL_PLANAR). Infinite, at rest.

@@ -1,15 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "timeloop/simulation.hpp"
 
+#include <algorithm>
+
+#include "base/error.hpp"
 #include "domain/build.hpp"
 #include "elements/shells.hpp"
+#include "materials/shell_material.hpp"
 
 namespace crumple::timeloop {
+namespace {
+
+/// Null shells alone set no step.
+void require_stiffness(const model::Model& model) {
+  const auto stiff = [&](const model::ShellElement& shell) {
+    return materials::has_stiffness(model.materials[model.parts[shell.part].material].law);
+  };
+  if (!model.shells.empty() && std::none_of(model.shells.begin(), model.shells.end(), stiff))
+    throw Error(
+        "No element of the model has any stiffness (all materials are null): there is no time step to take.");
+}
+
+}  // namespace
+
 Simulation::Simulation(const model::Model& model, const domain::Execution& execution)
     : model_(&model),
       domain_(domain::build(model, execution)),
       nodal_loads_(model, domain_),
       pressure_loads_(model, domain_) {
+  require_stiffness(model);
   elements::prepare_shells(model, domain_);
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});

@@ -20,6 +20,10 @@ namespace {
 /// clock with them.
 constexpr double step_growth_limit = 10.0;
 
+/// From one step to the next it grows by this factor at most: the energy of variable steps is kept to the
+/// square of their change, and the loss of the smallest element would change it many times over.
+constexpr double growth_in_a_cycle = 1.1;
+
 /// Kinetic energy over all energy supplied that can only come from a run that has lost its stability.
 constexpr double runaway_ratio = 100.0;
 
@@ -71,6 +75,7 @@ void Simulation::choose_step() {
   next_step_ = control.step_scale * domain_.clock.element_limit;
   if (first) largest_step_ = step_growth_limit * next_step_;
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
+  if (!first) next_step_ = std::min(next_step_, growth_in_a_cycle * domain_.clock.step);
   next_step_ = std::min(next_step_, largest_step_);
   if (!(next_step_ > 0) || !std::isfinite(next_step_))
     throw_trouble(*model_, domain_, "The time step is no longer a positive number: an element has collapsed");

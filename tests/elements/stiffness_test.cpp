@@ -165,6 +165,20 @@ TEST(StableStep, KeepsPatchesStable) {
       }
 }
 
+/// Nodes on a surface couple stretching and bending: the step takes that into account.
+TEST(StableStep, KeepsPatchesWithNodesOffTheMidSurfaceStable) {
+  for (const Kind& kind : kinds)
+    for (const double t : {1.5, 2.5, 5.0, 10.0}) {
+      model::Model model = plate(kind.formulation, 3, 0);
+      model.shell_sections[0].thickness = {t, t, t, t};
+      model.shell_sections[0].node_place = 1;
+      model.control.hourglass = {model::HourglassForm::Stiffness, 0.1, 0.1, 0.1};
+      const double ratio = critical_ratio(model);
+      EXPECT_LT(0.9 * ratio, 2) << kind.name << " thickness " << t;
+      std::printf("%s nodes on a surface, thickness %.1f: omega dt = %.3f\n", kind.name, t, ratio);
+    }
+}
+
 /// Triangles made of quadrilaterals with a repeated node.
 TEST(StableStep, KeepsTrianglesStable) {
   for (const Kind& kind : kinds)

@@ -99,6 +99,28 @@ TEST(PressureLoads, PushATriangleAgainstItsNormalWhenTheyHaveArrived) {
   EXPECT_EQ(domain.nodes.force[domain.nodes.domain_node[2]].force[2], 0);
 }
 
+TEST(PressureLoads, EndWithTheirShell) {
+  model::Model model = test::one_part(test::elastic_steel(), test::shell_section(0.1, 2));
+  test::add_grid(model, 0, 2, 1, [](double u, double v) { return test::Point{2 * u, v, 0}; });
+  for (Index shell = 0; shell < 2; ++shell)
+    model.pressure_loads.push_back(
+        {.node = model.shells[shell].node, .pressure = 2, .curve = no_index, .arrival = 0, .shell = shell});
+  domain::Domain domain = domain::build(model, {});
+  domain::ShellBlock& block = domain.shells[0];
+  const Index active = domain::add_item(block, "active", "-", 1);
+  block.double_state.assign(lanes, 1.0);
+  loads::PressureLoads loads(model, domain);
+  loads.add_forces(domain);
+  EXPECT_NEAR(sum_of_forces(domain).z, -4, 1e-14);
+  const Index place = block.element[0] == 0 ? 0 : 1;
+  block.set_state(place, active, 0);
+  block.eroded = 1;
+  for (domain::NodeForce& force : domain.nodes.force) force = {};
+  loads.add_forces(domain);
+  EXPECT_NEAR(sum_of_forces(domain).z, -2, 1e-14);
+  EXPECT_EQ(domain.nodes.force[domain.nodes.domain_node[0]].force[2], 0);
+}
+
 TEST(NodalLoads, DoTheWorkOfForcesAndMoments) {
   model::Model model = test::one_part(test::elastic_steel(), test::shell_section(0.1, 2));
   test::add_grid(model, 0, 1, 1, [](double u, double v) { return test::Point{u, v, 0}; });

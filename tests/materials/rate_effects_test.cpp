@@ -39,6 +39,7 @@ model::Material by_rate(bool logarithmic) {
   model::Material material = tabulated({0}, {1});
   auto& law = std::get<model::PiecewiseLinearPlasticity>(material.law);
   law.logarithmic_rates = logarithmic;
+  law.by_rate.reserve(rates.size());
   for (std::size_t k = 0; k < rates.size(); ++k)
     law.by_rate.push_back({logarithmic ? std::log(rates[k]) : rates[k], table_strain, table_stress[k]});
   return material;
@@ -48,6 +49,7 @@ double yield_by_rate(double plastic, double rate, bool logarithmic) {
   if (logarithmic)
     for (double& r : x) r = std::log(r);
   std::vector<double> y;
+  y.reserve(table_stress.size());
   for (const auto& stress : table_stress) y.push_back(interpolated(table_strain, stress, plastic));
   return interpolated(x, y, logarithmic ? std::log(std::max(rate, 1e-20)) : rate);
 }
@@ -347,6 +349,22 @@ TEST(JohnsonCook, StressIsBoundedBeforeAndAfterTheRateEffect) {
       const double expected = saturation ? 1000 : 1000 * factor;
       EXPECT_NEAR(root3 * point.stress()[2], expected, 1e-11 * expected);
     }
+  }
+}
+
+/// The rate effect alone may reach the bound: the yield stress is the bound then, below A times the rate
+/// factor.
+TEST(JohnsonCook, StressIsBoundedWhereTheRateEffectAloneExceedsTheBound) {
+  for (const double strain : {1.3e-3, 2e-3, 5e-3, 2e-2}) {
+    model::JohnsonCook law = johnson_cook_law();
+    law.yield_stress = 200;
+    law.hardening = 0;
+    law.rate_coefficient = 0.1;
+    law.saturation_stress = 250;
+    PointDriver<double> point(johnson_cook(law), available_isas().back());
+    point.apply({0, 0, root3 * strain, 0, 0}, strain / 1000);
+    EXPECT_LE(root3 * point.stress()[2], 250 * (1 + 1e-11)) << strain;
+    EXPECT_GT(root3 * point.stress()[2], 0.5 * 250) << strain;
   }
 }
 

@@ -9,7 +9,6 @@ namespace {
 using domain::NodeFields;
 using domain::NodeForce;
 using domain::NodeRecord;
-using domain::Vec3;
 using math::Double4;
 
 /// The instruction set's value, spelled as the build names it.
