@@ -23,20 +23,14 @@ struct BelytschkoTsay {
   static ShellForces<Pack> forces(const ShellPlace<RealOf<Pack>>& place);
 };
 
-// Everything here is evaluated at the geometry of the middle of the step (Hughes & Winget 1980): only there
-// is a rigid rotation a velocity field without strain.
 template <class Pack>
 CRUMPLE_INLINE void BelytschkoTsay::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const ShellConstants<Real>& constants = place.task.constants;
   const GatheredNodes<Pack> n = gathered<Pack>(place);
-  const Pack back(-(Real(0.5) * place.task.step));
-  const auto r31 = math::multiply_add(back, n.v31(), n.r31());
-  const auto r42 = math::multiply_add(back, n.v42(), n.r42());
-  const auto r_mode = math::multiply_add(back, n.v_mode(), n.r_mode());
-  const auto frame = lamina_frame(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                  own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r42, r_mode);
+  const ElementShape<Pack> shape = middle_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
 
   // One vector after the other: all of them at once are more than there are registers.
   const auto local = [&](const math::PackVec3<Pack>& v) {
@@ -88,21 +82,15 @@ template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> BelytschkoTsay::forces(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
-  const GatheredNodes<Pack> n = gathered<Pack>(place);
-  const Vec r31 = n.r31();
-  const Vec r42 = n.r42();
-  const Vec r_mode = n.r_mode();
-  const auto frame = lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                        own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r42, r_mode);
-  limit_step(place, g, r31, r42, r_mode);
+  const ElementShape<Pack> shape = end_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
+  limit_step(place, g.area, shape);
   const Pack active = own_state<Pack>(place, element_state::active);
 
   const Pack mean_thickness = update_thickness<Pack>(place);
   const Pack thickness = active * own_state<Pack>(place, element_state::thickness);
-  const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
-  store(place.rows + scratch_row::internal_energy * tile_lanes,
-        Pack(energy * (active * (mean_thickness * kept<Pack>(place, row_area)))));
+  leave_internal_energy(place, Pack(active * (mean_thickness * kept<Pack>(place, row_area))));
 
   const auto q = update_hourglass(place, g, thickness, kept_modes<Pack>(place, row_rates));
 

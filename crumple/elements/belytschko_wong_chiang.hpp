@@ -14,12 +14,9 @@ struct BelytschkoWongChiang {
   static constexpr int planes = 1;
   static constexpr bool own_areas = false;
 
-  static constexpr int row_r31 = 0;
-  static constexpr int row_r42 = 3;
-  static constexpr int row_mode = 6;
-  static constexpr int row_rates = 9;
-  static constexpr int row_area = 14;
-  static constexpr int rows = 15;
+  static constexpr int row_rates = 0;
+  static constexpr int row_area = 5;
+  static constexpr int rows = 6;
 
   template <class Pack>
   static void strains(const ShellPlace<RealOf<Pack>>& place);
@@ -65,18 +62,13 @@ CRUMPLE_INLINE CentreGradient<Pack> projected_shear(const LaminaGeometry<Pack>& 
   return gradient(g, along31, along42);
 }
 
-// Everything here is evaluated at the geometry of the middle of the step (Hughes & Winget 1980).
 template <class Pack>
 CRUMPLE_INLINE void BelytschkoWongChiang::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const ShellNodes<Pack> n = gathered<Pack>(place).all();
-  const Pack back(-(Real(0.5) * place.task.step));
-  const auto r31 = math::multiply_add(back, n.v31, n.r31);
-  const auto r42 = math::multiply_add(back, n.v42, n.r42);
-  const auto r_mode = math::multiply_add(back, n.v_mode, n.r_mode);
-  const auto frame = lamina_frame(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                  own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r42, r_mode);
+  const ElementShape<Pack> shape = middle_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
   const Pack thickness = own_state<Pack>(place, element_state::thickness);
   const FibreTilts<Pack> tilt = fibre_tilts(g, thickness);
   const LaminaMotion<Pack> m = lamina_motion(frame, n, tilt);
@@ -93,9 +85,6 @@ CRUMPLE_INLINE void BelytschkoWongChiang::strains(const ShellPlace<RealOf<Pack>>
   const Bending<Pack> rates = curvature_rates(g, tilt, m);
   store_strains(place, membrane, Bending<Pack>{bend * rates.xx, bend * rates.yy, bend * rates.xy});
 
-  keep_vec(place, row_r31, n.r31);
-  keep_vec(place, row_r42, n.r42);
-  keep_vec(place, row_mode, n.r_mode);
   keep_modes(place, row_rates, hourglass_rates(frame, g, n.v_mode, n.w_mode, d));
   keep(place, row_area, g.area);
 }
@@ -144,20 +133,15 @@ CRUMPLE_INLINE WarpedForces<Pack> warped_forces(const LaminaGeometry<Pack>& g, c
 template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> BelytschkoWongChiang::forces(const ShellPlace<RealOf<Pack>>& place) {
   using Vec = math::PackVec3<Pack>;
-  const Vec r31 = kept_vec<Pack>(place, row_r31);
-  const Vec r42 = kept_vec<Pack>(place, row_r42);
-  const Vec r_mode = kept_vec<Pack>(place, row_mode);
-  const auto frame = lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                        own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r42, r_mode);
+  const ElementShape<Pack> shape = end_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
   const Pack active = own_state<Pack>(place, element_state::active);
 
   const Pack mean_thickness = update_thickness<Pack>(place);
   const Pack full_thickness = own_state<Pack>(place, element_state::thickness);
   const Pack thickness = active * full_thickness;
-  const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
-  store(place.rows + scratch_row::internal_energy * tile_lanes,
-        Pack(energy * (active * (mean_thickness * kept<Pack>(place, row_area)))));
+  leave_internal_energy(place, Pack(active * (mean_thickness * kept<Pack>(place, row_area))));
 
   const FibreTilts<Pack> tilt = fibre_tilts(g, full_thickness);
   const auto q = update_hourglass(place, g, thickness, kept_modes<Pack>(place, row_rates));
@@ -168,7 +152,7 @@ CRUMPLE_INLINE ShellForces<Pack> BelytschkoWongChiang::forces(const ShellPlace<R
   out.force[1] = out.force[1] - on_mode;
   out.force[2] = out.force[2] + on_mode;
   out.force[3] = out.force[3] - on_mode;
-  limit_step(place, g, r31, r42, r_mode);
+  limit_step(place, g.area, shape);
   return out;
 }
 

@@ -92,19 +92,17 @@ CRUMPLE_INLINE Pack largest_tilt(const BilinearSurface<Pack>& s) {
 /// From the differences of the positions. The taper of a re-entrant element is held at that of a triangle,
 /// so that no point in plane has less than 0.42 of the mean area.
 template <class Pack>
-CRUMPLE_INLINE BilinearSurface<Pack> bilinear_surface(const LaminaFrame<Pack>& frame,
-                                                      const math::PackVec3<Pack>& r31,
-                                                      const math::PackVec3<Pack>& r42,
-                                                      const math::PackVec3<Pack>& r_mode) {
+CRUMPLE_INLINE BilinearSurface<Pack> bilinear_surface(const ElementShape<Pack>& shape) {
+  const LaminaFrame<Pack>& frame = shape.frame;
   using Real = RealOf<Pack>;
   const Pack quarter(Real(0.25));
   const Pack zero(Real(0));
-  const Tangential<Pack> d31{math::dot(r31, frame.e1), math::dot(r31, frame.e2)};
-  const Tangential<Pack> d42{math::dot(r42, frame.e1), math::dot(r42, frame.e2)};
+  const Tangential<Pack> d31{math::dot(shape.r31, frame.e1), math::dot(shape.r31, frame.e2)};
+  const Tangential<Pack> d42{math::dot(shape.r42, frame.e1), math::dot(shape.r42, frame.e2)};
   BilinearSurface<Pack> s;
   s.xi = {quarter * (d31.x - d42.x), quarter * (d31.y - d42.y), zero};
   s.eta = {quarter * (d31.x + d42.x), quarter * (d31.y + d42.y), zero};
-  s.twist = quarter * along_axes(frame, r_mode);
+  s.twist = quarter * along_axes(frame, shape.r_mode);
   s.jacobian = multiply_add(s.xi.x, s.eta.y, Pack(-(s.eta.x * s.xi.y)));
   s.inverse_jacobian = Pack(Real(1)) / s.jacobian;
   s.grad_xi = {s.inverse_jacobian * s.eta.y, -(s.inverse_jacobian * s.eta.x)};

@@ -173,23 +173,62 @@ CRUMPLE_INLINE Pack update_thickness(const ShellPlace<RealOf<Pack>>& place) {
   return multiply_add(Pack(Real(0.5)), change, old);
 }
 
+/// Where an element is: what the positions differ by, and its lamina axes.
 template <class Pack>
-CRUMPLE_INLINE LaminaGeometry<Pack> lamina_geometry(const LaminaFrame<Pack>& frame,
-                                                    const math::PackVec3<Pack>& r31,
-                                                    const math::PackVec3<Pack>& r42,
-                                                    const math::PackVec3<Pack>& r_mode) {
+struct ElementShape {
+  math::PackVec3<Pack> r31, r42, r_mode;  ///< as in ShellNodes [length]
+  LaminaFrame<Pack> frame;
+};
+template <class Pack>
+CRUMPLE_INLINE ElementShape<Pack> shape_of(const ShellPlace<RealOf<Pack>>& place,
+                                           const math::PackVec3<Pack>& r31, const math::PackVec3<Pack>& r42,
+                                           const math::PackVec3<Pack>& r_mode) {
+  return {r31, r42, r_mode,
+          lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
+                             own_state<Pack>(place, element_state::frame + 1))};
+}
+
+/// The shape at the middle of the step, where strains are taken (Hughes & Winget, IJNME 15 (1980) 1862-1867):
+/// only there is a rigid rotation a velocity field without strain.
+template <class Pack>
+CRUMPLE_INLINE ElementShape<Pack> middle_shape(const ShellPlace<RealOf<Pack>>& place) {
+  const GatheredNodes<Pack> n = gathered<Pack>(place);
+  const Pack back(-(RealOf<Pack>(0.5) * place.task.step));
+  return shape_of<Pack>(place, math::multiply_add(back, n.v31(), n.r31()),
+                        math::multiply_add(back, n.v42(), n.r42()),
+                        math::multiply_add(back, n.v_mode(), n.r_mode()));
+}
+
+/// The shape at the end of the step, where forces act.
+template <class Pack>
+CRUMPLE_INLINE ElementShape<Pack> end_shape(const ShellPlace<RealOf<Pack>>& place) {
+  const GatheredNodes<Pack> n = gathered<Pack>(place);
+  return shape_of<Pack>(place, n.r31(), n.r42(), n.r_mode());
+}
+
+template <class Pack>
+CRUMPLE_INLINE LaminaGeometry<Pack> lamina_geometry(const ElementShape<Pack>& shape) {
+  const LaminaFrame<Pack>& frame = shape.frame;
   LaminaGeometry<Pack> g;
-  g.x31 = math::dot(r31, frame.e1);
-  g.y31 = math::dot(r31, frame.e2);
-  g.x42 = math::dot(r42, frame.e1);
-  g.y42 = math::dot(r42, frame.e2);
-  g.x_mode = math::dot(r_mode, frame.e1);
-  g.y_mode = math::dot(r_mode, frame.e2);
-  g.z_mode = math::dot(r_mode, frame.e3);
+  g.x31 = math::dot(shape.r31, frame.e1);
+  g.y31 = math::dot(shape.r31, frame.e2);
+  g.x42 = math::dot(shape.r42, frame.e1);
+  g.y42 = math::dot(shape.r42, frame.e2);
+  g.x_mode = math::dot(shape.r_mode, frame.e1);
+  g.y_mode = math::dot(shape.r_mode, frame.e2);
+  g.z_mode = math::dot(shape.r_mode, frame.e3);
   const Pack twice_area = multiply_add(g.x31, g.y42, Pack(-(g.x42 * g.y31)));
   g.area = RealOf<Pack>(0.5) * twice_area;
   g.inverse_twice_area = Pack(RealOf<Pack>(1)) / twice_area;
   return g;
+}
+
+/// Leaves the work of the points for the driver: what the material summed, times `factor`, the thickness and
+/// what else the sum lacks of a volume; 0 for elements that are not active.
+template <class Pack>
+CRUMPLE_INLINE void leave_internal_energy(const ShellPlace<RealOf<Pack>>& place, const Pack& factor) {
+  const Pack energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
+  store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * factor));
 }
 
 /// Stable step: area over the longest side over the plate wave speed, times what step_scale says.
@@ -207,23 +246,16 @@ CRUMPLE_INLINE Pack stable_step(const Pack& area, const math::PackVec3<Pack>& r3
   return area * scaled_slowness / square_root(longest);
 }
 
-/// Leaves the stable step for the driver.
+/// Leaves the stable step for the driver; `area` is the smallest that a layer has.
 template <class Pack>
 CRUMPLE_INLINE void limit_step(const ShellPlace<RealOf<Pack>>& place, const Pack& area,
-                               const math::PackVec3<Pack>& r31, const math::PackVec3<Pack>& r42,
-                               const math::PackVec3<Pack>& r_mode) {
+                               const ElementShape<Pack>& shape) {
   using Real = RealOf<Pack>;
   const Pack slowness =
       own_state<Pack>(place, element_state::step_scale) * Pack(place.task.constants.slowness);
   const auto active = own_state<Pack>(place, element_state::active) > Pack(Real(0));
-  const Pack limit = stable_step(area, r31, r42, r_mode, slowness);
+  const Pack limit = stable_step(area, shape.r31, shape.r42, shape.r_mode, slowness);
   store(place.rows + scratch_row::shortest_step * tile_lanes, select<Pack>(active, limit, Pack(Real(1e30))));
-}
-template <class Pack>
-CRUMPLE_INLINE void limit_step(const ShellPlace<RealOf<Pack>>& place, const LaminaGeometry<Pack>& g,
-                               const math::PackVec3<Pack>& r31, const math::PackVec3<Pack>& r42,
-                               const math::PackVec3<Pack>& r_mode) {
-  limit_step(place, g.area, r31, r42, r_mode);
 }
 
 }  // namespace crumple::elements

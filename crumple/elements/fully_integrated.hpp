@@ -15,11 +15,8 @@ struct FullyIntegrated {
   static constexpr int planes = 4;
   static constexpr bool own_areas = true;
 
-  static constexpr int row_r31 = 0;
-  static constexpr int row_r42 = 3;
-  static constexpr int row_mode = 6;
-  static constexpr int row_drilling = 9;
-  static constexpr int rows = 12;
+  static constexpr int row_drilling = 0;
+  static constexpr int rows = 3;
 
   template <class Pack>
   static void strains(const ShellPlace<RealOf<Pack>>& place);
@@ -247,13 +244,9 @@ CRUMPLE_INLINE void FullyIntegrated::strains(const ShellPlace<RealOf<Pack>>& pla
   using Real = RealOf<Pack>;
   const ShellConstants<Real>& constants = place.task.constants;
   const ShellNodes<Pack> n = gathered<Pack>(place).all();
-  const Pack back(-(Real(0.5) * place.task.step));
-  const auto r31 = math::multiply_add(back, n.v31, n.r31);
-  const auto r42 = math::multiply_add(back, n.v42, n.r42);
-  const auto r_mode = math::multiply_add(back, n.v_mode, n.r_mode);
-  const auto frame = lamina_frame(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                  own_state<Pack>(place, element_state::frame + 1));
-  const BilinearSurface<Pack> s = bilinear_surface(frame, r31, r42, r_mode);
+  const ElementShape<Pack> shape = middle_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const BilinearSurface<Pack> s = bilinear_surface(shape);
   const AssumedStrains<Pack> a = assumed_strains(s, constants.poissons_ratio);
   const Pack zero(Real(0));
   const Bilinear<Pack> w = bilinear(frame, n.w31, n.w42, n.w_mode, n.w_sum);
@@ -266,9 +259,6 @@ CRUMPLE_INLINE void FullyIntegrated::strains(const ShellPlace<RealOf<Pack>>& pla
     for (int p = 0; p < constants.points; ++p)
       store(place.area + (plane * constants.points + p) * tile_lanes, point.area);
   }
-  keep_vec(place, row_r31, n.r31);
-  keep_vec(place, row_r42, n.r42);
-  keep_vec(place, row_mode, n.r_mode);
   keep_vec(place, row_drilling, math::PackVec3<Pack>{w.xi.z, w.eta.z, w.twist.z});
 }
 
@@ -403,19 +393,15 @@ template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> FullyIntegrated::forces(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
-  const Vec r31 = kept_vec<Pack>(place, row_r31);
-  const Vec r42 = kept_vec<Pack>(place, row_r42);
-  const Vec r_mode = kept_vec<Pack>(place, row_mode);
-  const auto frame = lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                        own_state<Pack>(place, element_state::frame + 1));
-  const BilinearSurface<Pack> s = bilinear_surface(frame, r31, r42, r_mode);
+  const ElementShape<Pack> shape = end_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const BilinearSurface<Pack> s = bilinear_surface(shape);
   const AssumedStrains<Pack> a = assumed_strains(s, place.task.constants.poissons_ratio);
   const Pack active = own_state<Pack>(place, element_state::active);
 
   const Pack mean_thickness = update_thickness<Pack>(place);
   const Pack thickness = active * own_state<Pack>(place, element_state::thickness);
-  const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
-  store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * (active * mean_thickness)));
+  leave_internal_energy(place, Pack(active * mean_thickness));
   const Vec drilling = kept_vec<Pack>(place, row_drilling);
   const Pack zero(Real(0));
   const auto q = update_drilling(place, thickness,
@@ -425,7 +411,7 @@ CRUMPLE_INLINE ShellForces<Pack> FullyIntegrated::forces(const ShellPlace<RealOf
   ShellForces<Pack> out;
   to_nodes(frame, f.on_velocity, out.force);
   to_nodes(frame, with_drilling(fibre_moments(s, f.on_fibre), q), out.moment);
-  limit_step(place, Pack(Real(4) * s.jacobian), r31, r42, r_mode);
+  limit_step(place, Pack(Real(4) * s.jacobian), shape);
   return out;
 }
 

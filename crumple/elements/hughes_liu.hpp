@@ -15,11 +15,8 @@ struct HughesLiu {
   static constexpr int planes = 1;
   static constexpr bool own_areas = true;
 
-  static constexpr int row_r31 = 0;
-  static constexpr int row_r42 = 3;
-  static constexpr int row_mode = 6;
-  static constexpr int row_rates = 9;
-  static constexpr int rows = 14;
+  static constexpr int row_rates = 0;
+  static constexpr int rows = 5;
 
   template <class Pack>
   static void strains(const ShellPlace<RealOf<Pack>>& place);
@@ -69,13 +66,9 @@ CRUMPLE_INLINE void HughesLiu::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const ShellConstants<Real>& constants = place.task.constants;
   const ShellNodes<Pack> n = gathered<Pack>(place).all();
-  const Pack back(-(Real(0.5) * place.task.step));
-  const auto r31 = math::multiply_add(back, n.v31, n.r31);
-  const auto r42 = math::multiply_add(back, n.v42, n.r42);
-  const auto r_mode = math::multiply_add(back, n.v_mode, n.r_mode);
-  const auto frame = lamina_frame(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                  own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r42, r_mode);
+  const ElementShape<Pack> shape = middle_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
   const Pack thickness = own_state<Pack>(place, element_state::thickness);
   const FibreTilts<Pack> tilt = fibre_tilts(g, thickness);
   const LaminaMotion<Pack> m = lamina_motion(frame, n, tilt);
@@ -93,9 +86,6 @@ CRUMPLE_INLINE void HughesLiu::strains(const ShellPlace<RealOf<Pack>>& place) {
                                           gradient(g, m.v31.z, m.v42.z), gradient(g, m.w31.x, m.w42.x),
                                           gradient(g, m.w31.y, m.w42.y)};
   keep_modes(place, row_rates, hourglass_rates(frame, g, n.v_mode, n.w_mode, gradients));
-  keep_vec(place, row_r31, n.r31);
-  keep_vec(place, row_r42, n.r42);
-  keep_vec(place, row_mode, n.r_mode);
 }
 
 template <class Pack>
@@ -146,25 +136,20 @@ CRUMPLE_INLINE LayerForces<Pack> integrate_layers(const ShellPlace<RealOf<Pack>>
 
 template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> HughesLiu::forces(const ShellPlace<RealOf<Pack>>& place) {
-  using Vec = math::PackVec3<Pack>;
-  const Vec r31 = kept_vec<Pack>(place, row_r31);
-  const Vec r42 = kept_vec<Pack>(place, row_r42);
-  const Vec r_mode = kept_vec<Pack>(place, row_mode);
-  const auto frame = lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                        own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r42, r_mode);
+  const ElementShape<Pack> shape = end_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
   const Pack active = own_state<Pack>(place, element_state::active);
 
   const Pack mean_thickness = update_thickness<Pack>(place);
   const Pack full_thickness = own_state<Pack>(place, element_state::thickness);
   const Pack thickness = active * full_thickness;
-  const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
-  store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * (active * mean_thickness)));
+  leave_internal_energy(place, Pack(active * mean_thickness));
 
   const FibreTilts<Pack> tilt = fibre_tilts(g, full_thickness);
   const LayerForces<Pack> layers = integrate_layers(place, g, tilt, thickness);
   const auto q = update_hourglass(place, g, thickness, kept_modes<Pack>(place, row_rates));
-  limit_step(place, g, r31, r42, r_mode);
+  limit_step(place, g.area, shape);
   return fibre_forces(frame, g, tilt, layers, q);
 }
 

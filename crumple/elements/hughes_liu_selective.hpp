@@ -14,12 +14,9 @@ struct HughesLiuSelective {
   static constexpr int planes = 4;
   static constexpr bool own_areas = true;
 
-  static constexpr int row_r31 = 0;
-  static constexpr int row_r42 = 3;
-  static constexpr int row_mode = 6;
-  static constexpr int row_rate = 9;
-  static constexpr int row_drilling = 10;
-  static constexpr int rows = 13;
+  static constexpr int row_rate = 0;
+  static constexpr int row_drilling = 1;
+  static constexpr int rows = 4;
 
   template <class Pack>
   static void strains(const ShellPlace<RealOf<Pack>>& place);
@@ -30,12 +27,8 @@ struct HughesLiuSelective {
 /// The surface with fibres that leave every layer at least 0.73 of the area at the centre: the tangents of
 /// an element warped and thick beyond reason would turn over.
 template <class Pack>
-CRUMPLE_INLINE BilinearSurface<Pack> layered_surface(const LaminaFrame<Pack>& frame,
-                                                     const math::PackVec3<Pack>& r31,
-                                                     const math::PackVec3<Pack>& r42,
-                                                     const math::PackVec3<Pack>& r_mode,
-                                                     const Pack& thickness) {
-  BilinearSurface<Pack> s = bilinear_surface(frame, r31, r42, r_mode);
+CRUMPLE_INLINE BilinearSurface<Pack> layered_surface(const ElementShape<Pack>& shape, const Pack& thickness) {
+  BilinearSurface<Pack> s = bilinear_surface(shape);
   const Pack most = (RealOf<Pack>(0.5) * s.jacobian) / (thickness * sum_of_squares(s));
   set_fibres(s, smaller(largest_tilt(s), most));
   return s;
@@ -110,14 +103,10 @@ CRUMPLE_INLINE void HughesLiuSelective::strains(const ShellPlace<RealOf<Pack>>& 
   using Real = RealOf<Pack>;
   const ShellConstants<Real>& constants = place.task.constants;
   const ShellNodes<Pack> n = gathered<Pack>(place).all();
-  const Pack back(-(Real(0.5) * place.task.step));
-  const auto r31 = math::multiply_add(back, n.v31, n.r31);
-  const auto r42 = math::multiply_add(back, n.v42, n.r42);
-  const auto r_mode = math::multiply_add(back, n.v_mode, n.r_mode);
-  const auto frame = lamina_frame(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                  own_state<Pack>(place, element_state::frame + 1));
+  const ElementShape<Pack> shape = middle_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
   const Pack thickness = own_state<Pack>(place, element_state::thickness);
-  const BilinearSurface<Pack> s = layered_surface(frame, r31, r42, r_mode, thickness);
+  const BilinearSurface<Pack> s = layered_surface(shape, thickness);
   const Pack zero(Real(0));
   const Bilinear<Pack> v = bilinear(frame, n.v31, n.v42, n.v_mode, math::PackVec3<Pack>{zero, zero, zero});
   const Bilinear<Pack> w = bilinear(frame, n.w31, n.w42, n.w_mode, n.w_sum);
@@ -145,9 +134,6 @@ CRUMPLE_INLINE void HughesLiuSelective::strains(const ShellPlace<RealOf<Pack>>& 
       store(place.area + at * tile_lanes, point.area);
     }
   }
-  keep_vec(place, row_r31, n.r31);
-  keep_vec(place, row_r42, n.r42);
-  keep_vec(place, row_mode, n.r_mode);
   keep(place, row_rate, warping_rate(s, v, b));
   keep_vec(place, row_drilling, math::PackVec3<Pack>{w.xi.z, w.eta.z, w.twist.z});
 }
@@ -261,20 +247,16 @@ template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> HughesLiuSelective::forces(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
-  const Vec r31 = kept_vec<Pack>(place, row_r31);
-  const Vec r42 = kept_vec<Pack>(place, row_r42);
-  const Vec r_mode = kept_vec<Pack>(place, row_mode);
-  const auto frame = lamina_frame<Pack>(r31 - r42, r31 + r42, own_state<Pack>(place, element_state::frame),
-                                        own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r42, r_mode);
+  const ElementShape<Pack> shape = end_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
   const Pack active = own_state<Pack>(place, element_state::active);
 
   const Pack mean_thickness = update_thickness<Pack>(place);
   const Pack full_thickness = own_state<Pack>(place, element_state::thickness);
   const Pack thickness = active * full_thickness;
-  const BilinearSurface<Pack> s = layered_surface(frame, r31, r42, r_mode, full_thickness);
-  const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
-  store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * (active * mean_thickness)));
+  const BilinearSurface<Pack> s = layered_surface(shape, full_thickness);
+  leave_internal_energy(place, Pack(active * mean_thickness));
 
   const Pack zero(Real(0));
   const Vec drilling = kept_vec<Pack>(place, row_drilling);
@@ -288,7 +270,7 @@ CRUMPLE_INLINE ShellForces<Pack> HughesLiuSelective::forces(const ShellPlace<Rea
   ShellForces<Pack> out;
   to_nodes(frame, sum.on_velocity, out.force);
   to_nodes(frame, with_drilling(fibre_moments(s, sum.on_fibre), q), out.moment);
-  limit_step(place, Pack(Real(4) * smallest_layer(place, s, full_thickness)), r31, r42, r_mode);
+  limit_step(place, Pack(Real(4) * smallest_layer(place, s, full_thickness)), shape);
   return out;
 }
 

@@ -15,11 +15,8 @@ struct Triangle {
   static constexpr int planes = 1;
   static constexpr bool own_areas = false;
 
-  static constexpr int row_r31 = 0;
-  static constexpr int row_r32 = 3;
-  static constexpr int row_mode = 6;
-  static constexpr int row_area = 9;
-  static constexpr int rows = 10;
+  static constexpr int row_area = 0;
+  static constexpr int rows = 1;
 
   template <class Pack>
   static void strains(const ShellPlace<RealOf<Pack>>& place);
@@ -64,18 +61,13 @@ CRUMPLE_INLINE PlaneVector<Pack> centroid_shear(const LaminaGeometry<Pack>& g, c
   return {vz31 + (side31 - slip), vz32 + ((side31 - side21) - (slip + slip))};
 }
 
-// Everything here is evaluated at the geometry of the middle of the step (Hughes & Winget 1980).
 template <class Pack>
 CRUMPLE_INLINE void Triangle::strains(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const ShellNodes<Pack> n = gathered<Pack>(place).all();
-  const Pack back(-(Real(0.5) * place.task.step));
-  const auto r31 = math::multiply_add(back, n.v31, n.r31);
-  const auto r32 = math::multiply_add(back, n.v42, n.r42);
-  const auto r_mode = math::multiply_add(back, n.v_mode, n.r_mode);
-  const auto frame = lamina_frame(r31 - r32, r31 + r32, own_state<Pack>(place, element_state::frame),
-                                  own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r32, r_mode);
+  const ElementShape<Pack> shape = middle_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
 
   const PlaneVector<Pack> v31 = plane_vector(frame, n.v31);
   const PlaneVector<Pack> v32 = plane_vector(frame, n.v42);
@@ -96,9 +88,6 @@ CRUMPLE_INLINE void Triangle::strains(const ShellPlace<RealOf<Pack>>& place) {
   const Pack bend = Real(0.5) * own_state<Pack>(place, element_state::thickness) * step;
   store_strains(place, membrane, Bending<Pack>{bend * wy.x, -(bend * wx.y), bend * (wy.y - wx.x)});
 
-  keep_vec(place, row_r31, n.r31);
-  keep_vec(place, row_r32, n.r42);
-  keep_vec(place, row_mode, n.r_mode);
   keep(place, row_area, g.area);
 }
 
@@ -149,19 +138,14 @@ template <class Pack>
 CRUMPLE_INLINE ShellForces<Pack> Triangle::forces(const ShellPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
-  const Vec r31 = kept_vec<Pack>(place, row_r31);
-  const Vec r32 = kept_vec<Pack>(place, row_r32);
-  const Vec r_mode = kept_vec<Pack>(place, row_mode);
-  const auto frame = lamina_frame<Pack>(r31 - r32, r31 + r32, own_state<Pack>(place, element_state::frame),
-                                        own_state<Pack>(place, element_state::frame + 1));
-  const auto g = lamina_geometry(frame, r31, r32, r_mode);
+  const ElementShape<Pack> shape = end_shape<Pack>(place);
+  const LaminaFrame<Pack>& frame = shape.frame;
+  const auto g = lamina_geometry(shape);
   const Pack active = own_state<Pack>(place, element_state::active);
 
   const Pack mean_thickness = update_thickness<Pack>(place);
   const Pack thickness = active * own_state<Pack>(place, element_state::thickness);
-  const auto energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
-  store(place.rows + scratch_row::internal_energy * tile_lanes,
-        Pack(energy * (active * (mean_thickness * kept<Pack>(place, row_area)))));
+  leave_internal_energy(place, Pack(active * (mean_thickness * kept<Pack>(place, row_area))));
   const Pack zero(Real(0));
   store(place.rows + scratch_row::hourglass_energy * tile_lanes, zero);
 
@@ -189,7 +173,7 @@ CRUMPLE_INLINE ShellForces<Pack> Triangle::forces(const ShellPlace<RealOf<Pack>>
   out.moment[2] = (turn_sum + turn_sum) + (turn31 + turn32);
   out.moment[3] = none;
 
-  limit_step(place, g, r31, r32, r_mode);
+  limit_step(place, g.area, shape);
   return out;
 }
 
