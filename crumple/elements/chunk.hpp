@@ -124,6 +124,7 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ShellSums& sums) {
     for_each_pack<Pack>(task, first, groups, scratch,
                         [](const ShellPlace<Real>& place, const Index* /*target*/) {
                           gather<Pack>(place.task.nodes, place.node, place.nodes);
+                          if (place.task.constants.can_fail) rest_failed<Pack>(place);
                         });
     for_each_pack<Pack>(task, first, groups, scratch,
                         [](const ShellPlace<Real>& place, const Index* /*target*/) {

@@ -121,6 +121,15 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
 /// Factor on the step of shells that have no stiffness: no other shell's step is longer.
 constexpr double no_limit = 1e12;
 
+/// From the first node of the deck to the next that is not the same. The corners of a triangle begin where
+/// their last one is repeated.
+math::Vec3 first_side(const model::ShellElement& shell, const ShellCorners& corner) {
+  const int repeated = model::repeated_entry(shell.node);
+  if (repeated < 0) return corner[1] - corner[0];
+  const auto at = [&](int entry) { return corner[static_cast<std::size_t>(entry + 6 - repeated) % 4]; };
+  return repeated == 0 ? at(2) - at(1) : at(1) - at(0);
+}
+
 /// What the material wants to know of an element.
 materials::LaminaAxes lamina_axes(const model::ShellElement& shell, const ShellCorners& corner) {
   const math::Vec3 r31 = corner[2] - corner[0];
@@ -129,7 +138,7 @@ materials::LaminaAxes lamina_axes(const model::ShellElement& shell, const ShellC
   axes.e1 = normalised(r31 - r42);
   axes.e3 = normalised(cross(r31, r42));
   axes.e2 = cross(axes.e3, axes.e1);
-  axes.side = corner[1] - corner[0];
+  axes.side = first_side(shell, corner);
   axes.angle = shell.material_angle;
   axes.shell = shell.id;
   return axes;

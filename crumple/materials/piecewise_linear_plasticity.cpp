@@ -60,6 +60,7 @@ std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Materia
   check_rates(material, law);
   std::vector<model::HardeningAtRate> curves = law.by_rate;
   if (curves.empty()) curves.push_back({0, law.plastic_strain, law.yield_stress});
+  const bool has_factors = law.by_rate.empty() && !law.factor_rate.empty();
   double least = 1e300;
   for (const model::HardeningAtRate& curve : curves) {
     check_curve(material, law.youngs_modulus, curve.plastic_strain, curve.yield_stress);
@@ -74,11 +75,12 @@ std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Materia
   numbers[Rate] = has_power ? law.cowper_symonds_rate : 0;
   numbers[Exponent] = law.cowper_symonds_exponent;
   numbers[Failure] = law.failure_strain;
-  numbers[Least] = least;
+  // The return brackets its root by the least yield stress there can be: factors may fall with the rate.
+  const auto factors = std::minmax_element(law.rate_factor.begin(), law.rate_factor.end());
+  numbers[Least] = has_factors && law.viscoplastic ? least * *factors.first / *factors.second : least;
   numbers[Viscoplastic] = law.viscoplastic ? 1 : 0;
   numbers[Base] = law.viscoplastic_base;
   numbers[Logarithmic] = law.logarithmic_rates ? 1 : 0;
-  const bool has_factors = law.by_rate.empty() && !law.factor_rate.empty();
   numbers[Factors] = has_factors ? static_cast<double>(law.factor_rate.size()) : 0;
   numbers[Curves] = static_cast<double>(curves.size());
   if (has_factors) append_rows(law.factor_rate, law.rate_factor, numbers);

@@ -115,6 +115,18 @@ struct PlaneStressPlasticity {
     Pack size;  ///< equivalent stress over the old radius
   };
 
+  /// What is left of the sum and of difference and shears. One division for both.
+  struct Returned {
+    Pack sum, rest;
+  };
+  CRUMPLE_INLINE Returned returned(const Pack& x) const {
+    const Pack one(Real(1));
+    const Pack a = multiply_add(Pack(sum_slope / rest_slope), x, one);
+    const Pack b = one + x;
+    const Pack over_both = one / (a * b);
+    return {over_both * b, over_both * a};
+  }
+
   /// Newton's method on 1 = yield stress / equivalent stress, which is nearly linear in x and, for linear
   /// hardening, concave: it approaches the root from below without fail. Kinks of a table may throw it off;
   /// the bracket then halves. A lane that has converged is left alone, so that its bits do not depend on its
@@ -128,13 +140,12 @@ struct PlaneStressPlasticity {
     constexpr int most_iterations = 60;
     const Pack zero(Real(0));
     const Pack one(Real(1));
-    const Pack third(Real(2.0 / 3.0));
-    const Pack radius_square = t.radius * t.radius;
-    const Pack u = t.sum_square / radius_square;
-    const Pack v = t.rest_square / radius_square;
+    const Pack over_radius = one / t.radius;
+    const Pack u = t.sum_square * over_radius * over_radius;
+    const Pack v = t.rest_square * over_radius * over_radius;
     const Pack ratio(sum_slope / rest_slope);
-    const Pack strain_unit = third * t.radius / Pack(rest_slope);
-    const Pack scale = t.rate_factor / t.radius;
+    const Pack strain_unit = t.radius * Pack(Real(2.0 / 3.0) / rest_slope);
+    const Pack scale = t.rate_factor * over_radius;
     const Real slowest = sum_slope < rest_slope ? sum_slope / rest_slope : Real(1);
     const Pack floor_stress = scale * hardening.least(t.aside);
     Pack low = zero;
@@ -143,16 +154,16 @@ struct PlaneStressPlasticity {
     Solution found{rate.viscoplastic ? Pack(Real(1e-3) * high) : zero, one};
     Mask open = mask;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
-      const Pack over_a = one / multiply_add(ratio, found.x, one);
-      const Pack over_b = one / (one + found.x);
-      const Pack ua = u * (over_a * over_a);
-      const Pack vb = v * (over_b * over_b);
+      const Returned r = returned(found.x);
+      const Pack ua = u * (r.sum * r.sum);
+      const Pack vb = v * (r.rest * r.rest);
       const Pack size = square_root(Pack(ua + vb));
-      const Pack fall = multiply_add(Pack(ratio * ua), over_a, Pack(vb * over_b)) / size;
+      const Pack over_size = one / size;
+      const Pack fall = multiply_add(Pack(ratio * ua), r.sum, Pack(vb * r.rest)) * over_size;
       const Pack increment = strain_unit * (found.x * size);
       auto yield = hardening.at(Pack(old_strain + increment), hardening.viscoplastic() ? increment : t.aside);
       if (rate.viscoplastic) yield = rate.raised(yield, increment);
-      const Pack quotient = scale * yield.stress / size;
+      const Pack quotient = scale * yield.stress * over_size;
       const Pack g = quotient - one;
       found.size = select<Pack>(open, size, found.size);
       open = open && (absolute(g) > Pack(tolerance));
@@ -160,8 +171,7 @@ struct PlaneStressPlasticity {
       low = select<Pack>(g < zero, found.x, low);
       high = select<Pack>(g < zero, high, found.x);
       const Pack growth = scale * yield.slope * strain_unit * multiply_add(Pack(-found.x), fall, size);
-      const Pack slope = multiply_add(quotient, fall, growth) / size;
-      Pack next = found.x - g / slope;
+      Pack next = found.x - g * size / multiply_add(quotient, fall, growth);
       const Mask inside = (next > low) && (next < high);
       next = select<Pack>(inside, next, Pack(Real(0.5) * (low + high)));
       found.x = select<Pack>(open, next, found.x);
@@ -185,18 +195,15 @@ struct PlaneStressPlasticity {
   CRUMPLE_INLINE void correct(PlaneStress<Pack>& stress, Trial& t, const Mask& mask,
                               const History& history) const {
     const Pack zero(Real(0));
-    const Pack one(Real(1));
     const Pack half(Real(0.5));
     const Pack old_strain = load<Pack>(plastic_strain(history));
     const Solution solution = solve(t, mask, old_strain);
     const PlaneStress<Pack> s = relative(stress, history);
-    const Pack gamma = solution.x / Pack(rest_slope);
-    const Pack over_a = one / multiply_add(Pack(sum_slope / rest_slope), solution.x, one);
-    const Pack over_b = one / (one + solution.x);
-    const Pack sum = half * (over_a * (s.xx + s.yy));
-    const Pack difference = half * (over_b * (s.xx - s.yy));
-    PlaneStress<Pack> returned{sum + difference, sum - difference, over_b * s.xy, over_b * s.yz,
-                               over_b * s.zx};
+    const Pack gamma = solution.x * Pack(Real(1) / rest_slope);
+    const Returned r = returned(solution.x);
+    const Pack sum = half * (r.sum * (s.xx + s.yy));
+    const Pack difference = half * (r.rest * (s.xx - s.yy));
+    PlaneStress<Pack> now{sum + difference, sum - difference, r.rest * s.xy, r.rest * s.yz, r.rest * s.zx};
     if (kinematic != 0) {
       // The back stress follows the relative stress: d alpha = 2/3 H_k gamma (sigma - alpha).
       const Pack follow = Pack(kinematic) * gamma;
@@ -205,18 +212,18 @@ struct PlaneStressPlasticity {
         alpha = select<Pack>(mask, multiply_add(follow, sigma, alpha), alpha);
         sigma = sigma + alpha;
       };
-      advance(back.xx, returned.xx);
-      advance(back.yy, returned.yy);
-      advance(back.xy, returned.xy);
-      advance(back.yz, returned.yz);
-      advance(back.zx, returned.zx);
+      advance(back.xx, now.xx);
+      advance(back.yy, now.yy);
+      advance(back.xy, now.xy);
+      advance(back.yz, now.yz);
+      advance(back.zx, now.zx);
       store_five(back_stress(history), lanes, back);
     }
-    stress.xx = select<Pack>(mask, returned.xx, stress.xx);
-    stress.yy = select<Pack>(mask, returned.yy, stress.yy);
-    stress.xy = select<Pack>(mask, returned.xy, stress.xy);
-    stress.yz = select<Pack>(mask, returned.yz, stress.yz);
-    stress.zx = select<Pack>(mask, returned.zx, stress.zx);
+    stress.xx = select<Pack>(mask, now.xx, stress.xx);
+    stress.yy = select<Pack>(mask, now.yy, stress.yy);
+    stress.xy = select<Pack>(mask, now.xy, stress.xy);
+    stress.yz = select<Pack>(mask, now.yz, stress.yz);
+    stress.zx = select<Pack>(mask, now.zx, stress.zx);
     t.flow = select<Pack>(mask, Pack(Pack(Pack(Real(2.0 / 3.0)) * gamma) * (solution.size * t.radius)), zero);
     add_plastic_strain(history, t.flow);
     t.plastic_zz = select<Pack>(mask, Pack(-(Pack(Real(2.0 / 3.0)) * gamma * sum)), zero);

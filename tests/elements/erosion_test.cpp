@@ -141,5 +141,25 @@ TEST(Erosion, HourglassStressGoesWithTheElement) {
     }
 }
 
+/// Nodes of failed elements go where they will, to one place as well.
+TEST(Erosion, FailedElementsMayLoseTheirArea) {
+  for (const Kind& kind : kinds)
+    for (const auto& execution : all_executions()) {
+      Torn torn(execution, kind.formulation, false);
+      Driven& body = torn.body;
+      for (int step = 0; step < 200 && body.block().eroded == 0; ++step) torn.stretch(1.001);
+      ASSERT_EQ(body.block().eroded, 2);
+      torn.stretch(1.0);
+      const double eroded = body.block().eroded_energy;
+      torn.stretch(0.0);
+      torn.stretch(0.0);
+      const std::string name = name_of(execution) + " " + kind.name;
+      EXPECT_EQ(body.block().eroded_energy, eroded) << name;
+      EXPECT_NEAR(body.block().internal_energy, 0, 1e-5 * eroded) << name;
+      EXPECT_EQ(body.block().hourglass_energy, 0) << name;
+      for (Index i = 0; i < body.domain.nodes.count(); ++i) EXPECT_EQ(norm(body.force(i)), 0) << name;
+    }
+}
+
 }  // namespace
 }  // namespace crumple::elements::testing

@@ -168,6 +168,27 @@ TEST(RateEffects, PlasticRateFollowsTheTotalOneInSteadyFlow) {
   }
 }
 
+/// A yield stress that falls with the plastic rate makes flow start with a jump; the stress behind it is that
+/// of the rate all the same, below all yield stresses at rest.
+TEST(RateEffects, ViscoplasticYieldStressMayFallWithTheRate) {
+  model::Material material = tabulated({0, 0.02, 0.5}, {250, 300, 400});
+  auto& law = std::get<model::PiecewiseLinearPlasticity>(material.law);
+  law.factor_rate = {0, 1, 50, 1000};
+  law.rate_factor = {2, 1.6, 1.3, 1};
+  law.viscoplastic = true;
+  for (const double rate : {5.0, 300.0, 5000.0}) {
+    PointDriver<double> point(material, available_isas().back());
+    const double strain = 0.02;
+    point.apply({0, 0, root3 * strain, 0, 0}, strain / rate);
+    const double p = point.item("plastic_strain");
+    const double yield = interpolated({0, 0.02, 0.5}, {250, 300, 400}, p) *
+                         interpolated({0, 1, 50, 1000}, {2, 1.6, 1.3, 1}, p / strain * rate);
+    EXPECT_GT(p, 0.8 * strain);
+    EXPECT_LT(yield, 2 * 250);
+    EXPECT_NEAR(root3 * point.stress()[2], yield, 1e-9) << rate;
+  }
+}
+
 /// Held at a strain, a viscoplastic point relaxes. With p = 1 and no hardening the overstress decays
 /// exponentially: d q = -3 G d p and d p / dt = C (q / sigma_0 - 1).
 TEST(RateEffects, OverstressRelaxesExponentially) {
