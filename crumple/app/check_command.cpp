@@ -11,6 +11,7 @@
 
 #include "app/model_summary.hpp"
 #include "app/preparation.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "elements/shells.hpp"
 #include "timeloop/simulation.hpp"
@@ -29,10 +30,10 @@ void print_steps(std::ostream& out, const timeloop::Simulation& simulation) {
     if (std::isfinite(steps[part]))
       fmt::print(out, "  part {:<8} {:.4e}\n", model.parts[part].id, model.control.step_scale * steps[part]);
   const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
-  fmt::print(out,
-             "  first step {:.4e}, controlled by shell {} of part {}; about {:.0f} cycles to the end time\n",
-             simulation.next_step(), controlling.element, controlling.part,
-             std::ceil(model.control.end_time / simulation.next_step()));
+  const double cycles = std::ceil(model.control.end_time / simulation.next_step());
+  fmt::print(out, "  first step {:.4e}, controlled by shell {} of part {}; about {:.0f} {} to the end time\n",
+             simulation.next_step(), controlling.element, controlling.part, cycles,
+             cycles == 1 ? "cycle" : "cycles");
 }
 
 }  // namespace
@@ -49,14 +50,16 @@ ExitCode check_deck(const Options& options, const Console& console) {
       print_steps(console.out, simulation);
       const auto warnings = deck.diagnostics.size();
       fmt::print(console.out, "\nThe deck can be run{}.\n",
-                 warnings > 0 ? fmt::format(", with {} warnings or notes", warnings) : "");
+                 warnings > 0 ? fmt::format(", with {}{}", counted(warnings, "warning"),
+                                            warnings == 1 ? " or note" : " or notes")
+                              : "");
       return ExitCode::Normal;
     } catch (const Error& fault) {
       fmt::print(console.err, "{}: error: {}\n", options.deck.string(), fault.what());
     }
   }
-  fmt::print(console.out, "\nThe deck cannot be run: {} errors.\n",
-             std::max(1, deck::error_count(deck.diagnostics)));
+  fmt::print(console.out, "\nThe deck cannot be run: {}.\n",
+             counted(std::max(1, deck::error_count(deck.diagnostics)), "error"));
   return ExitCode::Input;
 }
 

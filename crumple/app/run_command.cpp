@@ -8,6 +8,7 @@
 #include "app/model_summary.hpp"
 #include "app/preparation.hpp"
 #include "app/run_session.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "output/write_error.hpp"
 
@@ -59,8 +60,8 @@ ExitCode run_deck(const Options& options, const Console& console) {
   for (const std::string& note : options.notes) fmt::print(console.err, "note: {}\n", note);
   const deck::ReadResult deck = read_with_options(options, console);
   if (!deck.model) {
-    fmt::print(console.err, "{} errors in the deck: nothing was run, nothing was written.\n",
-               std::max(1, deck::error_count(deck.diagnostics)));
+    fmt::print(console.err, "{} in the deck: nothing was run, nothing was written.\n",
+               counted(std::max(1, deck::error_count(deck.diagnostics)), "error"));
     return end_with(ExitCode::Input, console);
   }
   if (!options.quiet) print_reading(console.out, deck);

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/status_line.hpp"
+#include "base/counted.hpp"
 #include "base/isa.hpp"
 #include "elements/shells.hpp"
 #include "output/run_record.hpp"
@@ -54,15 +55,14 @@ Index segments_of(const model::Model& model, const model::SingleSurfaceContact& 
 void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
   const domain::ContactInspection& seen = contact.inspection;
   if (contact.initial_penetrations > 0)
-    fmt::print(out,
-               "  {} pairs overlapped at the start, by up to {:.4g}: their contact distance is reduced\n",
-               contact.initial_penetrations, contact.worst_initial);
+    fmt::print(out, "  {} overlapped at the start, by up to {:.4g}: the contact distance is reduced there\n",
+               counted(contact.initial_penetrations, "pair"), contact.worst_initial);
   if (!seen.made) return;
-  fmt::print(
-      out,
-      "  depth over that of the mid-surface: largest {:.3f}, 99th percentile {:.3f}; {} nodes beyond it\n"
-      "  mid-surfaces cut through each other: {} pairs of shells",
-      seen.largest_depth, seen.percentile_99, seen.nodes_beyond, seen.intersections);
+  fmt::print(out,
+             "  depth over that of the mid-surface: largest {:.3f}, 99th percentile {:.3f}; {} beyond it\n"
+             "  mid-surfaces cut through each other: {} of shells",
+             seen.largest_depth, seen.percentile_99, counted(seen.nodes_beyond, "node"),
+             counted(seen.intersections, "pair"));
   if (seen.intersections > 0) fmt::print(out, ", the first {} and {}", seen.first_shell, seen.second_shell);
   fmt::print(out, "\n");
 }
@@ -75,13 +75,14 @@ void print_contacts(std::ostream& out, const output::View& view) {
     const auto searches = static_cast<double>(std::max(contact.searches, 1L));
     const Index segments = segments_of(view.model, view.model.contacts[i]);
     work += searches * segments;
-    fmt::print(
-        out,
-        "\nContact {} ({}): {} searches, one in {:.1f} cycles; {} segments, {:.0f} candidates a search\n"
-        "  pairs in contact now {}, worst penetration {:.4g} now, {:.4g} ever (node {})\n",
-        contact.id, contact.method, contact.searches, static_cast<double>(domain.clock.cycle) / searches,
-        segments, static_cast<double>(contact.candidates) / searches, contact.active_pairs,
-        contact.penetration, contact.worst_penetration, contact.worst_node);
+    fmt::print(out,
+               "\nContact {} ({}): {}, one in {:.1f} cycles; {}, {:.0f} candidates a search\n"
+               "  pairs in contact now {}, worst penetration {:.4g} now, {:.4g} ever (node {})\n",
+               contact.id, contact.method,
+               contact.searches == 1 ? "1 search" : fmt::format("{} searches", contact.searches),
+               static_cast<double>(domain.clock.cycle) / searches, counted(segments, "segment"),
+               static_cast<double>(contact.candidates) / searches, contact.active_pairs, contact.penetration,
+               contact.worst_penetration, contact.worst_node);
     print_inspection(out, contact);
   }
   if (work > 0)
@@ -121,7 +122,11 @@ void print_eroded(std::ostream& out, const output::View& view) {
     first = false;
     const bool triangles = block.formulation == model::ShellFormulation::Triangle;
     fmt::print(out, "  part {:<21} {:>13} of {}{}, with the energy {:.6e}\n", view.model.parts[block.part].id,
-               block.eroded, block.elements, triangles ? " triangles" : "", block.eroded_energy);
+               block.eroded, block.elements,
+               !triangles            ? ""
+               : block.elements == 1 ? " triangle"
+                                     : " triangles",
+               block.eroded_energy);
   }
 }
 
@@ -136,9 +141,9 @@ void print_run_settings(std::ostream& out, const timeloop::Simulation& simulatio
   fmt::print(out, "  end time              {:.6g}\n", model.control.end_time);
   fmt::print(out, "  first step            {:.4e}, controlled by shell {} of part {}\n",
              simulation.next_step(), controlling.element, controlling.part);
-  fmt::print(out, "  arithmetic            {}, {}, {} {}\n",
+  fmt::print(out, "  arithmetic            {}, {}, {}\n",
              execution.precision == Precision::Mixed ? "mixed precision" : "double precision",
-             isa_name(execution.isa), execution.threads, execution.threads == 1 ? "thread" : "threads");
+             isa_name(execution.isa), counted(execution.threads, "thread"));
   if (!model.contacts.empty()) fmt::print(out, "  contact search        {}\n", model.search.method);
   fmt::print(out, "  results in            {}\n", folder.string());
   out.flush();
@@ -146,8 +151,8 @@ void print_run_settings(std::ostream& out, const timeloop::Simulation& simulatio
 
 void print_summary(std::ostream& out, const output::View& view, double loop_seconds) {
   const domain::Domain& domain = view.domain;
-  fmt::print(out, "\n{} cycles to time {:.6g} in {}, {:.1f} ns per element-cycle\n", domain.clock.cycle,
-             domain.clock.time, format_duration(loop_seconds),
+  fmt::print(out, "\n{} to time {:.6g} in {}, {:.1f} ns per element-cycle\n",
+             counted(domain.clock.cycle, "cycle"), domain.clock.time, format_duration(loop_seconds),
              output::nanoseconds_per_element_cycle(domain, loop_seconds));
   print_timings(out, domain, loop_seconds);
   print_contacts(out, view);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/counted.hpp"
 #include "deck/build.hpp"
 
 namespace crumple::deck {
@@ -117,11 +118,10 @@ void warn_of_nodes_behind(const model::RigidWall& wall, const Where& where, Buil
   const auto behind = std::count_if(distances.begin(), distances.end(),
                                     [&](double distance) { return distance < -on_the_wall * farthest; });
   if (behind > 0)
-    build.report.warning(
-        where, "behind",
-        fmt::format("{} of the wall's {} nodes are behind it at the start; is its normal (from "
-                    "tail to head, towards the body) right?",
-                    behind, wall.nodes.size()));
+    build.report.warning(where, "behind",
+                         fmt::format("{} of the wall's {} {} behind it at the start; is its normal (from "
+                                     "tail to head, towards the body) right?",
+                                     behind, counted(wall.nodes.size(), "node"), behind == 1 ? "is" : "are"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "base/counted.hpp"
 #include "deck/build.hpp"
 
 namespace crumple::deck {
@@ -63,7 +64,8 @@ std::vector<Index> curves_of(const RawTable& raw, Build& build) {
     build.report.error(raw.where, "curves",
                        fmt::format("table {} has {} values, but {} curves follow it; each value needs its "
                                    "*DEFINE_CURVE, in the same order, or use *DEFINE_TABLE_2D",
-                                   raw.id, raw.value.size(), curves.size() - raw.first_curve));
+                                   raw.id, counted(raw.value.size(), "value"),
+                                   counted(curves.size() - raw.first_curve, "curve")));
     return std::vector<Index>(raw.value.size(), no_index);
   }
   for (std::size_t i = 0; i < raw.value.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/counted.hpp"
 #include "deck/families.hpp"
 
 namespace crumple::deck {
@@ -89,7 +90,7 @@ void read_define_curve(Cards& cards, RawDeck& deck) {
   if (raw.curve.abscissa.size() < 2)
     cards.report().error(
         card.where(), "points",
-        fmt::format("the curve has {} points, expected at least two", raw.curve.abscissa.size()));
+        fmt::format("the curve has {}, expected at least two", counted(raw.curve.abscissa.size(), "point")));
   if (card.good("LCID")) deck.curves.push_back(std::move(raw));
 }
 

@@ -92,6 +92,7 @@ TEST_F(RunTest, ABadDeckGivesItsPlaceAndWritesNothing) {
   EXPECT_EQ(result.code, ExitCode::Input);
   EXPECT_NE(result.err.find("plate.k:28: error: *MAT_ELASTIC"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find(" E r r o r    t e r m i n a t i o n"), std::string::npos);
+  EXPECT_NE(result.err.find("\n1 error in the deck: nothing was run"), std::string::npos) << result.err;
   EXPECT_FALSE(exists("out"));
 }
 
