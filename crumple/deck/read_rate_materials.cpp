@@ -204,6 +204,7 @@ void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck) {
     const Card second = cards.next(simplified_second_card);
     RawMaterial raw = material_of(heading, card);
     model::JohnsonCook law;
+    law.simplified = true;
     law.youngs_modulus = card.real("E");
     law.poissons_ratio = card.real("PR");
     law.yield_stress = second.real("A");

@@ -23,6 +23,10 @@ bool damages(const model::JohnsonCook& law) {
 
 }  // namespace
 
+const char* JohnsonCookLaw::name_of(const model::ConstitutiveLaw& law) {
+  return std::get<Model>(law).simplified ? "simplified Johnson-Cook" : name;
+}
+
 bool JohnsonCookLaw::can_fail(const model::ConstitutiveLaw& law) {
   const auto& own = std::get<Model>(law);
   return own.failure_strain > 0 || damages(own);

@@ -40,7 +40,14 @@ int shell_material_kind(const model::ConstitutiveLaw& law) {
 const char* shell_material_name(const model::ConstitutiveLaw& law) {
   const char* name = "?";
   with_law(
-      law, [&]<class Law>(Law, int) { name = Law::name; }, ShellLaws{});
+      law,
+      [&]<class Law>(Law, int) {
+        if constexpr (requires { Law::name_of(law); })
+          name = Law::name_of(law);
+        else
+          name = Law::name;
+      },
+      ShellLaws{});
   return name;
 }
 

@@ -85,6 +85,7 @@ struct JohnsonCook {
   std::array<double, 5> damage{};    ///< D1 to D5 of the fracture strain [-]; all zero is none
   double least_fracture_strain = 0;  ///< lower bound of D1 + D2 exp(D3 s) [-]
   bool viscoplastic = false;         ///< the rate is the plastic strain's, else the total one
+  bool simplified = false;           ///< stems from *MAT_SIMPLIFIED_JOHNSON_COOK: for its name alone
 };
 
 /// Linear orthotropic elasticity (*MAT_ORTHOTROPIC_ELASTIC) with axes a, b in the shell and c along its

@@ -64,6 +64,7 @@ TEST(RateMaterial, JohnsonCookWithEveryValue) {
       "   477.0E6    -9.0E9       2.0       0.0      0.05      3.44     -2.12     0.002\n"
       "      0.61       0.0       0.0      0.01\n");
   EXPECT_EQ(law.youngs_modulus, 210000);
+  EXPECT_FALSE(law.simplified);
   EXPECT_TRUE(law.viscoplastic);
   EXPECT_EQ(law.yield_stress, 792);
   EXPECT_EQ(law.hardening, 510);
@@ -103,6 +104,7 @@ TEST(RateMaterial, SimplifiedJohnsonCook) {
   const auto law = law_of<model::JohnsonCook>(
       "*MAT_SIMPLIFIED_JOHNSON_COOK_TITLE\nsteel\n1,7.83E-9,210000,0.3,0\n"
       "792,510,0.26,0.014,0.4,1200,1300,0.001\n");
+  EXPECT_TRUE(law.simplified);
   EXPECT_EQ(law.failure_strain, 0.4);
   EXPECT_EQ(law.largest_hardened, 1200);
   EXPECT_EQ(law.saturation_stress, 1300);
