@@ -5,54 +5,14 @@
 
 #include <algorithm>
 #include <ostream>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "app/bounding_box.hpp"
-#include "elements/registry.hpp"
-#include "materials/shell_material.hpp"
-#include "output/part_masses.hpp"
+#include "app/part_tables.hpp"
+#include "base/counted.hpp"
 
 namespace crumple::app {
 
 namespace {
-
-/// Rows of the table of parts; of more parts only the first are listed.
-constexpr Index part_rows = 60;
-
-std::string thickness_range(const model::Model& model, Index part) {
-  double least = 1e300;
-  double most = 0;
-  for (const model::ShellElement& shell : model.shells) {
-    if (shell.part != part) continue;
-    for (const double thickness : model::shell_thickness(model, shell)) {
-      least = std::min(least, thickness);
-      most = std::max(most, thickness);
-    }
-  }
-  if (most == 0) return "-";
-  return least == most ? fmt::format("{:.4g}", most) : fmt::format("{:.4g}-{:.4g}", least, most);
-}
-
-void print_parts(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
-  const output::PartMasses masses(output::View{model, domain, 0});
-  std::vector<Index> shells(model.parts.size());
-  for (const model::ShellElement& shell : model.shells) ++shells[shell.part];
-  fmt::print(out, "  {:>8} {:>8}  {:<22} {:<18} {:>3} {:>14} {:>11}  title\n", "part", "shells", "element",
-             "material", "nip", "thickness", "mass");
-  const Index rows = std::min(part_rows, static_cast<Index>(model.parts.size()));
-  for (Index p = 0; p < rows; ++p) {
-    const model::Part& part = model.parts[p];
-    const model::ShellSection& section = model.shell_sections[part.section];
-    fmt::print(out, "  {:>8} {:>8}  {:<22} {:<18} {:>3} {:>14} {:>11.4g}  {}\n", part.id, shells[p],
-               elements::shell_kind(section.formulation).name,
-               materials::shell_material_name(model.materials[part.material].law), section.thickness_points,
-               thickness_range(model, p), masses.mass(p), part.title);
-  }
-  if (rows < static_cast<Index>(model.parts.size()))
-    fmt::print(out, "  ... and {} parts more\n", model.parts.size() - rows);
-}
 
 double lumped_mass(const model::Model& model) {
   double sum = 0;
@@ -67,11 +27,11 @@ void print_conditions(std::ostream& out, const model::Model& model) {
   if (!model.pressure_loads.empty())
     fmt::print(out, "  pressure loads        {}\n", model.pressure_loads.size());
   for (const model::RigidWall& wall : model.rigid_walls)
-    fmt::print(out, "  rigid wall {:<10} stops {} nodes, friction {:g}\n", wall.id, wall.nodes.size(),
-               wall.friction);
+    fmt::print(out, "  rigid wall {:<10} stops {}, friction {:g}\n", wall.id,
+               counted(wall.nodes.size(), "node"), wall.friction);
   for (const model::SingleSurfaceContact& contact : model.contacts)
-    fmt::print(out, "  contact {:<13} single surface, {} parts, friction {:g}/{:g}\n", contact.id,
-               contact.parts.size(), contact.static_friction, contact.dynamic_friction);
+    fmt::print(out, "  contact {:<13} single surface, {}, friction {:g}/{:g}\n", contact.id,
+               counted(contact.parts.size(), "part"), contact.static_friction, contact.dynamic_friction);
   if (model.contacts.empty()) fmt::print(out, "  contact               none\n");
 }
 
@@ -81,9 +41,9 @@ void print_reading(std::ostream& out, const deck::ReadResult& deck) {
   for (const auto& file : deck.files) fmt::print(out, "Read {}\n", file.string());
   if (!deck.unit_system.empty()) fmt::print(out, "Units seem to be {}\n", deck.unit_system);
   for (const deck::IgnoredKeyword& keyword : deck.ignored_keywords)
-    fmt::print(out, "{} {} ({} times, first at {}:{})\n",
+    fmt::print(out, "{} {} ({}, first at {}:{})\n",
                keyword.changes_physics ? "LEFT OUT, although it changes the result:" : "Ignored:",
-               keyword.keyword, keyword.count, keyword.file, keyword.line);
+               keyword.keyword, counted(keyword.count, "time"), keyword.file, keyword.line);
 }
 
 void print_model(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
@@ -96,9 +56,10 @@ void print_model(std::ostream& out, const model::Model& model, const domain::Dom
   if (!model.title.empty()) fmt::print(out, "\n{}\n", model.title);
   fmt::print(out, "\nModel\n");
   fmt::print(out, "  nodes                 {}\n", model.nodes.count());
-  fmt::print(out, "  shells                {} ({} of them triangles)\n", model.shells.size(), triangles);
-  fmt::print(out, "  mass                  {:.6g}, of it lumped {:.6g} at {} nodes, added {:.4g}\n", mass,
-             lumped_mass(model), model.lumped_masses.size(), domain.added_mass);
+  fmt::print(out, "  shells                {} ({} of them {})\n", model.shells.size(), triangles,
+             triangles == 1 ? "a triangle" : "triangles");
+  fmt::print(out, "  mass                  {:.6g}, of it lumped {:.6g} at {}, added {:.4g}\n", mass,
+             lumped_mass(model), counted(model.lumped_masses.size(), "node"), domain.added_mass);
   fmt::print(out, "  box                   x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n",
              box.lowest[0], box.highest[0], box.lowest[1], box.highest[1], box.lowest[2], box.highest[2]);
   print_conditions(out, model);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <csignal>
+#include <sstream>
 #include <thread>
 
 #include "app/program_fixture.hpp"
@@ -237,6 +238,32 @@ TEST_F(CheckTest, TellsWhatAGoodDeckHoldsAndWritesNothing) {
     EXPECT_NE(result.out.find(word), std::string::npos) << word << " in\n" << result.out;
   EXPECT_EQ(
       std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()), 1);
+}
+
+/// The line of the report that begins with these words, blanks drawn together.
+std::string line_with(const std::string& report, const std::string& words) {
+  std::istringstream lines(report);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    std::string joined;
+    for (std::string cell; cells >> cell;) joined += (joined.empty() ? "" : " ") + cell;
+    if (joined.starts_with(words)) return joined;
+  }
+  return "no such line in\n" + report;
+}
+
+TEST_F(CheckTest, ShowsByPartWhatItsResultsDependOn) {
+  std::string text = falling_plate("*CONTROL_TERMINATION\n1.0,\n*CONTROL_HOURGLASS\n4,0.03\n");
+  EXPECT_EQ(line_with(run({"check", write("plate.k", text)}).out, "1 0"), "1 0 stiffness QM 0.03 none");
+  text.replace(text.find("         1         2  0.833333         3\n"), 41, "1,1,1.0,9,0,1\n");
+  text.replace(text.find("       1.0       1.0       1.0       1.0\n"), 41, "1.0,1.0,1.0,1.0,-1\n");
+  text.replace(text.find("         1         1         1\n*SECTION"), 31, "1,1,1,0,5\n");
+  text.replace(text.find("*MAT_ELASTIC\n         1   7.83e-6     207.0       0.3\n"), 54,
+               "*MAT_098\n1,7.83e-6,207,0.3,1\n0.8,0.5,0.26,0.01\n*HOURGLASS\n5,1,0.1,0,0,0,0.05,0.02\n");
+  const Result result = run({"check", write("plate.k", text)});
+  EXPECT_EQ(line_with(result.out, "1 4"),
+            "1 4 Hughes-Liu simplified Johnson-Cook 9 trapezoid 1 0.003132 plate");
+  EXPECT_EQ(line_with(result.out, "1 -1"), "1 -1 viscous QM 0.1 QB 0.05 QW 0.02 C ln(rate), VP 1");
 }
 
 TEST_F(CheckTest, ABadDeckFails) {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/part_tables.hpp"
+
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <ostream>
+#include <variant>
+#include <vector>
+
+#include "base/counted.hpp"
+#include "elements/registry.hpp"
+#include "materials/shell_material.hpp"
+#include "output/part_masses.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+/// Rows of a table; of more parts only the first are listed.
+constexpr Index part_rows = 60;
+
+std::string thickness_range(const model::Model& model, Index part) {
+  double least = 1e300;
+  double most = 0;
+  for (const model::ShellElement& shell : model.shells) {
+    if (shell.part != part) continue;
+    for (const double thickness : model::shell_thickness(model, shell)) {
+      least = std::min(least, thickness);
+      most = std::max(most, thickness);
+    }
+  }
+  if (most == 0) return "-";
+  return least == most ? fmt::format("{:.4g}", most) : fmt::format("{:.4g}-{:.4g}", least, most);
+}
+
+std::string points_words(const model::ShellSection& section) {
+  const char* rule = section.thickness_rule == model::ThicknessRule::Gauss     ? "Gauss"
+                     : section.thickness_rule == model::ThicknessRule::Lobatto ? "Lobatto"
+                                                                               : "trapezoid";
+  return fmt::format("{} {}", section.thickness_points, rule);
+}
+
+void print_make(std::ostream& out, const model::Model& model, const domain::Domain& domain, Index rows) {
+  const output::PartMasses masses(output::View{model, domain, 0});
+  std::vector<Index> shells(model.parts.size());
+  for (const model::ShellElement& shell : model.shells) ++shells[shell.part];
+  fmt::print(out, "  {:>8} {:>8}  {:<29} {:<27} {:>12} {:>14} {:>11}  title\n", "part", "shells", "element",
+             "material", "points", "thickness", "mass");
+  for (Index p = 0; p < rows; ++p) {
+    const model::Part& part = model.parts[p];
+    const model::ShellSection& section = model.shell_sections[part.section];
+    fmt::print(out, "  {:>8} {:>8}  {:<26} {:<23} {:>12} {:>14} {:>11.4g}  {}\n", part.id, shells[p],
+               elements::shell_kind(section.formulation).name,
+               materials::shell_material_name(model.materials[part.material].law), points_words(section),
+               thickness_range(model, p), masses.mass(p), part.title);
+  }
+}
+
+void print_options(std::ostream& out, const model::Model& model, Index rows) {
+  fmt::print(out, "  {:>8} {:>8}  {:<29} {}\n", "part", "NLOC", "hourglass control", "strain rate effect");
+  for (Index p = 0; p < rows; ++p) {
+    const model::Part& part = model.parts[p];
+    fmt::print(out, "  {:>8} {:>8.4g}  {:<29} {}\n", part.id, model.shell_sections[part.section].node_place,
+               hourglass_words(model, part), rate_words(model.materials[part.material].law));
+  }
+}
+
+std::string with_option(std::string_view effect, bool viscoplastic) {
+  return fmt::format("{}, VP {}", effect, viscoplastic ? 1 : 0);
+}
+
+/// Words for each kind of law.
+struct RateWords {
+  template <class Law>
+  std::string operator()(const Law& law) const {
+    if constexpr (requires { law.cowper_symonds_rate; })
+      if (law.cowper_symonds_rate > 0) return with_option("Cowper-Symonds", law.viscoplastic);
+    return "none";
+  }
+  std::string operator()(const model::JohnsonCook& law) const {
+    return law.rate_coefficient > 0 ? with_option("C ln(rate)", law.viscoplastic) : "none";
+  }
+  // In the order in which they go before each other.
+  std::string operator()(const model::PiecewiseLinearPlasticity& law) const {
+    if (!law.by_rate.empty())
+      return with_option(counted(law.by_rate.size(), "curve") + " by rate", law.viscoplastic);
+    if (!law.factor_rate.empty()) return with_option("factors by rate", law.viscoplastic);
+    return law.cowper_symonds_rate > 0 ? with_option("Cowper-Symonds", law.viscoplastic) : "none";
+  }
+};
+
+}  // namespace
+
+std::string hourglass_words(const model::Model& model, const model::Part& part) {
+  using enum model::ShellFormulation;
+  const model::ShellFormulation formulation = model.shell_sections[part.section].formulation;
+  if (formulation == FullyIntegrated || formulation == Triangle) return "none";
+  if (!materials::has_stiffness(model.materials[part.material].law)) return "none";
+  const model::HourglassControl& control = model::hourglass_of(model, part);
+  const char* form = control.form == model::HourglassForm::Viscous ? "viscous" : "stiffness";
+  // Of selectively reduced shells only the warping is controlled.
+  if (formulation == HughesLiuSelectiveReduced) return fmt::format("{} QW {:.4g}", form, control.warping);
+  if (control.bending == control.coefficient && control.warping == control.coefficient)
+    return fmt::format("{} QM {:.4g}", form, control.coefficient);
+  return fmt::format("{} QM {:.4g} QB {:.4g} QW {:.4g}", form, control.coefficient, control.bending,
+                     control.warping);
+}
+
+std::string rate_words(const model::ConstitutiveLaw& law) {
+  return std::visit(RateWords(), law);
+}
+
+void print_parts(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
+  const Index rows = std::min(part_rows, static_cast<Index>(model.parts.size()));
+  print_make(out, model, domain, rows);
+  print_options(out, model, rows);
+  if (rows < static_cast<Index>(model.parts.size()))
+    fmt::print(out, "  ... and {} more\n", counted(static_cast<Index>(model.parts.size()) - rows, "part"));
+}
+
+}  // namespace crumple::app
