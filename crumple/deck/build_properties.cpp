@@ -15,26 +15,37 @@ namespace {
 /// curves.
 constexpr double far_strain = 10;
 
+/// Continues a hardening curve that begins behind zero strain to there; `points` is where it stands.
+void extend_to_zero(std::vector<double>& strain, std::vector<double>& stress, const RawMaterial& material,
+                    const Where& points, Report& report) {
+  const double slope = (stress[1] - stress[0]) / (strain[1] - strain[0]);
+  const double initial = stress[0] - slope * strain[0];
+  if (!(initial > 0))
+    report.error(
+        material.where, "initial yield",
+        fmt::format("continued to zero plastic strain the hardening curve gives a yield stress of {}; "
+                    "start it at zero",
+                    initial));
+  else
+    report.warning(
+        points, "initial yield",
+        fmt::format("the yield stress of material {} is given from plastic strain {:.4g} on; its first slope "
+                    "is continued to zero, where it gives the yield stress {:.4g}; start it at zero",
+                    material.material.id, strain.front(), initial));
+  strain.insert(strain.begin(), 0.0);
+  stress.insert(stress.begin(), initial);
+}
+
 /// Continues a hardening curve to zero strain and far beyond its end.
-void extend(std::vector<double>& strain, std::vector<double>& stress, const Where& where, Report& report) {
+void extend(std::vector<double>& strain, std::vector<double>& stress, const RawMaterial& material,
+            const Where& points, Report& report) {
   if (strain.size() < 2) return;
-  if (strain.front() > 0) {
-    const double slope = (stress[1] - stress[0]) / (strain[1] - strain[0]);
-    const double initial = stress[0] - slope * strain[0];
-    if (!(initial > 0))
-      report.error(
-          where, "initial yield",
-          fmt::format("continued to zero plastic strain the hardening curve gives a yield stress of {}; "
-                      "start it at zero",
-                      initial));
-    strain.insert(strain.begin(), 0.0);
-    stress.insert(stress.begin(), initial);
-  }
+  if (strain.front() > 0) extend_to_zero(strain, stress, material, points, report);
   if (strain.back() >= far_strain) return;
   const std::size_t last = strain.size() - 1;
   const double slope = (stress[last] - stress[last - 1]) / (strain[last] - strain[last - 1]);
   if (slope < 0)
-    report.warning(where, "softening",
+    report.warning(material.where, "softening",
                    "the hardening curve falls at its end; behind it the yield stress stays constant");
   if (!(slope > 0)) return;
   stress.push_back(stress[last] + slope * (far_strain - strain[last]));
@@ -62,7 +73,7 @@ std::vector<Index> curves_of(const RawTable& raw, Build& build) {
   const std::vector<RawCurve>& curves = build.deck.curves;
   if (raw.curve.empty() && raw.first_curve + raw.value.size() > curves.size()) {
     build.report.error(raw.where, "curves",
-                       fmt::format("table {} has {} values, but {} curves follow it; each value needs its "
+                       fmt::format("table {} has {}, and {} behind it; each value needs its "
                                    "*DEFINE_CURVE, in the same order, or use *DEFINE_TABLE_2D",
                                    raw.id, counted(raw.value.size(), "value"),
                                    counted(curves.size() - raw.first_curve, "curve")));
@@ -92,12 +103,14 @@ void take_table(const RawMaterial& raw, const RawTable& table, model::PiecewiseL
     model::HardeningAtRate at{table.value[i], {}, {}};
     const model::Curve& curve = build.model.curves[static_cast<std::size_t>(curves[i])];
     take_hardening(curve, raw.where, at.plastic_strain, at.yield_stress, build.report);
-    extend(at.plastic_strain, at.yield_stress, raw.where, build.report);
+    const Where& points = build.deck.curves[static_cast<std::size_t>(curves[i])].where;
+    extend(at.plastic_strain, at.yield_stress, raw, points, build.report);
     law.by_rate.push_back(std::move(at));
   }
 }
 
 void take_hardening(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
+  const Where* points = &raw.where;
   if (raw.hardening_curve != 0) {
     const Index table = build.find_quietly(Item::Table, raw.hardening_curve);
     if (table != no_index) {
@@ -106,10 +119,11 @@ void take_hardening(const RawMaterial& raw, model::PiecewiseLinearPlasticity& la
     }
     const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCSS", raw.curve_where});
     if (index == no_index) return;
+    points = &build.deck.curves[static_cast<std::size_t>(index)].where;
     take_hardening(build.model.curves[static_cast<std::size_t>(index)], raw.where, law.plastic_strain,
                    law.yield_stress, build.report);
   }
-  extend(law.plastic_strain, law.yield_stress, raw.where, build.report);
+  extend(law.plastic_strain, law.yield_stress, raw, *points, build.report);
 }
 
 /// LCSR: factors on the yield stress over strain rate.

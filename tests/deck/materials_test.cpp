@@ -119,6 +119,32 @@ TEST(RateMaterial, SimplifiedJohnsonCook) {
   EXPECT_NE(messages[0].find("field SIGMAX"), std::string::npos);
 }
 
+/// A curve that begins behind zero goes on to there with its first slope, and its place is told.
+TEST(Hardening, ThatBeginsBehindZeroStrain) {
+  const auto look = [](const std::string& material, const std::string& expected) {
+    SmallDeck deck;
+    deck.material = material;
+    const ReadResult result = read_deck_text(deck.text());
+    ASSERT_TRUE(result.model.has_value()) << listed(result.diagnostics);
+    const auto& law = std::get<model::PiecewiseLinearPlasticity>(result.model->materials[0].law);
+    const auto& strain = law.by_rate.empty() ? law.plastic_strain : law.by_rate[0].plastic_strain;
+    const auto& stress = law.by_rate.empty() ? law.yield_stress : law.by_rate[0].yield_stress;
+    EXPECT_EQ(strain[0], 0);
+    EXPECT_NEAR(stress[0], 0.3, 1e-15);
+    EXPECT_EQ(strain[1], 0.1);
+    ASSERT_EQ(messages_of(material).size(), 1U) << listed(result.diagnostics);
+    EXPECT_EQ(messages_of(material)[0],
+              expected +
+                  ": the yield stress of material 1 is given from plastic strain 0.1 on; its first slope is "
+                  "continued to zero, where it gives the yield stress 0.3; start it at zero");
+  };
+  const std::string curve = "*DEFINE_CURVE\n5,\n0.1,0.4\n0.2,0.5\n";
+  look("*MAT_024\n1,7.83E-6,200,0.3\n0,0,5\n\n\n" + curve, "deck.k:26: warning: *DEFINE_CURVE card 1");
+  look("*MAT_024\n1,7.83E-6,200,0.3\n0,0,7\n\n\n*DEFINE_TABLE_2D\n7,\n0.0,5\n" + curve,
+       "deck.k:29: warning: *DEFINE_CURVE card 1");
+  look("*MAT_024\n1,7.83E-6,200,0.3\n\n0.1,0.2\n0.4,0.5\n", "deck.k:21: warning: *MAT_024 card 1");
+}
+
 TEST(RateMaterial, ViscoplasticForms) {
   EXPECT_TRUE(law_of<model::PlasticKinematic>("*MAT_003\n1,7.83E-6,207,0.3,0.2\n40,5,0,1\n").viscoplastic);
   EXPECT_FALSE(law_of<model::PlasticKinematic>("*MAT_003\n1,7.83E-6,207,0.3,0.2\n40,5\n").viscoplastic);
