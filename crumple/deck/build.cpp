@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <variant>
-
 namespace crumple::deck {
 
 namespace {
@@ -101,6 +98,7 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build.model.search = deck.search;
   build.model.run = deck.run;
   build_properties(build);
+  check_materials(build);
   build_nodes(build);
   build_parts(build);
   build_shells(build);
@@ -113,33 +111,6 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_contacts(build, automatic_contact);
   build_output(build);
   return std::move(build.model);
-}
-
-std::string guess_units(const model::Model& model) {
-  struct System {
-    double density;
-    double modulus;
-    std::string_view name;
-  };
-  // Steel in the systems that are in use.
-  static constexpr System systems[] = {
-      {7830, 2.07e11, "kg, m, s"},    {7.83e-6, 207, "kg, mm, ms"}, {7.83e-9, 2.07e5, "t, mm, s"},
-      {7.83e-3, 2.07e5, "g, mm, ms"}, {7.83, 2.07, "g, cm, us"},    {7.33e-4, 3e7, "lbf s^2/in, in, s"},
-  };
-  std::string_view found;
-  for (const model::Material& material : model.materials) {
-    const double modulus = std::visit([](const auto& law) { return law.youngs_modulus; }, material.law);
-    std::string_view fits;
-    for (const System& system : systems) {
-      const double lightness = material.density / system.density;
-      const double stiffness = modulus / system.modulus;
-      // From magnesium to steel, whose ratios of modulus to density are nearly the same.
-      if (lightness > 0.2 && lightness < 1.5 && stiffness > 0.15 && stiffness < 1.5) fits = system.name;
-    }
-    if (fits.empty() || (!found.empty() && fits != found)) return {};
-    found = fits;
-  }
-  return std::string(found);
 }
 
 }  // namespace crumple::deck

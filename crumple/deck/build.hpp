@@ -77,6 +77,8 @@ class Build {
 
 // build_properties.cpp
 void build_properties(Build& build);
+// check_materials.cpp
+void check_materials(Build& build);
 // build_mesh.cpp
 void build_nodes(Build& build);
 void build_parts(Build& build);
@@ -96,8 +98,5 @@ void build_output(Build& build);
 
 /// Follows all references, checks that the items fit together and makes the model. Faults go to the report.
 model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& report);
-
-/// Guess of the unit system from densities and moduli (metals), such as "t, mm, s"; empty if there is none.
-std::string guess_units(const model::Model& model);
 
 }  // namespace crumple::deck

@@ -88,6 +88,8 @@ void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);
 
 /// What HGID's and CONTROL_HOURGLASS' form number means for shells.
 model::HourglassForm hourglass_form(std::int64_t number);
+/// Warns of a hourglass coefficient above what LS-DYNA recommends.
+void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report);
 /// ELFORM of *SECTION_SHELL and THEORY of *CONTROL_SHELL; other numbers are Belytschko-Tsay.
 model::ShellFormulation shell_formulation(std::int64_t number);
 

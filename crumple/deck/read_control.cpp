@@ -99,6 +99,7 @@ void read_control_hourglass(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(hourglass_card);
   model::HourglassControl& control = deck.control.hourglass;
   control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+  warn_of_hourglass_coefficient(card, "QH", cards.report());
   control.coefficient = control.bending = control.warping = card.real("QH");
 }
 

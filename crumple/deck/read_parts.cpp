@@ -90,6 +90,14 @@ model::ShellFormulation shell_formulation(std::int64_t number) {
   }
 }
 
+void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report) {
+  // LS-DYNA Keyword User's Manual, *HOURGLASS and *CONTROL_HOURGLASS.
+  constexpr double largest = 0.15;
+  if (card.good(field) && card.real(field) > largest)
+    report.field_warning(card.where(), {field, std::string(card.text(field)), "a coefficient up to 0.15",
+                                        "it is used, and the run may become unstable", "coefficient"});
+}
+
 model::HourglassForm hourglass_form(std::int64_t number) {
   return number >= 4 ? model::HourglassForm::Stiffness : model::HourglassForm::Viscous;
 }
@@ -141,6 +149,8 @@ void read_hourglass(Cards& cards, RawDeck& deck) {
     raw.control.coefficient = card.real("QM");
     raw.control.bending = card.real("QB") != 0 ? card.real("QB") : raw.control.coefficient;
     raw.control.warping = card.real("QW") != 0 ? card.real("QW") : raw.control.bending;
+    for (const std::string_view field : {"QM", "QB", "QW"})
+      warn_of_hourglass_coefficient(card, field, cards.report());
     raw.where = card.where();
     if (card.good("HGID")) deck.hourglasses.push_back(raw);
   }

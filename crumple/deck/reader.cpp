@@ -12,6 +12,7 @@
 #include "deck/scanner.hpp"
 #include "deck/settings.hpp"
 #include "deck/text_source.hpp"
+#include "deck/units.hpp"
 
 namespace crumple::deck {
 

@@ -74,6 +74,21 @@ TEST(Control, SecondOneReplacesTheFirstWithAWarning) {
             "deck.k:22: warning: *CONTROL_TERMINATION: replaces what the same keyword says at deck.k:2");
 }
 
+/// Used, with a warning.
+TEST(Hourglass, CoefficientAboveWhatIsRecommended) {
+  EXPECT_EQ(messages_with("*CONTROL_HOURGLASS\n1,0.15\n*HOURGLASS\n1,4,0.15,0,0,0,0.15,0.15\n").size(), 0U);
+  const std::string expected =
+      ", expected a coefficient up to 0.15; it is used, and the run may become unstable";
+  const auto messages = messages_with("*CONTROL_HOURGLASS\n1,0.2\n*HOURGLASS\n1,4,0.3,0,0,0,0.1,0.4\n");
+  ASSERT_EQ(messages.size(), 3U);
+  EXPECT_EQ(messages[0], "deck.k:23: warning: *CONTROL_HOURGLASS card 1 field QH: read \"0.2\"" + expected);
+  EXPECT_EQ(messages[1], "deck.k:25: warning: *HOURGLASS card 1 field QM: read \"0.3\"" + expected);
+  EXPECT_EQ(messages[2], "deck.k:25: warning: *HOURGLASS card 1 field QW: read \"0.4\"" + expected);
+  SmallDeck deck;
+  deck.more = "*CONTROL_HOURGLASS\n1,0.2\n";
+  EXPECT_EQ(read_deck_text(deck.text()).model.value().control.hourglass.coefficient, 0.2);
+}
+
 TEST(Part, HourglassAndTitles) {
   SmallDeck deck;
   deck.part = "*PART\nfirst\n1,1,1,0,7\nsecond\n2,1,1\n";

@@ -145,6 +145,26 @@ TEST(Hardening, ThatBeginsBehindZeroStrain) {
   look("*MAT_024\n1,7.83E-6,200,0.3\n\n0.1,0.2\n0.4,0.5\n", "deck.k:21: warning: *MAT_024 card 1");
 }
 
+/// Whatever gives the first yield stress: above a tenth of the modulus it is doubted, up to there it is not.
+TEST(YieldStress, AboveATenthOfTheModulusIsDoubted) {
+  const std::string words = "the first yield stress 21 is above a tenth of the modulus 207";
+  for (const std::string material :
+       {"*MAT_003\n1,7.83E-6,207,0.3,X\n\n", "*MAT_024\n1,7.83E-6,207,0.3,X\n\n\n\n",
+        "*MAT_024\n1,7.83E-6,207,0.3\n\n0,0.1\nX,22\n",
+        "*MAT_024\n1,7.83E-6,207,0.3\n0,0,5\n\n\n*DEFINE_CURVE\n5,\n0,X\n1,22\n",
+        "*MAT_018\n1,7.83E-6,207,0.3,X,0\n\n", "*MAT_098\n1,7.83E-6,207,0.3\nX\n"}) {
+    const auto with = [&](const std::string& stress) {
+      std::string text = material;
+      return text.replace(text.find('X'), 1, stress);
+    };
+    const auto messages = messages_of(with("21.0"));
+    ASSERT_EQ(messages.size(), 1U) << material;
+    EXPECT_NE(messages[0].find(words), std::string::npos) << messages[0];
+    EXPECT_TRUE(messages[0].starts_with("deck.k:21: warning: *MAT_0")) << messages[0];
+    EXPECT_EQ(messages_of(with("20.0")).size(), 0U) << material;
+  }
+}
+
 TEST(RateMaterial, ViscoplasticForms) {
   EXPECT_TRUE(law_of<model::PlasticKinematic>("*MAT_003\n1,7.83E-6,207,0.3,0.2\n40,5,0,1\n").viscoplastic);
   EXPECT_FALSE(law_of<model::PlasticKinematic>("*MAT_003\n1,7.83E-6,207,0.3,0.2\n40,5\n").viscoplastic);
