@@ -86,6 +86,10 @@ void read_load_shell_element(Cards& cards, RawDeck& deck);
 void read_rigidwall_planar(Cards& cards, RawDeck& deck);
 void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);
 
+/// Which forms of hourglass control there are, and what instead of the others.
+inline constexpr std::string_view hourglass_forms =
+    "1-3 are viscous, 4-5 stiffness, 0 is 1; the warping stiffness that 8 adds to ELFORM 16 is always there, "
+    "take 0; 6, 7, 9 and 10 are for solids";
 /// What HGID's and CONTROL_HOURGLASS' form number means for shells.
 model::HourglassForm hourglass_form(std::int64_t number);
 /// Warns of a hourglass coefficient above what LS-DYNA recommends.

@@ -23,7 +23,7 @@ constexpr Field timestep_card[] = {
     harmless("ISDO", {0}, "the element length is area over the longest side or diagonal (ISDO=0)"),
     only("TSLIMT", {0}, "use DT2MS for a minimum time step"),
     real("DT2MS"),
-    only("LCTM", {0}, "the time step is not limited by a curve"),
+    only("LCTM", {0}, "the time step is not limited by a curve; TSSFAC scales it"),
     harmless("ERODE", {0}, "elements are not deleted by their time step"),
     only("MS1ST", {0}, "mass is added whenever an element's time step needs it"),
 };
@@ -31,7 +31,7 @@ constexpr Field timestep_card[] = {
 constexpr Field timestep_card_2[] = {
     only("DT2MSF", {0}, "give the step itself in DT2MS"),
     only("DT2MSLC", {0}, "DT2MS is constant"),
-    only("IMSCL", {0}, "selective mass scaling is not supported"),
+    only("IMSCL", {0}, "selective mass scaling is not supported; DT2MS alone adds mass to the nodes"),
     unused("-"),
     unused("--"),
     only("RMSCL", {0}, "added mass takes part in everything"),
@@ -42,7 +42,7 @@ constexpr Field energy_card[] = {unused("HGEN"),  unused("RWEN"),  unused("SLNTE
                                  unused("IRGEN"), unused("MATEN"), unused("DRLEN"),  unused("DISEN")};
 
 constexpr Field hourglass_card[] = {
-    only("IHQ", {0, 1, 2, 3, 4, 5}, "1-3 are viscous, 4-5 stiffness, 0 is 1"),
+    only("IHQ", {0, 1, 2, 3, 4, 5}, hourglass_forms),
     real_or_default("QH", 0.1, not_negative),
 };
 

@@ -8,19 +8,23 @@ namespace {
 
 using namespace row;
 
-constexpr std::string_view no_deletion = "distorted elements are not deleted";
+constexpr std::string_view no_deletion =
+    "distorted elements are not deleted; a failure strain of the material erodes shells";
 
 constexpr Field card_1[] = {
     unused("WRPANG"),  // limit of a warning
     unused("ESORT"),   // triangles are always sorted out
     only("IRNXX", {-1, 0}, "the fibres of Hughes-Liu shells are recomputed in every cycle"),
-    only("ISTUPD", {0, 1}, "1 lets the thickness follow the membrane strain"),
+    only("ISTUPD", {0, 1},
+         "1 lets the thickness follow the membrane strain; 4, which leaves the elastic part out, is not "
+         "supported, "
+         "take 1"),
     only("THEORY", {2, 0, 1, 4, 6, 10, 16},
          "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 6 Hughes-Liu selectively reduced, 10 "
          "Belytschko-Wong-Chiang, 16 fully integrated"),
     only("BWC", {2, 0, 1}, "1 makes Belytschko-Tsay shells Belytschko-Wong-Chiang"),
     unused("MITER"),  // plasticity is always iterated to the end
-    unused("PROJ"),   // the warping stiffness needs neither projection
+    unused("PROJ"),  // the warping stiffness needs neither projection (docs/theory/belytschko_wong_chiang.md)
 };
 
 constexpr Field card_2[] = {

@@ -46,7 +46,10 @@ constexpr Field piecewise_card[] = {
     real("SIGY", 0, not_negative),  // above zero unless a curve or points are given
     real("ETAN", 0, not_negative),
     real("FAIL"),
-    only("TDEL", {0, 1e20, 1e21}, "elements are not deleted by their time step"),
+    only("TDEL", {0, 1e20, 1e21},
+         "elements are not deleted by their time step; FAIL erodes shells by their plastic strain, and DT2MS "
+         "of "
+         "*CONTROL_TIMESTEP keeps up the step"),
 };
 
 constexpr Field piecewise_rate_card[] = {

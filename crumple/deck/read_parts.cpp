@@ -30,7 +30,9 @@ constexpr Field section_card[] = {
     integer_or_default("NIP", 2, within(1, 20, "points through the thickness")),
     unused("PROPT"),  // what LS-DYNA prints
     only("QR", {0, 1}, "0 is Gauss, 1 trapezoidal; user rules (negative) are not supported"),
-    only("ICOMP", {0}, "layers with angles of their own are not supported"),
+    only("ICOMP", {0},
+         "layers with angles of their own are not supported; BETA of the material or the element turns all "
+         "of them"),
     unused("SETYP"),  // for two-dimensional elements
 };
 
@@ -49,7 +51,7 @@ constexpr std::string_view solids_only = "it acts on solid elements only";
 
 constexpr Field hourglass_card[] = {
     id("HGID"),
-    only("IHQ", {0, 1, 2, 3, 4, 5}, "1-3 are viscous, 4-5 stiffness, 0 is 1"),
+    only("IHQ", {0, 1, 2, 3, 4, 5}, hourglass_forms),
     real_or_default("QM", 0.1, not_negative),
     unused("IBQ"),  // LS-DYNA does not use it either
     harmless("Q1", {0, 1.5}, solids_only),

@@ -36,7 +36,10 @@ constexpr Field johnson_cook_card[] = {
     real("G", 0, not_negative),  // of solids; gives E where that is missing
     real("E", 0, not_negative),
     real("PR", 0, poisson),
-    only("DTF", {0}, "elements are not deleted by their time step"),
+    only("DTF", {0},
+         "elements are not deleted by their time step; D1 to D5 erode shells, and DT2MS of *CONTROL_TIMESTEP "
+         "keeps "
+         "up the step"),
     viscoplastic_field,
     only("RATEOP", {0}, "0 is Johnson and Cook's own rate effect, C ln(rate / EPS0)"),
 };
