@@ -30,20 +30,30 @@ double processor_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// A sheet of n^2 shells: four-node ones in as many rows as columns, or pairs of triangles in half the rows.
 model::Model sheet(const ShellBenchmark& benchmark) {
   const Index n = benchmark.side;
+  const bool triangles = benchmark.formulation == model::ShellFormulation::Triangle;
+  const Index rows = triangles ? n / 2 : n;
   model::Model model;
-  for (Index j = 0; j <= n; ++j)
+  const auto add = [&](std::array<Index, 4> node) {
+    model.shells.push_back({.id = static_cast<UserId>(model.shells.size()) + 1, .part = 0, .node = node});
+  };
+  for (Index j = 0; j <= rows; ++j)
     for (Index i = 0; i <= n; ++i) {
       model.nodes.id.push_back(model.nodes.count() + 1);
       model.nodes.position.push_back({edge * i, edge * j, 2 * std::sin(0.25 * i) + std::cos(0.2 * j)});
     }
-  for (Index j = 0; j < n; ++j)
+  for (Index j = 0; j < rows; ++j)
     for (Index i = 0; i < n; ++i) {
       const Index first = j * (n + 1) + i;
-      model.shells.push_back({.id = static_cast<UserId>(model.shells.size()) + 1,
-                              .part = 0,
-                              .node = {first, first + 1, first + n + 2, first + n + 1}});
+      const std::array<Index, 4> corner{first, first + 1, first + n + 2, first + n + 1};
+      if (!triangles) {
+        add(corner);
+        continue;
+      }
+      add({corner[0], corner[1], corner[2], corner[2]});
+      add({corner[0], corner[2], corner[3], corner[3]});
     }
   model::ShellSection section;
   section.formulation = benchmark.formulation;

@@ -14,7 +14,7 @@ namespace crumple::app {
 /// stays elastic. The step is a small fraction of the stable one, so that the motion hardly changes while it
 /// is measured.
 struct ShellBenchmark {
-  Index side = 32;  ///< elements along each edge
+  Index side = 32;  ///< elements along each edge; triangles have half the rows
   model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay;
   model::ConstitutiveLaw law;
   int thickness_points = 3;
