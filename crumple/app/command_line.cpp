@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cellsearch/method.hpp>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <sstream>
 
@@ -45,6 +46,19 @@ std::vector<std::string> isa_names() {
   std::vector<std::string> names;
   for (const Isa isa : available_isas()) names.emplace_back(isa_name(isa));
   return names;
+}
+
+/// What to type instead where the subcommand was left out before a deck; empty if that is not the mistake.
+std::string forgotten_command(const CLI::App& program, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments[0].starts_with('-')) return {};
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    if (command->get_name() == arguments[0]) return {};
+  std::error_code ignored;
+  const std::filesystem::path deck = arguments[0];
+  if (!deck.has_extension() && !std::filesystem::is_regular_file(deck, ignored)) return {};
+  std::string text = "To run the deck: crumple run";
+  for (const std::string& argument : arguments) text += " " + argument;
+  return text + "\n";
 }
 
 /// CLI11's own checks let "nan" pass. `fits` says what the number must be in words if it is not that.
@@ -133,6 +147,7 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     const int code = program.exit(stop, out, err);
     line.command = code == 0 ? Command::Help : Command::Mistake;
     line.text = out.str() + err.str();
+    if (code != 0) line.text += forgotten_command(program, arguments);
     return line;
   } catch (const Error& mistake) {
     line.text = fmt::format("{}\nRun with --help for more information.\n", mistake.what());

@@ -101,6 +101,15 @@ TEST(CommandLineTest, HelpAndVersionAreNoMistakes) {
   EXPECT_EQ(version.text, program_version() + "\n");
 }
 
+TEST(CommandLineTest, ADeckWithoutACommandIsToldHowToRun) {
+  const CommandLine line = parse_command_line({"deck.k", "-t", "2"});
+  EXPECT_EQ(line.command, Command::Mistake);
+  EXPECT_NE(line.text.find("To run the deck: crumple run deck.k -t 2\n"), std::string::npos) << line.text;
+  for (const std::vector<std::string>& other :
+       {std::vector<std::string>{"run"}, {"walk", "deck.k"}, {"run", "a.k", "b.k"}})
+    EXPECT_EQ(parse_command_line(other).text.find("To run the deck"), std::string::npos);
+}
+
 class Mistakes : public ::testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(Mistakes, AreToldWithAHintAndNeverRun) {
