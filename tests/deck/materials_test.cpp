@@ -18,15 +18,6 @@ Law law_of(const std::string& text) {
   return std::get<Law>(material_of(text).law);
 }
 
-std::vector<std::string> messages_of(const std::string& material) {
-  SmallDeck deck;
-  deck.material = material;
-  std::vector<std::string> messages;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) messages.push_back(to_string(diagnostic));
-  return messages;
-}
-
 TEST(RateMaterial, PowerLawWithEveryValue) {
   const auto law = law_of<model::PowerLawPlasticity>(
       "*MAT_POWER_LAW_PLASTICITY\n"

@@ -73,4 +73,14 @@ inline std::vector<std::string> messages_with(const std::string& more, const Rea
   return messages;
 }
 
+/// Warnings and errors of a deck with this material.
+inline std::vector<std::string> messages_of(const std::string& material) {
+  SmallDeck deck;
+  deck.material = material;
+  std::vector<std::string> messages;
+  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
+    if (diagnostic.severity != Severity::Note) messages.push_back(to_string(diagnostic));
+  return messages;
+}
+
 }  // namespace crumple::deck::test

@@ -115,15 +115,6 @@ TEST(Units, OfAMetalAreThoseOfTheRest) {
   EXPECT_NE(unit_doubts(gel)[0], "") << "alone it is more likely a mistake";
 }
 
-std::vector<std::string> messages_of(const std::string& material) {
-  SmallDeck deck;
-  deck.material = material;
-  std::vector<std::string> messages;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) messages.push_back(to_string(diagnostic));
-  return messages;
-}
-
 TEST(Units, ThatDoNotGoTogetherAreToldWithTheirPlace) {
   const auto messages = messages_of("*MAT_ELASTIC\n1,7850.0,210000.0,0.3\n");
   ASSERT_EQ(messages.size(), 1U);

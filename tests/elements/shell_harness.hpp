@@ -184,4 +184,19 @@ inline double round_off(const domain::Execution& execution) {
   return execution.precision == Precision::Mixed ? 1.2e-7 : 2.2e-16;
 }
 
+/// Energy of one rectangular element whose nodes move as in a beam that is bent in the element's plane, over
+/// the energy of the beam. `aspect` is length over height.
+inline double in_plane_bending_energy(model::ShellFormulation formulation, double aspect) {
+  model::Model model = plate(formulation, 1, 0);
+  place(model, [&](const Vec3& x) { return Vec3{aspect * (x.x - 2.5), x.y - 2.5, 0}; });
+  Driven beam(model, {Precision::Double, available_isas().back(), 1});
+  const double curvature = 1e-9;
+  std::vector<Vec3> u;
+  for (const Vec3& x : beam.domain.nodes.position)
+    u.push_back({curvature * x.x * x.y, -0.5 * curvature * (x.x * x.x + poissons_ratio * x.y * x.y), 0});
+  beam.step(1e-7, u, std::vector<Vec3>(u.size()));
+  const double exact = 0.5 * youngs_modulus * thickness * 125.0 / 12 * curvature * curvature * 5 * aspect;
+  return beam.block().internal_energy / exact;
+}
+
 }  // namespace crumple::elements::testing
