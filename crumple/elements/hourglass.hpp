@@ -68,7 +68,8 @@ struct HourglassModuli {
 
 /// Viscous form: 1/4 Q rho c t sqrt(A) in the membrane (Flanagan & Belytschko 1981, with the shell's t
 /// sqrt(A) for the brick's V^(2/3)), the same integrated over the thickness for bending, and t for sqrt(A) in
-/// warping. Stiffness form: Belytschko, Lin & Tsay (1984), C1 to C3. docs/theory/hourglass.md.
+/// warping where t is the smaller. Stiffness form: Belytschko, Lin & Tsay (1984), C1 to C3.
+/// docs/theory/hourglass.md.
 template <class Pack>
 CRUMPLE_INLINE HourglassModuli<Pack> hourglass_moduli(const ShellConstants<RealOf<Pack>>& constants,
                                                       const LaminaGeometry<Pack>& g, const Pack& thickness) {
@@ -77,8 +78,11 @@ CRUMPLE_INLINE HourglassModuli<Pack> hourglass_moduli(const ShellConstants<RealO
   const Pack warping(constants.hourglass_warping);
   const Pack bending(constants.hourglass_bending);
   if (constants.viscous) {
-    const Pack t_length = thickness * square_root(g.area);
-    return {membrane * t_length, warping * t2, bending * (t_length * t2)};
+    const Pack length = square_root(g.area);
+    const Pack t_length = thickness * length;
+    // A shell thicker than long would be damped faster than its step allows.
+    return {membrane * t_length, warping * (thickness * smaller(thickness, length)),
+            bending * (t_length * t2)};
   }
   Pack squares = g.x31 * g.x31;
   squares = multiply_add(g.y31, g.y31, squares);
