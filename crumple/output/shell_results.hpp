@@ -24,8 +24,8 @@ class ShellResults {
   double plastic_strain(Index place) const;
   /// Largest von Mises stress of all points [stress].
   double von_mises(Index place) const;
-  /// Von Mises stress of the middle point, or of the mean stress of the two points next to the middle, and
-  /// of the mean over the points in plane: the membrane stress, without bending [stress].
+  /// Von Mises stress of the mean components at the middle of the thickness: over the points in plane, and
+  /// over the two next to the middle if their number is even. Without bending while elastic [stress].
   double mid_von_mises(Index place) const;
   /// Mean thickness now [length].
   double thickness(Index place) const;

@@ -44,6 +44,36 @@ TEST_F(ShellResultsTest, BendingShowsAtTheSurfacesAndNotInTheMiddle) {
   EXPECT_DOUBLE_EQ(even.mid_von_mises(0), 0.5) << "the mean of the points at -2 and 3";
 }
 
+/// Points in plane, each with its own points through the thickness one after the other.
+TEST_F(ShellResultsTest, BendingInPlaneShowsAtThePointsAndNotInTheMiddle) {
+  const auto odd = results({{90, 0, 0, 0, 0},
+                            {-1, 0, 0, 0, 0},
+                            {80, 0, 0, 0, 0},  //
+                            {70, 0, 0, 0, 0},
+                            {-1, 0, 0, 0, 0},
+                            {60, 0, 0, 0, 0},  //
+                            {50, 0, 0, 0, 0},
+                            {5, 0, 4, 0, 0},
+                            {40, 0, 0, 0, 0},  //
+                            {30, 0, 0, 0, 0},
+                            {5, 0, 4, 0, 0},
+                            {-99, 0, 0, 0, 0}});
+  block_.plane_points = 4;
+  EXPECT_DOUBLE_EQ(odd.von_mises(0), 99);
+  EXPECT_DOUBLE_EQ(odd.mid_von_mises(0), 4) << "of the mean (2, 2 in shear), not the mean of von Mises";
+  const auto even = results({{-7, 0, 0, 0, 0},
+                             {1, 0, 0, 0, 0},  //
+                             {-7, 0, 0, 0, 0},
+                             {1, 0, 0, 0, 0},  //
+                             {9, 0, 0, 0, 0},
+                             {5, 0, 0, 0, 0},  //
+                             {9, 0, 0, 0, 0},
+                             {-3, 0, 0, 0, 0}});
+  block_.plane_points = 4;
+  EXPECT_DOUBLE_EQ(even.von_mises(0), 9);
+  EXPECT_DOUBLE_EQ(even.mid_von_mises(0), 1);
+}
+
 TEST_F(ShellResultsTest, PlasticStrainIsTheLargestOverTheThickness) {
   const auto shell = results({{}, {}, {}});
   const Index first = block_.find("plastic_strain")->first;
