@@ -15,24 +15,24 @@ struct Touch {
 };
 
 template <class Visit>
-void for_each_entry(const std::vector<ShellBlock>& blocks, const Chunk& chunk, const Visit& visit) {
-  const ShellBlock& block = blocks[chunk.block];
+void for_each_entry(const std::vector<ElementBlock*>& blocks, const Chunk& chunk, const Visit& visit) {
+  const ElementBlock& block = *blocks[chunk.block];
   for (Index group = chunk.first_group; group < chunk.last_group; ++group)
-    for (Index k = 0; k < 4; ++k)
+    for (Index k = 0; k < block.corners; ++k)
       for (Index lane = 0; lane < lanes; ++lane) {
-        const std::size_t entry = (static_cast<std::size_t>(group) * 4 + k) * lanes + lane;
+        const std::size_t entry = (static_cast<std::size_t>(group) * block.corners + k) * lanes + lane;
         visit(entry, block.node[entry], group * lanes + lane < block.elements);
       }
 }
 
 }  // namespace
 
-void Assembly::build(std::vector<ShellBlock>& blocks, Index nodes) {
+void Assembly::build(const std::vector<ElementBlock*>& blocks, Index nodes) {
   nodes_ = nodes;
   chunks_.clear();
   for (Index b = 0; b < static_cast<Index>(blocks.size()); ++b)
-    for (Index g = 0; g < blocks[b].groups(); g += groups_per_chunk)
-      chunks_.push_back({b, g, std::min(g + groups_per_chunk, blocks[b].groups())});
+    for (Index g = 0; g < blocks[b]->groups(); g += groups_per_chunk)
+      chunks_.push_back({b, g, std::min(g + groups_per_chunk, blocks[b]->groups())});
 
   std::vector<Touch> touch(nodes);
   for (Index c = 0; c < static_cast<Index>(chunks_.size()); ++c)
@@ -55,10 +55,10 @@ void Assembly::build(std::vector<ShellBlock>& blocks, Index nodes) {
   slots_ = fill_slot + static_cast<Index>(blocks.size()) - nodes;
 
   std::vector<Index> seen_in(nodes, no_index);
-  for (ShellBlock& block : blocks) block.target.resize(block.node.size());
+  for (ElementBlock* block : blocks) block->target.resize(block->node.size());
   for (Index c = 0; c < static_cast<Index>(chunks_.size()); ++c)
     for_each_entry(blocks, chunks_[c], [&](std::size_t entry, Index node, bool real) {
-      Index& target = blocks[chunks_[c].block].target[entry];
+      Index& target = blocks[chunks_[c].block]->target[entry];
       if (!real) {
         target = fill_slot + chunks_[c].block;
       } else if (next_slot[node] == no_index) {

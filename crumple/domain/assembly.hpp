@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "domain/element_block.hpp"
 #include "domain/node_fields.hpp"
-#include "domain/shell_block.hpp"
 
 namespace crumple::domain {
 
 /// A run of groups of one block that one thread works off in order. Never depends on the thread count.
 struct Chunk {
-  Index block = 0;
+  Index block = 0;  ///< place in the list that Assembly::build was given: shells first, then solids
   Index first_group = 0;
   Index last_group = 0;  ///< one past the last
 };
@@ -26,7 +26,7 @@ inline constexpr Index groups_per_chunk = 32;
 class Assembly {
  public:
   /// Cuts the blocks into chunks and writes their `target` arrays. `nodes` is the number of nodes.
-  void build(std::vector<ShellBlock>& blocks, Index nodes);
+  void build(const std::vector<ElementBlock*>& blocks, Index nodes);
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
   /// Entries that NodeFields::force needs beyond the nodes.

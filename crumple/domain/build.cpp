@@ -78,6 +78,17 @@ std::array<Index, 4> triangle_last(const std::array<Index, 4>& node) {
   return turned;
 }
 
+template <class Corners>
+void connect(ElementBlock& block, const NodeFields& nodes, const Corners& corners_of) {
+  block.node.resize(static_cast<std::size_t>(block.groups()) * block.corners * lanes);
+  for (Index place = 0; place < block.groups() * lanes; ++place) {
+    const auto corner = corners_of(block.element[std::min(place, block.elements - 1)]);
+    const std::size_t group = static_cast<std::size_t>(place / lanes) * block.corners * lanes;
+    for (std::size_t k = 0; k < corner.size(); ++k)
+      block.node[group + k * lanes + place % lanes] = nodes.domain_node[corner[k]];
+  }
+}
+
 ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index part,
                       const std::vector<Index>& shells) {
   ShellBlock block;
@@ -88,14 +99,18 @@ ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index 
   block.thickness_points = section.thickness_points;
   block.elements = static_cast<Index>(shells.size());
   block.element = shells;
-  block.node.resize(static_cast<std::size_t>(block.groups()) * 4 * lanes);
-  for (Index place = 0; place < block.groups() * lanes; ++place) {
-    const Index shell = shells[std::min(place, block.elements - 1)];
-    const std::array<Index, 4> corner = triangle_last(model.shells[shell].node);
-    const std::size_t group = static_cast<std::size_t>(place / lanes) * 4 * lanes;
-    for (std::size_t k = 0; k < 4; ++k)
-      block.node[group + k * lanes + place % lanes] = nodes.domain_node[corner[k]];
-  }
+  connect(block, nodes, [&](Index shell) { return triangle_last(model.shells[shell].node); });
+  return block;
+}
+
+SolidBlock make_solid_block(const model::Model& model, const NodeFields& nodes, Index part,
+                            const std::vector<Index>& solids) {
+  SolidBlock block;
+  block.part = part;
+  block.formulation = model.solid_sections[model.parts[part].solid_section].formulation;
+  block.elements = static_cast<Index>(solids.size());
+  block.element = solids;
+  connect(block, nodes, [&](Index solid) { return model.solids[solid].node; });
   return block;
 }
 
@@ -121,7 +136,10 @@ Domain build(const model::Model& model, const Execution& execution) {
   set_conditions(model, domain.nodes);
   for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
     add_blocks(model, part, std::move(numbering.shells_by_part[part]), domain);
-  domain.assembly.build(domain.shells, domain.nodes.count());
+  for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
+    if (const auto& solids = numbering.solids_by_part[part]; !solids.empty())
+      domain.solids.push_back(make_solid_block(model, domain.nodes, part, solids));
+  domain.assembly.build(domain.blocks(), domain.nodes.count());
   domain.nodes.force.resize(static_cast<std::size_t>(domain.nodes.count()) + domain.assembly.slots());
   domain.nodes.publish_all();
   return domain;

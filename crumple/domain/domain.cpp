@@ -11,6 +11,33 @@ std::uint64_t StateList::hash() const {
   return hash.value();
 }
 
+namespace {
+
+void declare_block(const std::string& name, Entity entity, ElementBlock& block, StateList& list) {
+  list.add(name, "by item", entity, block.components, std::span(block.float_state));
+  list.add(name, "by item", entity, block.components, std::span(block.double_state));
+  list.add(name + "_internal_energy", "energy", Entity::Run, 1, std::span(&block.internal_energy, 1));
+  list.add(name + "_hourglass_energy", "energy", Entity::Run, 1, std::span(&block.hourglass_energy, 1));
+  list.add(name + "_eroded_energy", "energy", Entity::Run, 1, std::span(&block.eroded_energy, 1));
+  list.add(name + "_eroded", "-", Entity::Run, 1, std::span(&block.eroded, 1));
+}
+
+}  // namespace
+
+std::vector<ElementBlock*> Domain::blocks() {
+  std::vector<ElementBlock*> all;
+  for (ShellBlock& block : shells) all.push_back(&block);
+  for (SolidBlock& block : solids) all.push_back(&block);
+  return all;
+}
+
+std::vector<const ElementBlock*> Domain::blocks() const {
+  std::vector<const ElementBlock*> all;
+  for (const ShellBlock& block : shells) all.push_back(&block);
+  for (const SolidBlock& block : solids) all.push_back(&block);
+  return all;
+}
+
 void Domain::declare(StateList& list) {
   list.add("position", "length", Entity::Node, 3, std::span(nodes.position));
   list.add("velocity", "length/time", Entity::Node, 3, std::span(nodes.velocity));
@@ -21,13 +48,10 @@ void Domain::declare(StateList& list) {
     // A part has one block of quadrilaterals and one of triangles at most.
     const bool triangles = block.formulation == model::ShellFormulation::Triangle;
     const std::string name = (triangles ? "triangle_state_" : "shell_state_") + std::to_string(block.part);
-    list.add(name, "by item", Entity::Shell, block.components, std::span(block.float_state));
-    list.add(name, "by item", Entity::Shell, block.components, std::span(block.double_state));
-    list.add(name + "_internal_energy", "energy", Entity::Run, 1, std::span(&block.internal_energy, 1));
-    list.add(name + "_hourglass_energy", "energy", Entity::Run, 1, std::span(&block.hourglass_energy, 1));
-    list.add(name + "_eroded_energy", "energy", Entity::Run, 1, std::span(&block.eroded_energy, 1));
-    list.add(name + "_eroded", "-", Entity::Run, 1, std::span(&block.eroded, 1));
+    declare_block(name, Entity::Shell, block, list);
   }
+  for (SolidBlock& block : solids)
+    declare_block("solid_state_" + std::to_string(block.part), Entity::Solid, block, list);
   for (WallReport& wall : walls) {
     list.add("wall_impulse", "force*time", Entity::Wall, 3, std::span(&wall.impulse, 1));
     list.add("wall_energy", "energy", Entity::Wall, 1, std::span(&wall.energy, 1));
@@ -40,12 +64,6 @@ void Domain::declare(StateList& list) {
   list.add("time", "time", Entity::Run, 1, std::span(&clock.time, 1));
   list.add("step", "time", Entity::Run, 1, std::span(&clock.step, 1));
   list.add("cycle", "-", Entity::Run, 1, std::span(&clock.cycle, 1));
-}
-
-Index shell_count(const Domain& domain) {
-  Index count = 0;
-  for (const ShellBlock& block : domain.shells) count += block.elements;
-  return count;
 }
 
 }  // namespace crumple::domain

@@ -10,6 +10,7 @@
 #include "domain/node_fields.hpp"
 #include "domain/reports.hpp"
 #include "domain/shell_block.hpp"
+#include "domain/solid_block.hpp"
 #include "domain/state_list.hpp"
 #include "model/model.hpp"
 
@@ -36,6 +37,7 @@ struct Domain {
   Execution execution;
   NodeFields nodes;
   std::vector<ShellBlock> shells;
+  std::vector<SolidBlock> solids;
   Assembly assembly;
   AlignedArray<Vec3> contact_force;  ///< on the nodes at time n, normal and friction [force]
   Clock clock;
@@ -45,11 +47,20 @@ struct Domain {
   std::vector<WallReport> walls;
   StageTimes times;
 
+  /// All blocks, shells first: the order that Chunk::block counts in.
+  std::vector<ElementBlock*> blocks();
+  std::vector<const ElementBlock*> blocks() const;
+
   /// Declares the nodal fields, the element state, the walls and the ledger.
   void declare(StateList& list);
 };
 
-/// Number of shells over all blocks.
-Index shell_count(const Domain& domain);
+/// Number of elements over all blocks of a kind.
+template <class Block>
+Index element_count(const std::vector<Block>& blocks) {
+  Index count = 0;
+  for (const Block& block : blocks) count += block.elements;
+  return count;
+}
 
 }  // namespace crumple::domain

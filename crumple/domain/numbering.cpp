@@ -44,29 +44,40 @@ Bounds bounds_of(const model::Nodes& nodes) {
   return bounds;
 }
 
-std::uint64_t morton_code(const model::Model& model, const model::ShellElement& shell, const Bounds& bounds) {
+template <class Element>
+std::uint64_t morton_code(const model::Model& model, const Element& element, const Bounds& bounds) {
   std::uint64_t code = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double centre = 0;
-    for (const Index node : shell.node) centre += 0.25 * model.nodes.position[node][axis];
+    const double share = 1 / static_cast<double>(element.node.size());
+    for (const Index node : element.node) centre += share * model.nodes.position[node][axis];
     const double scaled = (centre - bounds.minimum[axis]) / bounds.edge * (cells_per_axis - 1);
     code |= spread(static_cast<std::uint64_t>(scaled)) << axis;
   }
   return code;
 }
 
+/// Elements of each part along the curve.
+template <class Element>
+std::vector<std::vector<Index>> by_part(const model::Model& model, const std::vector<Element>& elements,
+                                        const Bounds& bounds) {
+  std::vector<std::pair<std::uint64_t, Index>> order;
+  order.reserve(elements.size());
+  for (Index e = 0; e < static_cast<Index>(elements.size()); ++e)
+    order.emplace_back(morton_code(model, elements[e], bounds), e);
+  std::sort(order.begin(), order.end());
+  std::vector<std::vector<Index>> parts(model.parts.size());
+  for (const auto& [code, element] : order) parts[elements[element].part].push_back(element);
+  return parts;
+}
+
 }  // namespace
 
 Numbering number_for_locality(const model::Model& model) {
   Numbering numbering;
-  numbering.shells_by_part.resize(model.parts.size());
   const Bounds bounds = bounds_of(model.nodes);
-  std::vector<std::pair<std::uint64_t, Index>> order;
-  order.reserve(model.shells.size());
-  for (Index s = 0; s < static_cast<Index>(model.shells.size()); ++s)
-    order.emplace_back(morton_code(model, model.shells[s], bounds), s);
-  std::sort(order.begin(), order.end());
-  for (const auto& [code, shell] : order) numbering.shells_by_part[model.shells[shell].part].push_back(shell);
+  numbering.shells_by_part = by_part(model, model.shells, bounds);
+  numbering.solids_by_part = by_part(model, model.solids, bounds);
 
   numbering.domain_node.assign(model.nodes.position.size(), no_index);
   const auto number = [&](Index node) {
@@ -77,6 +88,9 @@ Numbering number_for_locality(const model::Model& model) {
   for (const auto& part : numbering.shells_by_part)
     for (const Index shell : part)
       for (const Index node : model.shells[shell].node) number(node);
+  for (const auto& part : numbering.solids_by_part)
+    for (const Index solid : part)
+      for (const Index node : model.solids[solid].node) number(node);
   for (Index node = 0; node < model.nodes.count(); ++node) number(node);
   return numbering;
 }

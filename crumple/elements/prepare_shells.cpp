@@ -70,14 +70,6 @@ void declare_own_items(bool can_fail, ShellBlock& block) {
   if (can_fail) domain::add_item(block, "energy", "energy", 2);
 }
 
-void allocate(ShellBlock& block, Precision precision) {
-  const std::size_t numbers = static_cast<std::size_t>(block.groups()) * block.components * lanes;
-  if (precision == Precision::Mixed)
-    block.float_state.assign(numbers, 0.0F);
-  else
-    block.double_state.assign(numbers, 0.0);
-}
-
 ShellConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
                                      ShellBlock& block) {
   const model::Part& part = model.parts[block.part];
@@ -106,11 +98,12 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   if (kind.planes > 1) constants.hourglass_membrane = 0.04 * elastic.youngs_modulus / 12;
 
   block.plane_points = kind.planes;
-  domain::add_item(block, "stress", "stress", materials::components * block.points());
+  block.points = kind.planes * block.thickness_points;
+  domain::add_item(block, "stress", "stress", materials::components * block.points);
   constants.history = materials::declare_history(material.law, block);
   constants.own = block.components;
   declare_own_items(constants.can_fail, block);
-  allocate(block, domain.execution.precision);
+  block.allocate(domain.execution.precision);
   block.material_constants = materials::shell_material_constants(material);
   if (!materials::has_stiffness(material.law))
     constants.hourglass_membrane = constants.hourglass_warping = constants.hourglass_bending = 0;

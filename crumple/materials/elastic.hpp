@@ -13,7 +13,7 @@ struct ElasticLaw {
   using Model = model::Elastic;
   static constexpr const char* name = "elastic";
 
-  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ShellBlock& /*block*/) {}
+  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& /*block*/) {}
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
 

@@ -32,11 +32,11 @@ bool JohnsonCookLaw::can_fail(const model::ConstitutiveLaw& law) {
   return own.failure_strain > 0 || damages(own);
 }
 
-void JohnsonCookLaw::declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block) {
+void JohnsonCookLaw::declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block) {
   const auto& own = std::get<Model>(law);
   declare_plastic_strain(block);
-  if (softens(own)) domain::add_item(block, "temperature_rise", "temperature", block.points());
-  if (damages(own)) domain::add_item(block, "damage", "-", block.points());
+  if (softens(own)) domain::add_item(block, "temperature_rise", "temperature", block.points);
+  if (damages(own)) domain::add_item(block, "damage", "-", block.points);
 }
 
 std::vector<double> JohnsonCookLaw::constants(const model::Material& material) {

@@ -13,7 +13,7 @@ struct NullLaw {
   using Model = model::NullMaterial;
   static constexpr const char* name = "null";
 
-  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ShellBlock& /*block*/) {}
+  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& /*block*/) {}
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
   static constexpr bool has_stiffness = false;

@@ -28,12 +28,12 @@ Vec3 direction(const model::OrthotropicElastic& law, const LaminaAxes& axes) {
 }  // namespace
 
 void OrthotropicElasticLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
-                                            domain::ShellBlock& block) {
+                                            domain::ElementBlock& block) {
   domain::add_item(block, "material_axis", "-", 2);
 }
 
 void OrthotropicElasticLaw::prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes,
-                                            domain::ShellBlock& block, Index history, Index place) {
+                                            domain::ElementBlock& block, Index history, Index place) {
   const auto& own = std::get<Model>(law);
   const Vec3 along = direction(own, axes);
   const double x = dot(along, axes.e1);

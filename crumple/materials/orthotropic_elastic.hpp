@@ -44,12 +44,12 @@ struct OrthotropicElasticLaw {
 
   enum Place { Aa, Bb, Ab, Gab, Gbc, Gca, LateralA, LateralB, Count };
 
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
   /// Cosine and sine of the angle from the lamina's first axis to the material's.
   static void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes,
-                              domain::ShellBlock& block, Index history, Index place);
+                              domain::ElementBlock& block, Index history, Index place);
 
   template <class Pack>
   struct Update {

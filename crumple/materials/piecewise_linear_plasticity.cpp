@@ -49,7 +49,7 @@ void check_rates(const model::Material& material, const model::PiecewiseLinearPl
 }  // namespace
 
 void PiecewiseLinearPlasticityLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
-                                                   domain::ShellBlock& block) {
+                                                   domain::ElementBlock& block) {
   declare_plastic_strain(block);
 }
 

@@ -111,7 +111,7 @@ struct PiecewiseLinearPlasticityLaw {
   using Model = model::PiecewiseLinearPlasticity;
   static constexpr const char* name = "piecewise linear plasticity";
 
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 

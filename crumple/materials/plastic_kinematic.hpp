@@ -37,7 +37,7 @@ struct PlasticKinematicLaw {
   using Model = model::PlasticKinematic;
   static constexpr const char* name = "plastic kinematic";
 
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 

@@ -3,9 +3,9 @@
 
 namespace crumple::materials {
 
-void declare_plastic_strain(domain::ShellBlock& block) {
-  domain::add_item(block, "plastic_strain", "-", block.points());
-  domain::add_item(block, "plastic_strain_rest", "-", block.points());
+void declare_plastic_strain(domain::ElementBlock& block) {
+  domain::add_item(block, "plastic_strain", "-", block.points);
+  domain::add_item(block, "plastic_strain_rest", "-", block.points);
 }
 
 }  // namespace crumple::materials

@@ -9,7 +9,7 @@
 namespace crumple::materials {
 
 void PowerLawPlasticityLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
-                                            domain::ShellBlock& block) {
+                                            domain::ElementBlock& block) {
   declare_plastic_strain(block);
 }
 

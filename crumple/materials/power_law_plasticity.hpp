@@ -41,7 +41,7 @@ struct PowerLawPlasticityLaw {
   using Model = model::PowerLawPlasticity;
   static constexpr const char* name = "power law plasticity";
 
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 

@@ -51,7 +51,7 @@ const char* shell_material_name(const model::ConstitutiveLaw& law) {
   return name;
 }
 
-Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block) {
+Index declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block) {
   const Index first = block.components;
   with_law(
       law, [&]<class Law>(Law, int) { Law::declare_history(law, block); }, ShellLaws{});
@@ -65,7 +65,7 @@ std::vector<double> shell_material_constants(const model::Material& material) {
   return constants;
 }
 
-void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, domain::ShellBlock& block,
+void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, domain::ElementBlock& block,
                      Index history, Index place) {
   with_law(
       law,

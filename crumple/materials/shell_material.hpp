@@ -8,7 +8,7 @@
 #include "base/index.hpp"
 #include "base/isa.hpp"
 #include "base/pack.hpp"
-#include "domain/shell_block.hpp"
+#include "domain/element_block.hpp"
 #include "math/vec3.hpp"
 #include "model/material.hpp"
 
@@ -41,7 +41,7 @@ struct MaterialTask {
   const Real* strain = nullptr;       ///< increments [point][5][tile_lanes]
   const Real* weight = nullptr;       ///< [point], summing to 1
   const Real* area = nullptr;         ///< [point][tile_lanes] factor on the energy; nullptr is 1
-  const double* constants = nullptr;  ///< ShellBlock::material_constants
+  const double* constants = nullptr;  ///< ElementBlock::material_constants
   Real step = 0;                      ///< the step that the increments belong to [time]; may be 0
   Real* energy = nullptr;  ///< out: mean over the thickness of area * 1/2 (old + new stress) : strain
   Real* thickness_strain = nullptr;  ///< out: mean increment of the strain zz over the thickness
@@ -70,7 +70,7 @@ const char* shell_material_name(const model::ConstitutiveLaw& law);
 
 /// Adds the law's own items ("plastic_strain", ...) to a block whose points are set; returns the first
 /// component (the present end of the state if the law has none).
-Index declare_history(const model::ConstitutiveLaw& law, domain::ShellBlock& block);
+Index declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
 
 /// The numbers that the update reads. Throws Error naming the material if one is out of its range.
 std::vector<double> shell_material_constants(const model::Material& material);
@@ -85,7 +85,7 @@ struct LaminaAxes {
 
 /// Sets what the law keeps for each element, once before the run; `history` is what declare_history returned.
 /// Throws Error naming the shell if its axes do not fit.
-void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, domain::ShellBlock& block,
+void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, domain::ElementBlock& block,
                      Index history, Index place);
 
 /// False if the material never has a stress: its shells limit no step and have no hourglass control.

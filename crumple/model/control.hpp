@@ -22,6 +22,8 @@ struct Control {
   double step_scale = 0.9;       ///< TSSFAC
   double mass_scaling_step = 0;  ///< DT2MS [time]; negative adds mass only where needed; 0 is off
   HourglassControl hourglass;    ///< for parts without their own
+  double bulk_quadratic = 1.5;   ///< Q1 of *CONTROL_BULK_VISCOSITY [-]
+  double bulk_linear = 0.06;     ///< Q2 [-]
   bool thickness_change = false;         ///< ISTUPD: shells become thinner as they stretch
   double contact_stiffness_scale = 0.1;  ///< SLSFAC
 };

@@ -25,6 +25,13 @@ struct ShellElement {
   double material_angle = 0;          ///< of an orthotropic law [rad]; zero takes the material's
 };
 
+/// Nodes 1 to 4 around one face, 5 to 8 around the opposite one, 5 above 1. Wedges and pyramids repeat nodes.
+struct SolidElement {
+  UserId id = 0;
+  Index part = no_index;
+  std::array<Index, 8> node{};
+};
+
 /// Place of the entry that the next one around the element repeats, or -1: the element is a triangle, in
 /// decks one that repeats its third node (2).
 int repeated_entry(const std::array<Index, 4>& node);
@@ -32,9 +39,10 @@ int repeated_entry(const std::array<Index, 4>& node);
 struct Part {
   UserId id = 0;
   std::string title;
-  Index section = no_index;    ///< in Model::shell_sections
-  Index material = no_index;   ///< in Model::materials
-  Index hourglass = no_index;  ///< in Model::hourglass_controls; no_index takes Model::control.hourglass
+  Index section = no_index;        ///< in Model::shell_sections; no_index for a part of solids
+  Index solid_section = no_index;  ///< in Model::solid_sections; no_index for a part of shells
+  Index material = no_index;       ///< in Model::materials
+  Index hourglass = no_index;      ///< in Model::hourglass_controls; no_index takes Model::control.hourglass
 };
 
 /// A mass at a node, without extent (*ELEMENT_MASS).

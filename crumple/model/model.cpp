@@ -51,7 +51,9 @@ void check_nodes(const Model& model, std::vector<std::string>& found) {
 void check_parts(const Model& model, std::vector<std::string>& found) {
   for (const Part& part : model.parts) {
     const std::string name = "Part " + std::to_string(part.id);
-    if (!within(part.section, model.shell_sections.size())) found.push_back(name + " has no section.");
+    if (within(part.section, model.shell_sections.size()) ==
+        within(part.solid_section, model.solid_sections.size()))
+      found.push_back(name + " needs either a section of shells or one of solids.");
     if (!within(part.material, model.materials.size())) found.push_back(name + " has no material.");
   }
   for (const Material& material : model.materials)
@@ -59,11 +61,22 @@ void check_parts(const Model& model, std::vector<std::string>& found) {
       found.push_back("Material " + std::to_string(material.id) + " needs a density above zero.");
 }
 
+void check_solids(const Model& model, std::vector<std::string>& found) {
+  for (const SolidElement& solid : model.solids) {
+    const std::string name = "Solid " + std::to_string(solid.id);
+    if (!within(solid.part, model.parts.size()) || model.parts[solid.part].solid_section == no_index)
+      found.push_back(name + " has no part with a section of solids.");
+    for (const Index node : solid.node)
+      if (!within(node, model.nodes.id.size()))
+        found.push_back(name + " refers to a node that does not exist.");
+  }
+}
+
 void check_shells(const Model& model, std::vector<std::string>& found) {
   for (const ShellElement& shell : model.shells) {
     const std::string name = "Shell " + std::to_string(shell.id);
-    if (!within(shell.part, model.parts.size())) {
-      found.push_back(name + " has no part.");
+    if (!within(shell.part, model.parts.size()) || model.parts[shell.part].section == no_index) {
+      found.push_back(name + " has no part with a section of shells.");
       continue;
     }
     for (const Index node : shell.node)
@@ -88,6 +101,7 @@ std::vector<std::string> faults(const Model& model) {
   check_nodes(model, found);
   check_parts(model, found);
   if (found.empty()) check_shells(model, found);
+  if (found.empty()) check_solids(model, found);
   return found;
 }
 

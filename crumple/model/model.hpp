@@ -20,8 +20,10 @@ struct Model {
   std::string title;
   Nodes nodes;
   std::vector<ShellElement> shells;
+  std::vector<SolidElement> solids;
   std::vector<Part> parts;
   std::vector<ShellSection> shell_sections;
+  std::vector<SolidSection> solid_sections;
   std::vector<Material> materials;
   std::vector<HourglassControl> hourglass_controls;
   std::vector<LumpedMass> lumped_masses;

@@ -35,14 +35,34 @@ struct ShellSection {
   double node_place = 0;
 };
 
+enum class SolidFormulation {
+  OnePointHexahedron,  ///< uniform strain, Flanagan & Belytschko 1981
+};
+
+struct SolidSection {
+  UserId id = 0;
+  std::string title;
+  SolidFormulation formulation = SolidFormulation::OnePointHexahedron;
+};
+
 enum class HourglassForm {
   Viscous,    ///< LS-DYNA's IHQ 1, 2, 3 for shells
   Stiffness,  ///< LS-DYNA's IHQ 4, 5 for shells
 };
 
+/// Of solids with one point, in the order of LS-DYNA's IHQ 1 to 5.
+enum class SolidHourglassForm {
+  StandardViscous,            ///< against the patterns alone, Hallquist 1982
+  FlanaganBelytschkoViscous,  ///< against what is left of the motion without its linear part
+  ExactVolumeViscous,         ///< the same with the mean gradient in the place of that at the centre
+  FlanaganBelytschkoStiffness,
+  ExactVolumeStiffness,
+};
+
 struct HourglassControl {
-  HourglassForm form = HourglassForm::Viscous;
-  double coefficient = 0.1;  ///< QM: membrane [-]
+  HourglassForm form = HourglassForm::Viscous;  ///< of shells
+  SolidHourglassForm solid_form = SolidHourglassForm::StandardViscous;
+  double coefficient = 0.1;  ///< QM: solids, and the membrane of shells [-]
   double bending = 0.1;      ///< QB: bending [-]
   double warping = 0.1;      ///< QW: warping (transverse shear) [-]
 };

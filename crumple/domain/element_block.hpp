@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/aligned_array.hpp"
+#include "base/index.hpp"
+#include "base/pack.hpp"
+#include "base/precision.hpp"
+
+namespace crumple::domain {
+
+/// One named item of an element's state: `count` numbers that start at component `first` of the state array.
+struct StateItem {
+  std::string name;  ///< as output, restart and tests know it: "stress", "plastic_strain", "thickness"
+  std::string unit;  ///< dimension, in words: "stress", "-", "length"
+  Index first = 0;
+  Index count = 0;
+};
+
+/// What blocks of all kinds of elements have. Elements are held in groups of `lanes`; the last group is
+/// filled with copies of the last element whose `active` state is zero and whose forces go to a slot nobody
+/// reads.
+struct ElementBlock {
+  Index part = no_index;       ///< model::Part
+  Index corners = 4;           ///< nodes of an element
+  Index points = 1;            ///< integration points of an element
+  Index elements = 0;          ///< real elements, without the fill
+  std::vector<Index> element;  ///< index in the model's elements of this kind, by place in the block
+  AlignedArray<Index> node;    ///< [group][corner][lanes] domain nodes to gather from
+  AlignedArray<Index> target;  ///< [group][corner][lanes] place in NodeFields::force to add to (see Assembly)
+  std::vector<StateItem> items;            ///< what the state holds
+  Index components = 0;                    ///< numbers per element in the state
+  AlignedArray<float> float_state;         ///< [group][component][lanes] in mixed precision, else empty
+  AlignedArray<double> double_state;       ///< the same in double precision, else empty
+  std::vector<double> element_constants;   ///< laid out and read by the element kind
+  std::vector<double> material_constants;  ///< laid out and read by the material kind
+  double internal_energy = 0;              ///< accumulated, of the whole block [energy]
+  double hourglass_energy = 0;             ///< accumulated, of the whole block [energy]
+  double eroded_energy = 0;                ///< part of both that elements had when they failed [energy]
+  Index eroded = 0;                        ///< elements that have failed
+
+  Index groups() const { return (elements + lanes - 1) / lanes; }
+
+  /// The item of that name, or nullptr.
+  const StateItem* find(const std::string& name) const;
+
+  /// Place in the state array of component `component` of element `place`.
+  std::size_t offset(Index place, Index component) const {
+    return (static_cast<std::size_t>(place / lanes) * components + component) * lanes + place % lanes;
+  }
+  /// One number of the state, whatever the precision.
+  double state(Index place, Index component) const {
+    const std::size_t at = offset(place, component);
+    return float_state.empty() ? double_state[at] : static_cast<double>(float_state[at]);
+  }
+  void set_state(Index place, Index component, double value) {
+    const std::size_t at = offset(place, component);
+    if (float_state.empty())
+      double_state[at] = value;
+    else
+      float_state[at] = static_cast<float>(value);
+  }
+  /// Makes room for the state of all groups, all zero.
+  void allocate(Precision precision);
+  /// Domain node `corner` of element `place`.
+  Index node_of(Index place, Index corner) const {
+    return node[(static_cast<std::size_t>(place / lanes) * corners + corner) * lanes + place % lanes];
+  }
+};
+
+template <class Real>
+AlignedArray<Real>& state_of(ElementBlock& block);
+template <>
+inline AlignedArray<float>& state_of<float>(ElementBlock& block) {
+  return block.float_state;
+}
+template <>
+inline AlignedArray<double>& state_of<double>(ElementBlock& block) {
+  return block.double_state;
+}
+
+/// Adds an item of `count` numbers to the layout of a block under construction; returns its first component.
+Index add_item(ElementBlock& block, const std::string& name, const std::string& unit, Index count);
+
+}  // namespace crumple::domain
