@@ -133,7 +133,7 @@ Work count(const app::ShellBenchmark& benchmark) {
   domain::Domain& domain = simulation.domain();
   domain::ShellBlock& block = domain.shells.front();
   elements::ShellTask<float> task;
-  task.constants = elements::from_numbers<float>(block.element_constants);
+  task.constants = elements::from_numbers<elements::ShellConstants<float>>(block.element_constants);
   task.nodes = domain.nodes.float_records.data();
   task.force = domain.nodes.force.data();
   task.node = block.node.data();
@@ -144,7 +144,7 @@ Work count(const app::ShellBenchmark& benchmark) {
   task.step = static_cast<float>(domain.clock.step);
   task.material_constants = block.material_constants.data();
   task.material = counting_update(task.constants.material, CountedLaws{});
-  elements::ShellSums sums;
+  elements::ElementSums sums;
   Counter::operations = 0;
   counting_kernel(task.constants.formulation, elements::ShellFormulations{})(task, sums);
   const double in_packs = static_cast<double>(Counter::operations) / block.elements;

@@ -13,7 +13,7 @@
 #include "app/preparation.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
-#include "elements/shells.hpp"
+#include "elements/elements.hpp"
 #include "timeloop/simulation.hpp"
 
 namespace crumple::app {

@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "elements/shells.hpp"
+#include "elements/elements.hpp"
 
 namespace crumple::app {
 

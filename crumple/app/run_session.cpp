@@ -13,7 +13,7 @@
 #include "app/run_limits.hpp"
 #include "app/run_summary.hpp"
 #include "base/error.hpp"
-#include "elements/shells.hpp"
+#include "elements/elements.hpp"
 #include "output/atomic_file.hpp"
 #include "output/run_record.hpp"
 #include "output/write_error.hpp"

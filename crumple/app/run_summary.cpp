@@ -11,7 +11,7 @@
 #include "app/status_line.hpp"
 #include "base/counted.hpp"
 #include "base/isa.hpp"
-#include "elements/shells.hpp"
+#include "elements/elements.hpp"
 #include "output/run_record.hpp"
 
 namespace crumple::app {

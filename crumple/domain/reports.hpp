@@ -60,6 +60,7 @@ struct WallReport {
 
 /// The element that governs the step.
 struct ControllingElement {
+  const char* kind = "shell";  ///< what the element is called
   UserId element = 0;
   UserId part = 0;
 };

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <type_traits>
-
 #include "elements/erosion.hpp"
 #include "elements/formulation.hpp"
+#include "elements/lane_sums.hpp"
 
 // Every template here has the pack among its parameters: one of the number type alone would be the same
 // function for all instruction sets, and the linker would keep any of them.
@@ -68,44 +67,9 @@ void update_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf
   }
 }
 
-/// Sums of a chunk, lane by lane over the groups: the same bits for every width of pack.
-template <class Pack>
-struct LaneSums {
-  using Real = RealOf<Pack>;
-  alignas(cache_line) double internal[lanes] = {};
-  alignas(cache_line) double hourglass[lanes] = {};
-  alignas(cache_line) Real shortest[lanes];
-
-  LaneSums() {
-    for (Real& limit : shortest) limit = Real(1e30);
-  }
-  CRUMPLE_INLINE void add_group(const Real* rows) {
-    add(internal, rows + scratch_row::internal_energy * tile_lanes);
-    add(hourglass, rows + scratch_row::hourglass_energy * tile_lanes);
-    const Real* const limit = rows + scratch_row::shortest_step * tile_lanes;
-    for (Index lane = 0; lane < lanes; lane += width_of<Pack>)
-      store(shortest + lane, smaller(load<Pack>(limit + lane), load<Pack>(shortest + lane)));
-  }
-  CRUMPLE_INLINE static void add(double* sums, const Real* row) {
-    using Four = std::conditional_t<sizeof(Real) == sizeof(float), math::Float4, math::Double4>;
-    for (Index lane = 0; lane < lanes; lane += 4)
-      math::write(sums + lane,
-                  math::read<math::Double4>(sums + lane) + math::to_double(math::read<Four>(row + lane)));
-  }
-  /// Adds up over the lanes in order.
-  void add_to(ShellSums& sums) const {
-    for (Index lane = 0; lane < lanes; ++lane) {
-      sums.internal_energy += internal[lane];
-      sums.hourglass_energy += hourglass[lane];
-      const auto limit = static_cast<double>(shortest[lane]);
-      sums.shortest_step = limit < sums.shortest_step ? limit : sums.shortest_step;
-    }
-  }
-};
-
 /// Works off one chunk, tile by tile: strains, material, forces.
 template <class Formulation, class Pack>
-void shell_chunk(const ShellTask<RealOf<Pack>>& task, ShellSums& sums) {
+void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
   using Real = RealOf<Pack>;
   using materials::tile_groups;
   constexpr int most_points = Formulation::planes * materials::max_points;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/element_sums.hpp"
 #include "elements/formulation.hpp"
 
 namespace crumple::elements {
@@ -33,7 +34,7 @@ CRUMPLE_INLINE void rest_failed(const ShellPlace<RealOf<Pack>>& place) {
 /// that it may be told apart when the element goes. `state` and `rows` are those of the group's first lane.
 template <class Pack>
 void erode(const ShellTask<RealOf<Pack>>& task, RealOf<Pack>* state, const RealOf<Pack>* rows,
-           ShellSums& sums) {
+           ElementSums& sums) {
   using Real = RealOf<Pack>;
   Real* const own = state + task.constants.own * lanes;
   for (Index lane = 0; lane < lanes; ++lane) {

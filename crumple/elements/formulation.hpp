@@ -15,6 +15,7 @@
 #include "elements/gather.hpp"
 #include "elements/hourglass.hpp"
 #include "elements/lamina_frame.hpp"
+#include "elements/lane_sums.hpp"
 #include "elements/scatter.hpp"
 #include "elements/shell_task.hpp"
 #include "materials/plane_stress.hpp"
@@ -25,10 +26,11 @@ using materials::tile_lanes;
 
 /// Rows of the scratch that the driver reads, before those of the formulation.
 namespace scratch_row {
-inline constexpr int internal_energy = 0;   ///< from forces(): increment
-inline constexpr int hourglass_energy = 1;  ///< from forces(): increment
-inline constexpr int shortest_step = 2;     ///< from forces(): stable step
-inline constexpr int material_energy = 3;   ///< from the material, by plane: work per volume of the step
+using sum_row::hourglass_energy;  ///< from forces()
+using sum_row::internal_energy;   ///< from forces()
+using sum_row::shortest_step;     ///< from forces()
+inline constexpr int material_energy =
+    sum_row::count;  ///< from the material, by plane: work per volume of the step
 inline constexpr int thickness_strain = material_energy + materials::max_plane_points;  ///< by plane
 inline constexpr int intact = thickness_strain + materials::max_plane_points;           ///< by plane
 inline constexpr int own = intact + materials::max_plane_points;  ///< first row of the formulation

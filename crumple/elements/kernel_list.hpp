@@ -2,12 +2,13 @@
 #pragma once
 
 #include "base/isa.hpp"
+#include "elements/element_sums.hpp"
 #include "elements/shell_task.hpp"
 
 namespace crumple::elements {
 
 template <class Real>
-using ShellKernel = void (*)(const ShellTask<Real>& task, ShellSums& sums);
+using ShellKernel = void (*)(const ShellTask<Real>& task, ElementSums& sums);
 
 /// The kernel of one formulation. Defined in kernels/<formulation>.cpp, which is compiled once per
 /// instruction set (kernel_definition.hpp).

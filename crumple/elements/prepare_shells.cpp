@@ -4,11 +4,11 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "elements/prepare.hpp"
 #include "elements/registry.hpp"
 #include "elements/shell_geometry.hpp"
 #include "elements/shell_setup.hpp"
 #include "elements/shell_task.hpp"
-#include "elements/shells.hpp"
 #include "math/quadrature.hpp"
 
 namespace crumple::elements {
@@ -16,10 +16,6 @@ namespace {
 
 using domain::ShellBlock;
 using materials::ElasticConstants;
-
-void require(bool holds, const model::Part& part, const std::string& what) {
-  if (!holds) throw Error("Part " + std::to_string(part.id) + ": " + what + ".");
-}
 
 const model::ShellSection& section_of(const model::Model& model, const ShellBlock& block) {
   return model.shell_sections[model.parts[block.part].section];
@@ -135,13 +131,6 @@ materials::LaminaAxes lamina_axes(const model::ShellElement& shell, const ShellC
   axes.angle = shell.material_angle;
   axes.shell = shell.id;
   return axes;
-}
-
-/// Factor on the mass that DT2MS asks for, given the step without it.
-double mass_factor(double mass_scaling_step, double step) {
-  if (mass_scaling_step == 0) return 1;
-  const double ratio = std::fabs(mass_scaling_step) / step;
-  return mass_scaling_step < 0 && ratio < 1 ? 1 : ratio * ratio;
 }
 
 struct ShellMass {

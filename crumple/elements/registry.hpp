@@ -2,6 +2,7 @@
 #pragma once
 
 #include "elements/kernel_list.hpp"
+#include "elements/solid_kernel_list.hpp"
 #include "model/section.hpp"
 
 namespace crumple::elements {
@@ -14,5 +15,14 @@ struct ShellKind {
 };
 
 ShellKind shell_kind(model::ShellFormulation formulation);
+
+/// The same of a formulation of solids.
+struct SolidKind {
+  int kind = -1;
+  const char* name = "";
+  int points = 1;
+};
+
+SolidKind solid_kind(model::SolidFormulation formulation);
 
 }  // namespace crumple::elements

@@ -43,10 +43,12 @@ inline constexpr Index hourglass = 5;   ///< five generalised hourglass stresses
 inline constexpr Index energy = 10;     ///< internal and hourglass energy of the element, if it can fail
 }  // namespace element_state
 
-/// ShellBlock::element_constants and back.
-std::vector<double> to_numbers(const ShellConstants<double>& constants);
-template <class Real>
-ShellConstants<Real> from_numbers(const std::vector<double>& numbers);
+/// ElementBlock::element_constants and back: to_numbers(constants),
+/// from_numbers<ShellConstants<Real>>(numbers).
+template <class Constants>
+std::vector<double> to_numbers(const Constants& constants);
+template <class Constants>
+Constants from_numbers(const std::vector<double>& numbers);
 
 /// One chunk of one block.
 template <class Real>
@@ -62,16 +64,6 @@ struct ShellTask {
   ShellConstants<Real> constants;
   const double* material_constants = nullptr;
   materials::MaterialUpdate<Real> material = nullptr;
-};
-
-/// What a chunk adds to the block.
-struct ShellSums {
-  double internal_energy = 0;   ///< increment [energy]
-  double hourglass_energy = 0;  ///< increment [energy]
-  double shortest_step = 0;     ///< smallest stable step at time n [time]
-  double eroded_internal = 0;   ///< internal energy of the elements that have failed now [energy]
-  double eroded_hourglass = 0;  ///< the same of their hourglass energy [energy]
-  Index eroded = 0;             ///< elements that have failed now
 };
 
 }  // namespace crumple::elements

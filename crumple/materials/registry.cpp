@@ -30,6 +30,11 @@ double ElasticConstants::plate_wave_speed() const {
   return std::sqrt(youngs_modulus / (density * (1 - poissons_ratio * poissons_ratio)));
 }
 
+double ElasticConstants::bulk_wave_speed() const {
+  const double nu = poissons_ratio;
+  return std::sqrt(youngs_modulus * (1 - nu) / (density * (1 + nu) * (1 - 2 * nu)));
+}
+
 int shell_material_kind(const model::ConstitutiveLaw& law) {
   int found = -1;
   with_law(

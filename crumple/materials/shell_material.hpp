@@ -60,6 +60,8 @@ struct ElasticConstants {
   double shear_modulus() const { return 0.5 * youngs_modulus / (1 + poissons_ratio); }
   /// Speed of longitudinal waves in a plate, sqrt(E / (rho (1 - nu^2))) [length/time].
   double plate_wave_speed() const;
+  /// Speed of longitudinal waves without lateral strain, sqrt((lambda + 2 mu) / rho) [length/time].
+  double bulk_wave_speed() const;
 };
 
 /// Place of the law in the list (materials/list.hpp), or -1 if shells cannot use it.

@@ -12,6 +12,8 @@ namespace crumple::math {
 // sums, products, divisions and shifts, so that they have the same bits wherever multiply_add has. Their
 // names are not those of std::experimental, which argument-dependent lookup would prefer for packs.
 
+using crumple::multiply_add;  // beside that of vectors, which would hide it
+
 namespace detail {
 
 template <class Real>

@@ -61,10 +61,10 @@ enum class SolidHourglassForm {
 
 struct HourglassControl {
   HourglassForm form = HourglassForm::Viscous;  ///< of shells
-  SolidHourglassForm solid_form = SolidHourglassForm::StandardViscous;
   double coefficient = 0.1;  ///< QM: solids, and the membrane of shells [-]
   double bending = 0.1;      ///< QB: bending [-]
   double warping = 0.1;      ///< QW: warping (transverse shear) [-]
+  SolidHourglassForm solid_form = SolidHourglassForm::StandardViscous;
 };
 
 }  // namespace crumple::model

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "domain/build.hpp"
-#include "elements/shells.hpp"
+#include "elements/elements.hpp"
 #include "materials/shell_material.hpp"
 
 namespace crumple::timeloop {
@@ -29,7 +29,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       nodal_loads_(model, domain_),
       pressure_loads_(model, domain_) {
   require_stiffness(model);
-  elements::prepare_shells(model, domain_);
+  elements::prepare_elements(model, domain_);
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});
     walls_.emplace_back(wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/stopwatch.hpp"
-#include "elements/shells.hpp"
+#include "elements/elements.hpp"
 #include "timeloop/motion.hpp"
 #include "timeloop/simulation.hpp"
 #include "timeloop/trouble.hpp"
@@ -61,7 +61,7 @@ void Simulation::drift() {
 void Simulation::compute_forces() {
   {
     const StageTimer timer(domain_.times.elements);
-    elements::add_shell_forces(domain_);
+    elements::add_element_forces(domain_);
   }
   if (!contacts_.empty()) std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
   for (contact::SingleSurface& contact : contacts_) contact.add_forces(domain_);

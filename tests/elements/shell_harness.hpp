@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "domain/build.hpp"
-#include "elements/shells.hpp"
+#include "elements/elements.hpp"
 #include "support/meshes.hpp"
 
 namespace crumple::elements::testing {
@@ -85,7 +85,7 @@ class Driven {
  public:
   Driven(const model::Model& model, const domain::Execution& execution)
       : domain(domain::build(model, execution)) {
-    prepare_shells(model, domain);
+    prepare_elements(model, domain);
   }
 
   /// One step: every node goes to target(x) and turns by turn(x) (a rotation vector in the sense of Hughes
@@ -115,7 +115,7 @@ class Driven {
     domain.nodes.publish_all();
     for (domain::NodeForce& f : domain.nodes.force) f = {};
     domain.clock.step = dt;
-    add_shell_forces(domain);
+    add_element_forces(domain);
   }
 
   Vec3 force(Index node) const {

@@ -6,22 +6,23 @@
 
 namespace crumple::elements {
 
-/// Gives every shell block its state, constants and kernels, and adds the mass and rotary inertia of the
-/// shells to the nodes, with the mass that DT2MS asks for. Throws Error for a formulation, material or
-/// integration rule that no kind in the registry computes, naming the part.
-void prepare_shells(const model::Model& model, domain::Domain& domain);
+/// Gives every block its state, constants and kernels, and adds the mass and rotary inertia of the elements
+/// to the nodes, with the mass that DT2MS asks for. Throws Error for a formulation, material or integration
+/// rule that no kind in the registry computes, naming the part.
+void prepare_elements(const model::Model& model, domain::Domain& domain);
 
-/// Brings the shells from time n-1 to n: on entry the node records hold x(n) and v(n-1/2), `clock.step` is
+/// Brings the elements from time n-1 to n: on entry the node records hold x(n) and v(n-1/2), `clock.step` is
 /// the step between (zero before the first step: forces of the present stress, no strain). On exit the state
 /// is that of time n, the nodal forces are added to nodes.force (interface slots gathered), the blocks'
 /// energies are summed and clock.element_limit is the smallest stable step. Bitwise the same for any number
 /// of threads.
-void add_shell_forces(domain::Domain& domain);
+void add_element_forces(domain::Domain& domain);
 
 /// The element whose stable step is the smallest at time n.
 domain::ControllingElement controlling_element(const model::Model& model, const domain::Domain& domain);
 
-/// Smallest stable element step of one block at the current geometry [time], without TSSFAC.
+/// Smallest stable step of a block's elements at the current geometry, at rest and without TSSFAC [time].
 double stable_step(const domain::Domain& domain, const domain::ShellBlock& block);
+double stable_step(const domain::Domain& domain, const domain::SolidBlock& block);
 
 }  // namespace crumple::elements

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "elements/chunk_task.hpp"
+#include "elements/elements.hpp"
+#include "elements/registry.hpp"
+#include "elements/shell_task.hpp"
+#include "elements/solid_task.hpp"
+
+namespace crumple::elements {
+namespace {
+
+using domain::Chunk;
+using domain::Domain;
+
+/// Constants of all blocks in the precision of the run, and the kernels that go with them.
+template <class Real>
+class Pass {
+ public:
+  explicit Pass(Domain& domain) : domain_(domain) {
+    for (const domain::ShellBlock& block : domain.shells)
+      shells_.push_back(from_numbers<ShellConstants<Real>>(block.element_constants));
+    for (const domain::SolidBlock& block : domain.solids)
+      solids_.push_back(from_numbers<SolidConstants<Real>>(block.element_constants));
+  }
+
+  void work_off(const Chunk& chunk, ElementSums& sums) const {
+    const auto solid = chunk.block - static_cast<Index>(shells_.size());
+    if (solid < 0)
+      work_off_shells(domain_.shells[chunk.block], chunk, shells_[chunk.block], sums);
+    else
+      work_off_solids(domain_.solids[solid], chunk, solids_[solid], sums);
+  }
+
+ private:
+  void work_off_shells(domain::ShellBlock& block, const Chunk& chunk, const ShellConstants<Real>& constants,
+                       ElementSums& sums) const {
+    auto task = chunk_task<ShellTask, Real>(domain_, block, chunk);
+    task.constants = constants;
+    task.material = materials::shell_material_update<Real>(domain_.execution.isa, constants.material);
+    shell_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
+  }
+  void work_off_solids(domain::SolidBlock& block, const Chunk& chunk, const SolidConstants<Real>& constants,
+                       ElementSums& sums) const {
+    auto task = chunk_task<SolidTask, Real>(domain_, block, chunk);
+    task.constants = constants;
+    task.material = materials::solid_material_update<Real>(domain_.execution.isa, constants.material);
+    solid_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
+  }
+
+  Domain& domain_;
+  std::vector<ShellConstants<Real>> shells_;
+  std::vector<SolidConstants<Real>> solids_;
+};
+
+template <class Real>
+void work_off_all(Domain& domain, std::vector<ElementSums>& sums) {
+  const Pass<Real> pass(domain);
+  const std::vector<Chunk>& chunks = domain.assembly.chunks();
+  parallel_for(static_cast<Index>(chunks.size()), domain.execution.threads,
+               [&](Index c) { pass.work_off(chunks[c], sums[c]); });
+}
+
+}  // namespace
+
+void add_element_forces(Domain& domain) {
+  const std::vector<Chunk>& chunks = domain.assembly.chunks();
+  std::vector<ElementSums> sums(chunks.size());
+  if (domain.execution.precision == Precision::Mixed)
+    work_off_all<float>(domain, sums);
+  else
+    work_off_all<double>(domain, sums);
+  domain.assembly.gather_interface(domain.nodes.force, domain.execution.threads);
+  domain.clock.element_limit = 1e30;
+  const std::vector<domain::ElementBlock*> blocks = domain.blocks();
+  for (std::size_t c = 0; c < chunks.size(); ++c) {
+    domain::ElementBlock& block = *blocks[chunks[c].block];
+    block.internal_energy += sums[c].internal_energy - sums[c].eroded_internal;
+    block.hourglass_energy += sums[c].hourglass_energy - sums[c].eroded_hourglass;
+    block.eroded_energy += sums[c].eroded_internal + sums[c].eroded_hourglass;
+    block.eroded += sums[c].eroded;
+    domain.clock.element_limit = std::min(domain.clock.element_limit, sums[c].shortest_step);
+  }
+}
+
+}  // namespace crumple::elements

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::elements {
+
+/// prepare_elements() for the blocks of one kind.
+void prepare_shells(const model::Model& model, domain::Domain& domain);
+void prepare_solids(const model::Model& model, domain::Domain& domain);
+
+/// Factor on the mass that DT2MS asks for, given the stable step without it.
+double mass_factor(double mass_scaling_step, double step);
+
+/// Throws Error naming the part unless the condition holds.
+void require(bool holds, const model::Part& part, const std::string& what);
+
+}  // namespace crumple::elements

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "elements/prepare.hpp"
+#include "elements/registry.hpp"
+#include "elements/solid_setup.hpp"
+#include "elements/solid_task.hpp"
+
+namespace crumple::elements {
+namespace {
+
+using domain::SolidBlock;
+using materials::ElasticConstants;
+
+/// The factors that do not change during the run, see hourglass_modulus().
+void set_hourglass(const model::HourglassControl& control, const ElasticConstants& elastic,
+                   SolidConstants<double>& constants) {
+  using Form = model::SolidHourglassForm;
+  const Form form = control.solid_form;
+  constants.exact_volume = form == Form::ExactVolumeViscous || form == Form::ExactVolumeStiffness;
+  constants.without_linear_part = form != Form::StandardViscous;
+  constants.viscous = form != Form::FlanaganBelytschkoStiffness && form != Form::ExactVolumeStiffness;
+  const double modulus = elastic.density * constants.wave_speed * constants.wave_speed;
+  constants.hourglass = constants.viscous ? 16 * control.coefficient * constants.wave_speed
+                                          : 0.5 * control.coefficient * modulus;
+}
+
+void declare_own_items(SolidBlock& block) {
+  domain::add_item(block, "reference_volume", "length^3", 1);
+  domain::add_item(block, "active", "-", 1);
+  domain::add_item(block, "step_scale", "-", 1);
+  domain::add_item(block, "bulk_viscosity", "stress", 1);
+  domain::add_item(block, "hourglass", "force", 12);
+}
+
+SolidConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
+                                     SolidBlock& block) {
+  const model::Part& part = model.parts[block.part];
+  const model::Material& material = model.materials[part.material];
+  const SolidKind kind = solid_kind(block.formulation);
+  const int law = materials::solid_material_kind(material.law);
+  require(kind.kind >= 0, part, "its formulation of solids is not computed by any kind in the registry");
+  require(law >= 0, part, "its material cannot be used with solids");
+  require(!materials::can_fail(material), part, "solids that fail and erode are not possible yet");
+  const ElasticConstants elastic = materials::elastic_constants(material);
+  SolidConstants<double> constants;
+  constants.formulation = kind.kind;
+  constants.points = kind.points;
+  constants.material = law;
+  constants.density = elastic.density;
+  constants.wave_speed = elastic.bulk_wave_speed();
+  constants.bulk_quadratic = model.control.bulk_quadratic;
+  constants.bulk_linear = model.control.bulk_linear;
+  set_hourglass(model::hourglass_of(model, part), elastic, constants);
+  block.points = kind.points;
+  domain::add_item(block, "stress", "stress", materials::solid_components * block.points);
+  constants.history = materials::declare_solid_history(material.law, block);
+  constants.own = block.components;
+  declare_own_items(block);
+  block.allocate(domain.execution.precision);
+  block.material_constants = materials::solid_material_constants(material);
+  block.element_constants = to_numbers(constants);
+  return constants;
+}
+
+struct SolidMass {
+  double mass = 0;   ///< [mass]
+  double added = 0;  ///< by mass scaling [mass]
+};
+
+SolidMass prepare_element(const model::Model& model, const domain::Domain& domain, SolidBlock& block,
+                          const SolidConstants<double>& constants, Index place) {
+  const model::SolidElement& solid = model.solids[block.element[std::min(place, block.elements - 1)]];
+  const SolidSize size = solid_size(domain, block.nodes_of(place), constants.exact_volume);
+  if (!(size.volume > 0) || !(size.length > 0))
+    throw Error(
+        "Solid " + std::to_string(solid.id) +
+        " has no positive volume: its nodes are not numbered as they should be, or it is inside out.");
+  const double factor = mass_factor(model.control.mass_scaling_step, size.length / constants.wave_speed);
+  const Index own = constants.own;
+  block.set_state(place, own + solid_state::reference_volume, size.volume);
+  block.set_state(place, own + solid_state::active, place < block.elements ? 1 : 0);
+  block.set_state(place, own + solid_state::step_scale, std::sqrt(factor));
+  const double mass = constants.density * size.volume;
+  return {factor * mass, (factor - 1) * mass};
+}
+
+}  // namespace
+
+void prepare_solids(const model::Model& model, domain::Domain& domain) {
+  for (SolidBlock& block : domain.solids) {
+    const SolidConstants<double> constants = prepare_block(model, domain, block);
+    for (Index place = 0; place < block.groups() * lanes; ++place) {
+      const SolidMass solid = prepare_element(model, domain, block, constants, place);
+      if (place >= block.elements) continue;
+      for (const Index node : block.nodes_of(place)) domain.nodes.mass[node] += 0.125 * solid.mass;
+      domain.added_mass += solid.added;
+    }
+  }
+}
+
+}  // namespace crumple::elements

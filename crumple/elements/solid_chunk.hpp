@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements/solid_formulation.hpp"
+
+// As in chunk.hpp every template has the pack among its parameters.
+namespace crumple::elements {
+
+/// Arrays of one tile of solids, on the stack of whoever works it off.
+template <class Real>
+struct SolidScratch {
+  Real* strain;
+  Real* rotation;
+  Real* rows;
+  Real* nodes;
+};
+
+/// A loop over the packs of one tile.
+template <class Pack, class Visit>
+CRUMPLE_INLINE void for_each_solid_pack(const SolidTask<RealOf<Pack>>& task, Index first_group, Index groups,
+                                        const SolidScratch<RealOf<Pack>>& scratch, const Visit& visit) {
+  for (Index group = 0; group < groups; ++group)
+    for (Index lane = 0; lane < lanes; lane += width_of<Pack>) {
+      const std::ptrdiff_t at = first_group + group;
+      visit(
+          SolidPlace<RealOf<Pack>>{
+              task, task.node + at * 8 * lanes + lane,
+              task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes + lane,
+              scratch.strain + group * lanes + lane, scratch.rotation + group * lanes + lane,
+              scratch.rows + group * lanes + lane, scratch.nodes + (group * lanes + lane) * solid_row::count},
+          task.target + at * 8 * lanes + lane);
+    }
+}
+
+template <class Pack>
+materials::SolidMaterialTask<RealOf<Pack>> solid_material_task(const SolidTask<RealOf<Pack>>& task,
+                                                               const SolidScratch<RealOf<Pack>>& scratch) {
+  using Real = RealOf<Pack>;
+  materials::SolidMaterialTask<Real> material;
+  material.group_stride = static_cast<std::ptrdiff_t>(task.components) * lanes;
+  material.points = task.constants.points;
+  material.history = task.constants.history;
+  material.strain = scratch.strain;
+  material.rotation = scratch.rotation;
+  material.constants = task.material_constants;
+  material.step = task.step;
+  material.energy = scratch.rows + solid_scratch::material_energy * tile_lanes;
+  if (task.constants.can_fail) material.intact = scratch.rows + solid_scratch::intact * tile_lanes;
+  return material;
+}
+
+/// Works off one chunk, tile by tile: strains, material, forces.
+template <class Formulation, class Pack>
+void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
+  using Real = RealOf<Pack>;
+  using materials::tile_groups;
+  alignas(cache_line) Real strain[Formulation::points * materials::solid_components * tile_lanes];
+  alignas(cache_line) Real rotation[Formulation::points * 9 * tile_lanes];
+  alignas(cache_line) Real rows[Formulation::rows * tile_lanes];
+  alignas(cache_line) Real nodes[solid_row::count * tile_lanes];
+  const SolidScratch<Real> scratch{strain, rotation, rows, nodes};
+  LaneSums<Pack> lane_sums;
+  sums = {};
+  sums.shortest_step = 1e30;
+  materials::SolidMaterialTask<Real> material = solid_material_task<Pack>(task, scratch);
+  for (Index first = 0; first < task.groups; first += tile_groups) {
+    const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
+    for_each_solid_pack<Pack>(task, first, groups, scratch,
+                              [](const SolidPlace<Real>& place, const Index* /*target*/) {
+                                gather_solids<Pack>(place.task.nodes, place.node, place.nodes);
+                              });
+    for_each_solid_pack<Pack>(task, first, groups, scratch,
+                              [](const SolidPlace<Real>& place, const Index* /*target*/) {
+                                Formulation::template strains<Pack>(place);
+                              });
+    material.state = task.state + first * material.group_stride;
+    material.groups = groups;
+    task.material(material);
+    for_each_solid_pack<Pack>(task, first, groups, scratch,
+                              [&](const SolidPlace<Real>& place, const Index* target) {
+                                scatter_solids(task.force, target, Formulation::template forces<Pack>(place));
+                              });
+    for (Index group = 0; group < groups; ++group) lane_sums.add_group(rows + group * lanes);
+  }
+  lane_sums.add_to(sums);
+}
+
+}  // namespace crumple::elements

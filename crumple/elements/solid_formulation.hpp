@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A formulation of solids is a type with
+//   static constexpr model::SolidFormulation formulation, const char* name
+//   static constexpr int points          integration points
+//   static constexpr int rows            numbers per element kept from strains() to forces()
+//   template <class Pack> static void strains(const SolidPlace<Real>&)
+//   template <class Pack> static SolidForces<Pack> forces(const SolidPlace<Real>&)
+// strains() leaves strain increments and rotations of all points, forces() makes nodal forces of the updated
+// stresses. Between the two the material brings the tile up to date (solid_chunk.hpp).
+
+#include "elements/lane_sums.hpp"
+#include "elements/solid_geometry.hpp"
+#include "elements/solid_task.hpp"
+
+namespace crumple::elements {
+
+using materials::tile_lanes;
+
+/// Rows of the scratch that the driver reads, before those of the formulation.
+namespace solid_scratch {
+using sum_row::hourglass_energy;               ///< from forces()
+using sum_row::internal_energy;                ///< from forces()
+using sum_row::shortest_step;                  ///< from forces()
+inline constexpr int intact = sum_row::count;  ///< from the material
+inline constexpr int material_energy =
+    intact + 1;  ///< from the material, by point: work per volume of the step
+inline constexpr int own = material_energy + materials::max_solid_points;
+}  // namespace solid_scratch
+
+/// Where one pack of elements finds everything. Strides are `lanes` in the state, tile_lanes in the scratch.
+template <class Real>
+struct SolidPlace {
+  const SolidTask<Real>& task;
+  const Index* node;  ///< [8][lanes], from the first element of the pack
+  Real* state;        ///< [component][lanes]
+  Real* strain;       ///< [point][6][tile_lanes]
+  Real* rotation;     ///< [point][9][tile_lanes]
+  Real* rows;         ///< [row][tile_lanes]
+  Real* nodes;        ///< what gather_solids() has left
+};
+
+template <class Pack>
+CRUMPLE_INLINE Pack own_item(const SolidPlace<RealOf<Pack>>& place, Index item) {
+  return load<Pack>(place.state + (place.task.constants.own + item) * lanes);
+}
+template <class Pack>
+CRUMPLE_INLINE void set_own_item(const SolidPlace<RealOf<Pack>>& place, Index item, const Pack& value) {
+  store(place.state + (place.task.constants.own + item) * lanes, value);
+}
+template <class Pack>
+CRUMPLE_INLINE math::PackVec3<Pack> own_vector(const SolidPlace<RealOf<Pack>>& place, Index item) {
+  return {own_item<Pack>(place, item), own_item<Pack>(place, item + 1), own_item<Pack>(place, item + 2)};
+}
+template <class Pack>
+CRUMPLE_INLINE void set_own_vector(const SolidPlace<RealOf<Pack>>& place, Index item,
+                                   const math::PackVec3<Pack>& value) {
+  set_own_item(place, item, value.x);
+  set_own_item(place, item + 1, value.y);
+  set_own_item(place, item + 2, value.z);
+}
+
+template <class Pack>
+CRUMPLE_INLINE void keep_row(const SolidPlace<RealOf<Pack>>& place, int row, const Pack& value) {
+  store(place.rows + row * tile_lanes, value);
+}
+template <class Pack>
+CRUMPLE_INLINE Pack kept_row(const SolidPlace<RealOf<Pack>>& place, int row) {
+  return load<Pack>(place.rows + row * tile_lanes);
+}
+template <class Pack>
+CRUMPLE_INLINE void keep_vector(const SolidPlace<RealOf<Pack>>& place, int row,
+                                const math::PackVec3<Pack>& value) {
+  keep_row(place, row, value.x);
+  keep_row(place, row + 1, value.y);
+  keep_row(place, row + 2, value.z);
+}
+template <class Pack>
+CRUMPLE_INLINE math::PackVec3<Pack> kept_vector(const SolidPlace<RealOf<Pack>>& place, int row) {
+  return {kept_row<Pack>(place, row), kept_row<Pack>(place, row + 1), kept_row<Pack>(place, row + 2)};
+}
+
+/// A 3x3 matrix by rows.
+template <class Pack>
+struct PackMatrix {
+  math::PackVec3<Pack> x, y, z;
+};
+template <class Pack>
+CRUMPLE_INLINE math::PackVec3<Pack> operator*(const PackMatrix<Pack>& m, const math::PackVec3<Pack>& v) {
+  return {math::dot(m.x, v), math::dot(m.y, v), math::dot(m.z, v)};
+}
+
+/// The rotation that a spin makes of a step, (I - W/2)^-1 (I + W/2): orthogonal whatever the size of the
+/// step (Hughes & Winget, IJNME 15 (1980) 1862-1867). `turn` is the axial vector of W, step times half the
+/// curl.
+template <class Pack>
+CRUMPLE_INLINE PackMatrix<Pack> step_rotation(const math::PackVec3<Pack>& turn) {
+  using Real = RealOf<Pack>;
+  const Pack half(Real(0.5));
+  const Pack square = math::dot(turn, turn);
+  const Pack one(Real(1));
+  const Pack k = one / multiply_add(Pack(Real(0.25)), square, one);
+  const math::PackVec3<Pack> a = k * turn;
+  const math::PackVec3<Pack> b = half * turn;
+  // 1 - k square/2 + k t t/2, without the loss of digits of a cosine near one.
+  const Pack xx = -multiply_add(a.y, b.y, Pack(a.z * b.z));
+  const Pack yy = -multiply_add(a.z, b.z, Pack(a.x * b.x));
+  const Pack zz = -multiply_add(a.x, b.x, Pack(a.y * b.y));
+  const Pack xy = a.x * b.y;
+  const Pack yz = a.y * b.z;
+  const Pack zx = a.z * b.x;
+  return {{one + xx, xy - a.z, zx + a.y}, {xy + a.z, one + yy, yz - a.x}, {zx - a.y, yz + a.x, one + zz}};
+}
+
+/// Gradient of a velocity field: row i holds the derivatives of component i.
+template <class Pack>
+CRUMPLE_INLINE PackMatrix<Pack> velocity_gradient(const SolidGeometry<Pack>& g, const SolidPatterns<Pack>& v,
+                                                  bool exact_volume) {
+  using math::multiply_add;
+  const auto row = [&](auto component) {
+    auto sum = component(v.of[0]) * g.gradient[0];
+    sum = multiply_add(component(v.of[1]), g.gradient[1], sum);
+    sum = multiply_add(component(v.of[2]), g.gradient[2], sum);
+    if (exact_volume)
+      for (int p = pattern::hourglass; p < 6; ++p) sum = multiply_add(component(v.of[p]), g.gradient[p], sum);
+    return sum;
+  };
+  const Pack per_volume = Pack(RealOf<Pack>(1)) / g.volume;
+  return {per_volume * row([](const auto& u) { return u.x; }),
+          per_volume * row([](const auto& u) { return u.y; }),
+          per_volume * row([](const auto& u) { return u.z; })};
+}
+
+/// Leaves the strain increments and the rotation of one point.
+template <class Pack>
+CRUMPLE_INLINE void leave_strains(const SolidPlace<RealOf<Pack>>& place, int point,
+                                  const PackMatrix<Pack>& l) {
+  using Real = RealOf<Pack>;
+  const Pack step(place.task.step);
+  Real* const strain = place.strain + point * materials::solid_components * tile_lanes;
+  store(strain, Pack(step * l.x.x));
+  store(strain + tile_lanes, Pack(step * l.y.y));
+  store(strain + 2 * tile_lanes, Pack(step * l.z.z));
+  store(strain + 3 * tile_lanes, Pack(step * (l.x.y + l.y.x)));
+  store(strain + 4 * tile_lanes, Pack(step * (l.y.z + l.z.y)));
+  store(strain + 5 * tile_lanes, Pack(step * (l.z.x + l.x.z)));
+  const Pack half = Pack(Real(0.5)) * step;
+  const PackMatrix<Pack> turned = step_rotation(
+      math::PackVec3<Pack>{half * (l.z.y - l.y.z), half * (l.x.z - l.z.x), half * (l.y.x - l.x.y)});
+  Real* const rotation = place.rotation + point * 9 * tile_lanes;
+  const math::PackVec3<Pack> rows[3] = {turned.x, turned.y, turned.z};
+  for (int i = 0; i < 3; ++i) {
+    store(rotation + 3 * i * tile_lanes, rows[i].x);
+    store(rotation + (3 * i + 1) * tile_lanes, rows[i].y);
+    store(rotation + (3 * i + 2) * tile_lanes, rows[i].z);
+  }
+}
+template <class Pack>
+CRUMPLE_INLINE PackMatrix<Pack> left_rotation(const SolidPlace<RealOf<Pack>>& place, int point) {
+  const RealOf<Pack>* const at = place.rotation + point * 9 * tile_lanes;
+  const auto row = [&](int i) {
+    return math::PackVec3<Pack>{load<Pack>(at + 3 * i * tile_lanes),
+                                load<Pack>(at + (3 * i + 1) * tile_lanes),
+                                load<Pack>(at + (3 * i + 2) * tile_lanes)};
+  };
+  return {row(0), row(1), row(2)};
+}
+
+/// Symmetric stress of one point as a matrix.
+template <class Pack>
+CRUMPLE_INLINE PackMatrix<Pack> stress_of(const SolidPlace<RealOf<Pack>>& place, int point) {
+  const auto component = [&](int c) {
+    return load<Pack>(place.state + (point * materials::solid_components + c) * lanes);
+  };
+  const Pack xy = component(3);
+  const Pack yz = component(4);
+  const Pack zx = component(5);
+  return {{component(0), xy, zx}, {xy, component(1), yz}, {zx, yz, component(2)}};
+}
+
+}  // namespace crumple::elements

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements/solid_patterns.hpp"
+
+namespace crumple::elements {
+
+/// Volume of a hexahedron and its derivatives by the patterns of the positions. Over the volume they are the
+/// gradient operator: grad f = sum of f_p gradient_p / volume.
+template <class Pack>
+struct SolidGeometry {
+  math::PackVec3<Pack> gradient[6];  ///< for the patterns up to xi eta; the volume does not know the last
+  Pack volume;
+};
+
+/// With `exact_volume` the trilinear volume, whose derivatives are the mean gradient over the element
+/// (Flanagan & Belytschko, IJNME 17 (1981) 679-706); else eight times the Jacobian at the centre.
+/// docs/theory/one_point_hexahedron.md.
+template <class Pack>
+CRUMPLE_INLINE SolidGeometry<Pack> solid_geometry(const SolidPatterns<Pack>& x, bool exact_volume) {
+  using Real = RealOf<Pack>;
+  using Vec = math::PackVec3<Pack>;
+  using math::cross;
+  const Vec& xi = x.of[pattern::xi];
+  const Vec& eta = x.of[pattern::eta];
+  const Vec& zeta = x.of[pattern::zeta];
+  const Pack eight(Real(8));
+  const Pack zero(Real(0));
+  SolidGeometry<Pack> g;
+  g.gradient[pattern::xi] = eight * cross(eta, zeta);
+  g.gradient[pattern::eta] = eight * cross(zeta, xi);
+  g.gradient[pattern::zeta] = eight * cross(xi, eta);
+  for (int p = pattern::hourglass; p < 6; ++p) g.gradient[p] = {zero, zero, zero};
+  g.volume = math::dot(xi, g.gradient[pattern::xi]);
+  if (!exact_volume) return g;
+  const Vec& h1 = x.of[pattern::eta_zeta];
+  const Vec& h2 = x.of[pattern::xi_zeta];
+  const Vec& h3 = x.of[pattern::xi_eta];
+  const Pack share(Real(8.0 / 3.0));
+  const auto add = [&](int p, const Vec& more) {
+    g.gradient[p] = math::multiply_add(share, more, g.gradient[p]);
+  };
+  add(pattern::xi, cross(h3, h2));
+  add(pattern::eta, cross(h1, h3));
+  add(pattern::zeta, cross(h2, h1));
+  add(pattern::eta_zeta, cross(h3, eta) + cross(zeta, h2));
+  add(pattern::xi_zeta, cross(xi, h3) + cross(h1, zeta));
+  add(pattern::xi_eta, cross(h2, xi) + cross(eta, h1));
+  // The volume is of the third degree in the positions.
+  Pack thrice = zero;
+  for (int p = 0; p < 6; ++p) thrice = thrice + math::dot(x.of[p], g.gradient[p]);
+  g.volume = Pack(Real(1.0 / 3.0)) * thrice;
+  return g;
+}
+
+/// Square of the largest area of a face, by its diagonals.
+template <class Pack>
+CRUMPLE_INLINE Pack largest_face_squared(const SolidPatterns<Pack>& x) {
+  using Vec = math::PackVec3<Pack>;
+  Pack largest(RealOf<Pack>(0));
+  // The two faces across `u` and `v`: tangents at their centres.
+  const auto pair = [&](const Vec& u, const Vec& u_change, const Vec& v, const Vec& v_change) {
+    const Vec one = math::cross(u + u_change, v + v_change);
+    const Vec other = math::cross(u - u_change, v - v_change);
+    largest = larger(largest, larger(math::dot(one, one), math::dot(other, other)));
+  };
+  using namespace pattern;
+  pair(x.of[xi], x.of[xi_zeta], x.of[eta], x.of[eta_zeta]);
+  pair(x.of[xi], x.of[xi_eta], x.of[zeta], x.of[eta_zeta]);
+  pair(x.of[eta], x.of[xi_eta], x.of[zeta], x.of[xi_zeta]);
+  return Pack(RealOf<Pack>(16)) * largest;
+}
+
+}  // namespace crumple::elements

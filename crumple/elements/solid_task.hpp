@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "domain/node_fields.hpp"
+#include "elements/shell_task.hpp"
+#include "materials/solid_material.hpp"
+
+namespace crumple::elements {
+
+/// Numbers of a block of solids that are the same for all its elements.
+template <class Real>
+struct SolidConstants {
+  int points = 1;
+  int formulation = 0;  ///< place in the list of formulations
+  int material = 0;     ///< place in the list of constitutive laws of solids
+  Index history = 0;    ///< first component of the material's items in the state
+  Index own = 0;        ///< first component of the element's items, see solid_state
+  bool can_fail = false;
+  bool exact_volume = false;        ///< mean gradients over the volume in the place of those at the centre
+  bool without_linear_part = true;  ///< hourglass control spares linear velocity fields that are no patterns
+  bool viscous = true;              ///< hourglass form: viscous, else stiffness
+  Real hourglass = 0;               ///< see SolidHourglass
+  Real density = 0;                 ///< at time zero [mass/volume]
+  Real wave_speed = 0;              ///< of longitudinal waves without lateral strain [length/time]
+  Real bulk_quadratic = 0;          ///< Q1 [-]
+  Real bulk_linear = 0;             ///< Q2 [-]
+};
+
+/// The element's own items, counted from SolidConstants::own.
+namespace solid_state {
+inline constexpr Index reference_volume = 0;  ///< at time zero
+inline constexpr Index active = 1;            ///< 1, or 0: no force, no energy, no limit on the step
+inline constexpr Index step_scale = 2;        ///< on the stable step: mass scaling
+inline constexpr Index bulk_viscosity = 3;    ///< pressure that resists compression
+inline constexpr Index hourglass = 4;  ///< generalised hourglass forces, one vector for each of four modes
+inline constexpr Index energy = 16;    ///< internal and hourglass energy of the element, if it can fail
+}  // namespace solid_state
+
+/// One chunk of one block.
+template <class Real>
+struct SolidTask {
+  const domain::NodeRecord<Real>* nodes = nullptr;
+  domain::NodeForce* force = nullptr;
+  const Index* node = nullptr;    ///< of the first group
+  const Index* target = nullptr;  ///< of the first group
+  Real* state = nullptr;          ///< of the first group
+  Index components = 0;
+  Index groups = 0;
+  Real step = 0;  ///< from n-1 to n [time]
+  SolidConstants<Real> constants;
+  const double* material_constants = nullptr;
+  materials::SolidMaterialUpdate<Real> material = nullptr;
+};
+
+}  // namespace crumple::elements

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stable steps outside of the cycle, for reports.
+#include <algorithm>
+
+#include "elements/elements.hpp"
+#include "elements/shell_geometry.hpp"
+#include "elements/shell_setup.hpp"
+#include "elements/shell_task.hpp"
+#include "elements/solid_setup.hpp"
+#include "elements/solid_task.hpp"
+
+namespace crumple::elements {
+namespace {
+
+using domain::Domain;
+
+/// Visits every active element with its present stable step.
+template <class Visit>
+void for_each_step(const Domain& domain, const domain::ShellBlock& block, const Visit& visit) {
+  const auto constants = from_numbers<ShellConstants<double>>(block.element_constants);
+  for (Index place = 0; place < block.elements; ++place) {
+    if (block.state(place, constants.own + element_state::active) == 0) continue;
+    const double length = characteristic_length(corners_of(domain, block.nodes_of(place)), false);
+    visit(place, length * constants.slowness * block.state(place, constants.own + element_state::step_scale));
+  }
+}
+template <class Visit>
+void for_each_step(const Domain& domain, const domain::SolidBlock& block, const Visit& visit) {
+  const auto constants = from_numbers<SolidConstants<double>>(block.element_constants);
+  for (Index place = 0; place < block.elements; ++place) {
+    if (block.state(place, constants.own + solid_state::active) == 0) continue;
+    const SolidSize size = solid_size(domain, block.nodes_of(place), constants.exact_volume);
+    visit(place,
+          size.length / constants.wave_speed * block.state(place, constants.own + solid_state::step_scale));
+  }
+}
+
+template <class Block>
+double shortest_step(const Domain& domain, const Block& block) {
+  double shortest = 1e30;
+  for_each_step(domain, block, [&](Index, double step) { shortest = std::min(shortest, step); });
+  return shortest;
+}
+
+}  // namespace
+
+double stable_step(const Domain& domain, const domain::ShellBlock& block) {
+  return shortest_step(domain, block);
+}
+double stable_step(const Domain& domain, const domain::SolidBlock& block) {
+  return shortest_step(domain, block);
+}
+
+domain::ControllingElement controlling_element(const model::Model& model, const Domain& domain) {
+  domain::ControllingElement found;
+  double shortest = 1e30;
+  const auto look = [&](const auto& block, const char* kind, const auto& elements) {
+    for_each_step(domain, block, [&](Index place, double step) {
+      if (step >= shortest) return;
+      shortest = step;
+      found = {kind, elements[block.element[place]].id, model.parts[block.part].id};
+    });
+  };
+  for (const domain::ShellBlock& block : domain.shells) look(block, "shell", model.shells);
+  for (const domain::SolidBlock& block : domain.solids) look(block, "solid", model.solids);
+  return found;
+}
+
+}  // namespace crumple::elements
