@@ -60,4 +60,41 @@ inline Index add_grid(model::Model& model, Index part, Index columns, Index rows
   return first;
 }
 
+/// A model of solids of one material, with one part and no mesh yet.
+inline model::Model one_solid_part(const model::Material& material) {
+  model::Model model;
+  model.materials.push_back(material);
+  model.solid_sections.emplace_back().id = 1;
+  model.parts.push_back({.id = 1, .title = "part", .solid_section = 0, .material = 0});
+  model.control.end_time = 1.0;
+  return model;
+}
+
+/// Adds a mapped box of nx x ny x nz hexahedra to `part`: place(u, v, w) gives the position of the grid point
+/// with u, v, w in [0, 1]. Node (i, j, k) is first + (k * (ny + 1) + j) * (nx + 1) + i, first is returned.
+inline Index add_box(model::Model& model, Index part, Index nx, Index ny, Index nz,
+                     const std::function<Point(double, double, double)>& place) {
+  const Index first = model.nodes.count();
+  for (Index k = 0; k <= nz; ++k)
+    for (Index j = 0; j <= ny; ++j)
+      for (Index i = 0; i <= nx; ++i) {
+        model.nodes.id.push_back(model.nodes.count() + 1);
+        model.nodes.position.push_back(
+            place(static_cast<double>(i) / nx, static_cast<double>(j) / ny, static_cast<double>(k) / nz));
+      }
+  const Index row = nx + 1;
+  const Index layer = row * (ny + 1);
+  for (Index k = 0; k < nz; ++k)
+    for (Index j = 0; j < ny; ++j)
+      for (Index i = 0; i < nx; ++i) {
+        const Index corner = first + k * layer + j * row + i;
+        const Index above = corner + layer;
+        model.solids.push_back({.id = static_cast<UserId>(model.solids.size()) + 1,
+                                .part = part,
+                                .node = {corner, corner + 1, corner + row + 1, corner + row, above, above + 1,
+                                         above + row + 1, above + row}});
+      }
+  return first;
+}
+
 }  // namespace crumple::test
