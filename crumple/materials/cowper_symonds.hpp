@@ -40,8 +40,9 @@ struct CowperSymonds {
     base = static_cast<Real>(base_stress);
   }
 
-  template <class Pack>
-  CRUMPLE_INLINE Pack factor(const PlaneStrain<Pack>& strain) const {
+  /// Of PlaneStrain or SolidStrain.
+  template <template <class> class Strain, class Pack>
+  CRUMPLE_INLINE Pack factor(const Strain<Pack>& strain) const {
     const Pack one(Real(1));
     if (per_rate == 0 || viscoplastic) return one;
     return one + math::power(Pack(Pack(per_rate) * effective_strain(strain)), Pack(exponent));

@@ -5,15 +5,18 @@
 
 #include "materials/plane_stress.hpp"
 #include "materials/shell_material.hpp"
+#include "materials/solid_material.hpp"
+#include "materials/solid_stress.hpp"
 
 namespace crumple::materials {
 
-/// Linear isotropic elasticity in plane stress (docs/theory/elastic.md).
+/// Linear isotropic elasticity, in plane stress and in three dimensions (docs/theory/elastic.md).
 struct ElasticLaw {
   using Model = model::Elastic;
   static constexpr const char* name = "elastic";
 
-  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& /*block*/) {}
+  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& /*block*/,
+                              Index /*tensor*/) {}
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
 
@@ -27,6 +30,18 @@ struct ElasticLaw {
     PlaneStressElasticity<Real> elasticity;
 
     CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
+        : elasticity(task.constants[0], task.constants[1]) {}
+  };
+
+  template <class Pack>
+  struct SolidUpdate {
+    using Real = RealOf<Pack>;
+    static constexpr bool can_yield = false;
+    static constexpr bool may_fail = false;
+
+    SolidElasticity<Real> elasticity;
+
+    CRUMPLE_INLINE explicit SolidUpdate(const SolidMaterialTask<Real>& task)
         : elasticity(task.constants[0], task.constants[1]) {}
   };
 };

@@ -32,7 +32,8 @@ bool JohnsonCookLaw::can_fail(const model::ConstitutiveLaw& law) {
   return own.failure_strain > 0 || damages(own);
 }
 
-void JohnsonCookLaw::declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block) {
+void JohnsonCookLaw::declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block,
+                                     Index /*tensor*/) {
   const auto& own = std::get<Model>(law);
   declare_plastic_strain(block);
   if (softens(own)) domain::add_item(block, "temperature_rise", "temperature", block.points);

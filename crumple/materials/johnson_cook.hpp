@@ -81,7 +81,7 @@ struct JohnsonCookLaw {
   static constexpr const char* name = "Johnson-Cook";
 
   static const char* name_of(const model::ConstitutiveLaw& law);
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block, Index tensor);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& law);
 

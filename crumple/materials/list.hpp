@@ -27,4 +27,11 @@ using ShellLaws = LawList<         //
     OrthotropicElasticLaw,         //
     NullLaw>;
 
+/// Every constitutive law of solids. What a law must have is written in solid_update.hpp (its SolidUpdate).
+using SolidLaws = LawList<         //
+    ElasticLaw,                    //
+    PlasticKinematicLaw,           //
+    PiecewiseLinearPlasticityLaw,  //
+    PowerLawPlasticityLaw>;
+
 }  // namespace crumple::materials

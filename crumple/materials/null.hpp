@@ -13,7 +13,8 @@ struct NullLaw {
   using Model = model::NullMaterial;
   static constexpr const char* name = "null";
 
-  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& /*block*/) {}
+  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& /*block*/,
+                              Index /*tensor*/) {}
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
   static constexpr bool has_stiffness = false;

@@ -28,7 +28,7 @@ Vec3 direction(const model::OrthotropicElastic& law, const LaminaAxes& axes) {
 }  // namespace
 
 void OrthotropicElasticLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
-                                            domain::ElementBlock& block) {
+                                            domain::ElementBlock& block, Index /*tensor*/) {
   domain::add_item(block, "material_axis", "-", 2);
 }
 

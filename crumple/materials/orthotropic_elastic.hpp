@@ -44,7 +44,7 @@ struct OrthotropicElasticLaw {
 
   enum Place { Aa, Bb, Ab, Gab, Gbc, Gca, LateralA, LateralB, Count };
 
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block, Index tensor);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
   /// Cosine and sine of the angle from the lamina's first axis to the material's.

@@ -49,7 +49,7 @@ void check_rates(const model::Material& material, const model::PiecewiseLinearPl
 }  // namespace
 
 void PiecewiseLinearPlasticityLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
-                                                   domain::ElementBlock& block) {
+                                                   domain::ElementBlock& block, Index /*tensor*/) {
   declare_plastic_strain(block);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "materials/plane_stress_plasticity.hpp"
+#include "materials/solid_plasticity.hpp"
 
 namespace crumple::materials {
 
@@ -20,8 +21,8 @@ struct TabulatedHardening {
   bool plastic_rate;  ///< the rate is that of the plastic strain
   Real per_step;      ///< 1 / dt; 0 for the slowest curve alone
 
-  template <class Pack>
-  CRUMPLE_INLINE Pack aside(const PlaneStrain<Pack>& strain, const Pack& factor) const {
+  template <class Strain, class Pack>
+  CRUMPLE_INLINE Pack aside(const Strain& strain, const Pack& factor) const {
     if (curve_count == 1) return factor;
     return plastic_rate ? Pack(Real(0)) : Pack(Pack(per_step) * effective_strain(strain));
   }
@@ -86,8 +87,8 @@ struct TabulatedRate {
         per_step(step > 0 ? Real(1) / step : Real(0)),
         viscoplastic(factors.count > 0 ? by_plastic_strain : cowper_symonds.viscoplastic) {}
 
-  template <class Pack>
-  CRUMPLE_INLINE Pack factor(const PlaneStrain<Pack>& strain) const {
+  template <template <class> class Strain, class Pack>
+  CRUMPLE_INLINE Pack factor(const Strain<Pack>& strain) const {
     if (curve.count == 0) return power.factor(strain);
     if (viscoplastic) return curve.at(Pack(Real(0))).stress;
     return curve.at(Pack(Pack(per_step) * effective_strain(strain))).stress;
@@ -111,7 +112,7 @@ struct PiecewiseLinearPlasticityLaw {
   using Model = model::PiecewiseLinearPlasticity;
   static constexpr const char* name = "piecewise linear plasticity";
 
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block, Index tensor);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 
@@ -131,18 +132,18 @@ struct PiecewiseLinearPlasticityLaw {
     Rows
   };
 
-  template <class Pack>
-  struct Update : PlaneStressPlasticity<Pack, TabulatedHardening<RealOf<Pack>>, TabulatedRate<RealOf<Pack>>> {
-    using Real = RealOf<Pack>;
+  template <class Plasticity>
+  struct UpdateOf : Plasticity {
+    using typename Plasticity::Real;
+    using typename Plasticity::Task;
     using Hardening = TabulatedHardening<Real>;
     using RateEffect = TabulatedRate<Real>;
 
-    CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
-        : PlaneStressPlasticity<Pack, Hardening, RateEffect>(task.constants[Youngs], task.constants[Poissons],
-                                                             0, hardening_of(task), rate_of(task),
-                                                             task.constants[Failure]) {}
+    CRUMPLE_INLINE explicit UpdateOf(const Task& task)
+        : Plasticity(task.constants[Youngs], task.constants[Poissons], 0, hardening_of(task), rate_of(task),
+                     task.constants[Failure]) {}
 
-    CRUMPLE_INLINE static Hardening hardening_of(const MaterialTask<Real>& task) {
+    CRUMPLE_INLINE static Hardening hardening_of(const Task& task) {
       const double* const c = task.constants;
       return {c + Rows + 3 * static_cast<int>(c[Factors]),
               static_cast<int>(c[Curves]),
@@ -151,13 +152,19 @@ struct PiecewiseLinearPlasticityLaw {
               c[Viscoplastic] != 0,
               task.step > 0 ? Real(1) / task.step : Real(0)};
     }
-    CRUMPLE_INLINE static RateEffect rate_of(const MaterialTask<Real>& task) {
+    CRUMPLE_INLINE static RateEffect rate_of(const Task& task) {
       const double* const c = task.constants;
       const bool by_plastic_strain = c[Viscoplastic] != 0;
       return {CowperSymonds<Real>(c[Rate], c[Exponent], task.step, by_plastic_strain, c[Base]),
               PointTable<Real>{c + Rows, static_cast<int>(c[Factors])}, task.step, by_plastic_strain};
     }
   };
+  template <class Pack>
+  using Update =
+      UpdateOf<PlaneStressPlasticity<Pack, TabulatedHardening<RealOf<Pack>>, TabulatedRate<RealOf<Pack>>>>;
+  template <class Pack>
+  using SolidUpdate =
+      UpdateOf<SolidPlasticity<Pack, TabulatedHardening<RealOf<Pack>>, TabulatedRate<RealOf<Pack>>>>;
 };
 
 }  // namespace crumple::materials

@@ -3,6 +3,7 @@
 
 #include "materials/cowper_symonds.hpp"
 #include "materials/plane_stress.hpp"
+#include "materials/plastic_point.hpp"
 #include "materials/tile_update.hpp"
 #include "materials/yield_point.hpp"
 
@@ -15,10 +16,19 @@ namespace crumple::materials {
 /// aside(strain increment, factor), and least(aside), a bound that the yield stress never falls below. `Rate`
 /// gives factor(strain increment), viscoplastic and raised(YieldPoint, plastic increment).
 template <class Pack, class Hardening, class Rate = CowperSymonds<RealOf<Pack>>>
-struct PlaneStressPlasticity {
-  using Real = RealOf<Pack>;
-  using Mask = MaskOf<Pack>;
-  using History = HistoryView<Real>;
+struct PlaneStressPlasticity : PlasticPoint<Pack> {
+  using Point = PlasticPoint<Pack>;
+  using typename Point::History;
+  using typename Point::Mask;
+  using typename Point::Real;
+  using Task = MaterialTask<Real>;
+  using Stress = PlaneStress<Pack>;
+  using Strain = PlaneStrain<Pack>;
+  using Point::add_plastic_strain;
+  using Point::fails;
+  using Point::intact;
+  using Point::plastic_strain;
+  using Point::unreachable;
 
   /// The trial stress relative to the back stress, as its squares.
   struct Trial {
@@ -39,34 +49,22 @@ struct PlaneStressPlasticity {
   Real kinematic;   ///< 2/3 of the kinematic hardening modulus; 0: there is no back stress in the state
   Real sum_slope;   ///< by which gamma divides the sum: 1 + sum_slope gamma
   Real rest_slope;  ///< the same for difference and shears
-  Real failure;     ///< effective plastic strain at which a point fails; 0: never
 
   CRUMPLE_INLINE PlaneStressPlasticity(double youngs_modulus, double poissons_ratio, double kinematic_modulus,
                                        const Hardening& hardening_law, const Rate& rate_effect,
                                        double failure_strain)
-      : elasticity(youngs_modulus, poissons_ratio),
+      : Point(failure_strain),
+        elasticity(youngs_modulus, poissons_ratio),
         hardening(hardening_law),
         rate(rate_effect),
         kinematic(static_cast<Real>(2.0 / 3.0 * kinematic_modulus)),
         sum_slope(
             static_cast<Real>(youngs_modulus / (3 * (1 - poissons_ratio)) + 2.0 / 3.0 * kinematic_modulus)),
-        rest_slope(static_cast<Real>(youngs_modulus / (1 + poissons_ratio) + 2.0 / 3.0 * kinematic_modulus)),
-        failure(static_cast<Real>(failure_strain)) {}
-
-  CRUMPLE_INLINE bool fails() const { return failure > 0; }
-  CRUMPLE_INLINE Mask intact(const History& history) const {
-    return load<Pack>(plastic_strain(history)) < Pack(failure);
+        rest_slope(static_cast<Real>(youngs_modulus / (1 + poissons_ratio) + 2.0 / 3.0 * kinematic_modulus)) {
   }
 
-  /// Its square is a number still.
-  static constexpr Real unreachable = sizeof(Real) == sizeof(float) ? Real(1e18) : Real(1e150);
-
-  CRUMPLE_INLINE static Real* plastic_strain(const History& history) { return history.at(history.point); }
-  CRUMPLE_INLINE static Real* plastic_strain_rest(const History& history) {
-    return history.at(history.points + history.point);
-  }
   CRUMPLE_INLINE static Real* back_stress(const History& history) {
-    return history.at(2 * history.points + components * history.point);
+    return Point::back_stress(history, components);
   }
 
   CRUMPLE_INLINE PlaneStress<Pack> relative(const PlaneStress<Pack>& stress, const History& history) const {
@@ -177,19 +175,6 @@ struct PlaneStressPlasticity {
       found.x = select<Pack>(open, next, found.x);
     }
     return found;
-  }
-
-  /// The rounding error of the sum is kept and added the next time, or slow flow would come to a halt in
-  /// float (sum with its error after D.E. Knuth, The Art of Computer Programming 2, section 4.2.2).
-  CRUMPLE_INLINE static void add_plastic_strain(const History& history, const Pack& flow) {
-    const Pack old = load<Pack>(plastic_strain(history));
-    const Pack rest = load<Pack>(plastic_strain_rest(history));
-    const Pack growth = select<Pack>(flow > Pack(Real(0)), Pack(flow + rest), Pack(Real(0)));
-    const Pack sum = old + growth;
-    const Pack taken = sum - old;
-    const Pack lost = (old - (sum - taken)) + (growth - taken);
-    store(plastic_strain(history), sum);
-    store(plastic_strain_rest(history), select<Pack>(flow > Pack(Real(0)), lost, rest));
   }
 
   CRUMPLE_INLINE void correct(PlaneStress<Pack>& stress, Trial& t, const Mask& mask,

@@ -6,11 +6,12 @@
 
 namespace crumple::materials {
 
-void PlasticKinematicLaw::declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block) {
+void PlasticKinematicLaw::declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block,
+                                          Index tensor) {
   declare_plastic_strain(block);
   const auto& own = std::get<Model>(law);
   if (own.tangent_modulus != 0 && own.isotropic_fraction < 1)
-    domain::add_item(block, "back_stress", "stress", components * block.points);
+    domain::add_item(block, "back_stress", "stress", tensor * block.points);
 }
 
 std::vector<double> PlasticKinematicLaw::constants(const model::Material& material) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "materials/plane_stress_plasticity.hpp"
+#include "materials/solid_plasticity.hpp"
 
 namespace crumple::materials {
 
@@ -15,9 +16,10 @@ struct LinearHardening {
   Real modulus;
 
   static constexpr bool rough = false;
+  static constexpr bool is_linear = true;  ///< for the return of solids, which then has a closed form
 
-  template <class Pack>
-  CRUMPLE_INLINE Pack aside(const PlaneStrain<Pack>& /*strain*/, const Pack& factor) const {
+  template <class Strain, class Pack>
+  CRUMPLE_INLINE Pack aside(const Strain& /*strain*/, const Pack& factor) const {
     return factor;
   }
   template <class Pack>
@@ -32,28 +34,33 @@ struct LinearHardening {
 };
 
 /// J2 plasticity with linear hardening, isotropic by a share beta of the plastic modulus and kinematic by the
-/// rest, and the Cowper-Symonds rate effect (docs/theory/plane_stress_plasticity.md).
+/// rest, and the Cowper-Symonds rate effect (docs/theory/plane_stress_plasticity.md,
+/// solid_plasticity.md).
 struct PlasticKinematicLaw {
   using Model = model::PlasticKinematic;
   static constexpr const char* name = "plastic kinematic";
 
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block, Index tensor);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 
-  template <class Pack>
-  struct Update : PlaneStressPlasticity<Pack, LinearHardening<RealOf<Pack>>> {
-    using Real = RealOf<Pack>;
-    using Hardening = LinearHardening<Real>;
+  template <class Plasticity>
+  struct UpdateOf : Plasticity {
+    using typename Plasticity::Real;
 
     // constants: E, nu, sigma_0, isotropic modulus, kinematic modulus, C, p, failure strain, viscoplastic
-    CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
-        : PlaneStressPlasticity<Pack, Hardening>(
+    CRUMPLE_INLINE explicit UpdateOf(const typename Plasticity::Task& task)
+        : Plasticity(
               task.constants[0], task.constants[1], task.constants[4],
-              Hardening{static_cast<Real>(task.constants[2]), static_cast<Real>(task.constants[3])},
+              LinearHardening<Real>{static_cast<Real>(task.constants[2]),
+                                    static_cast<Real>(task.constants[3])},
               CowperSymonds<Real>(task.constants[5], task.constants[6], task.step, task.constants[8] != 0),
               task.constants[7]) {}
   };
+  template <class Pack>
+  using Update = UpdateOf<PlaneStressPlasticity<Pack, LinearHardening<RealOf<Pack>>>>;
+  template <class Pack>
+  using SolidUpdate = UpdateOf<SolidPlasticity<Pack, LinearHardening<RealOf<Pack>>>>;
 };
 
 }  // namespace crumple::materials

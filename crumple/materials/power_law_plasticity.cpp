@@ -9,7 +9,7 @@
 namespace crumple::materials {
 
 void PowerLawPlasticityLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
-                                            domain::ElementBlock& block) {
+                                            domain::ElementBlock& block, Index /*tensor*/) {
   declare_plastic_strain(block);
 }
 

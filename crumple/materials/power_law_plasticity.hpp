@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "materials/plane_stress_plasticity.hpp"
+#include "materials/solid_plasticity.hpp"
 
 namespace crumple::materials {
 
@@ -18,8 +19,8 @@ struct PowerHardening {
   Real yield_strain;
   Real initial;  ///< k e_y^n
 
-  template <class Pack>
-  CRUMPLE_INLINE Pack aside(const PlaneStrain<Pack>& /*strain*/, const Pack& factor) const {
+  template <class Strain, class Pack>
+  CRUMPLE_INLINE Pack aside(const Strain& /*strain*/, const Pack& factor) const {
     return factor;
   }
   template <class Pack>
@@ -41,24 +42,28 @@ struct PowerLawPlasticityLaw {
   using Model = model::PowerLawPlasticity;
   static constexpr const char* name = "power law plasticity";
 
-  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block);
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block, Index tensor);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 
-  template <class Pack>
-  struct Update : PlaneStressPlasticity<Pack, PowerHardening<RealOf<Pack>>> {
-    using Real = RealOf<Pack>;
+  template <class Plasticity>
+  struct UpdateOf : Plasticity {
+    using typename Plasticity::Real;
     using Hardening = PowerHardening<Real>;
 
     // constants: E, nu, k, n, e_y, initial yield stress, C, p, viscoplastic, failure strain
-    CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
-        : PlaneStressPlasticity<Pack, Hardening>(
+    CRUMPLE_INLINE explicit UpdateOf(const typename Plasticity::Task& task)
+        : Plasticity(
               task.constants[0], task.constants[1], 0,
               Hardening{static_cast<Real>(task.constants[2]), static_cast<Real>(task.constants[3]),
                         static_cast<Real>(task.constants[4]), static_cast<Real>(task.constants[5])},
               CowperSymonds<Real>(task.constants[6], task.constants[7], task.step, task.constants[8] != 0),
               task.constants[9]) {}
   };
+  template <class Pack>
+  using Update = UpdateOf<PlaneStressPlasticity<Pack, PowerHardening<RealOf<Pack>>>>;
+  template <class Pack>
+  using SolidUpdate = UpdateOf<SolidPlasticity<Pack, PowerHardening<RealOf<Pack>>>>;
 };
 
 }  // namespace crumple::materials

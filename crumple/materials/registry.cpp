@@ -7,6 +7,7 @@
 #include "materials/kernel_list.hpp"
 #include "materials/list.hpp"
 #include "materials/shell_material.hpp"
+#include "materials/solid_material.hpp"
 
 namespace crumple::materials {
 namespace {
@@ -22,6 +23,13 @@ bool with_law(const model::ConstitutiveLaw& law, const Visit& visit, LawList<Law
     return true;
   };
   return (try_one(Laws{}) || ...);
+}
+
+/// The same for a law of shells or solids, whose kind it does not ask for.
+template <class Visit>
+void with_any_law(const model::ConstitutiveLaw& law, const Visit& visit) {
+  const auto without_kind = [&](auto one, int) { visit(one); };
+  with_law(law, without_kind, ShellLaws{}) || with_law(law, without_kind, SolidLaws{});
 }
 
 }  // namespace
@@ -44,22 +52,19 @@ int shell_material_kind(const model::ConstitutiveLaw& law) {
 
 const char* shell_material_name(const model::ConstitutiveLaw& law) {
   const char* name = "?";
-  with_law(
-      law,
-      [&]<class Law>(Law, int) {
-        if constexpr (requires { Law::name_of(law); })
-          name = Law::name_of(law);
-        else
-          name = Law::name;
-      },
-      ShellLaws{});
+  with_any_law(law, [&]<class Law>(Law) {
+    if constexpr (requires { Law::name_of(law); })
+      name = Law::name_of(law);
+    else
+      name = Law::name;
+  });
   return name;
 }
 
 Index declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block) {
   const Index first = block.components;
   with_law(
-      law, [&]<class Law>(Law, int) { Law::declare_history(law, block); }, ShellLaws{});
+      law, [&]<class Law>(Law, int) { Law::declare_history(law, block, components); }, ShellLaws{});
   return first;
 }
 
@@ -83,19 +88,15 @@ void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, 
 
 bool has_stiffness(const model::ConstitutiveLaw& law) {
   bool stiff = true;
-  with_law(
-      law,
-      [&]<class Law>(Law, int) {
-        if constexpr (requires { Law::has_stiffness; }) stiff = Law::has_stiffness;
-      },
-      ShellLaws{});
+  with_any_law(law, [&]<class Law>(Law) {
+    if constexpr (requires { Law::has_stiffness; }) stiff = Law::has_stiffness;
+  });
   return stiff;
 }
 
 bool can_fail(const model::Material& material) {
   bool fails = false;
-  with_law(
-      material.law, [&]<class Law>(Law, int) { fails = Law::can_fail(material.law); }, ShellLaws{});
+  with_any_law(material.law, [&]<class Law>(Law) { fails = Law::can_fail(material.law); });
   return fails;
 }
 
@@ -124,5 +125,44 @@ MaterialUpdate<Real> shell_material_update(Isa isa, int kind) {
 }
 template MaterialUpdate<float> shell_material_update<float>(Isa isa, int kind);
 template MaterialUpdate<double> shell_material_update<double>(Isa isa, int kind);
+
+int solid_material_kind(const model::ConstitutiveLaw& law) {
+  int found = -1;
+  with_law(
+      law, [&](auto, int kind) { found = kind; }, SolidLaws{});
+  return found;
+}
+
+Index declare_solid_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block) {
+  const Index first = block.components;
+  with_law(
+      law, [&]<class Law>(Law, int) { Law::declare_history(law, block, solid_components); }, SolidLaws{});
+  return first;
+}
+
+std::vector<double> solid_material_constants(const model::Material& material) {
+  std::vector<double> constants;
+  with_law(
+      material.law, [&]<class Law>(Law, int) { constants = Law::constants(material); }, SolidLaws{});
+  return constants;
+}
+
+template <class Real>
+SolidMaterialUpdate<Real> solid_material_update(Isa isa, int kind) {
+  switch (isa) {
+#if defined(CRUMPLE_FAST_KERNELS)
+    case Isa::Avx512:
+      return solid_law_kernel<Isa::Avx512, Real>(kind);
+    case Isa::Avx2:
+      return solid_law_kernel<Isa::Avx2, Real>(kind);
+#endif
+    case Isa::Scalar:
+      return solid_law_kernel<Isa::Scalar, Real>(kind);
+    default:
+      return solid_law_kernel<Isa::Baseline, Real>(kind);
+  }
+}
+template SolidMaterialUpdate<float> solid_material_update<float>(Isa isa, int kind);
+template SolidMaterialUpdate<double> solid_material_update<double>(Isa isa, int kind);
 
 }  // namespace crumple::materials

@@ -26,11 +26,13 @@ struct SolidMaterialTask {
   std::ptrdiff_t group_stride = 0;  ///< from one group's state to the next
   Index groups = 0;
   int points = 0;
-  Index stress = 0;                   ///< first component of "stress" [point][6] in the state
-  Index history = 0;                  ///< first component of the material's own items
-  const Real* strain = nullptr;       ///< increments at the middle of the step [point][6][tile_lanes]
-  const Real* rotation = nullptr;     ///< of the step, row by row [point][9][tile_lanes]; the old stress, and
-                                      ///< every tensor in the history, is turned by it first
+  Index stress = 0;              ///< first component of "stress" [point][6] in the state
+  Index history = 0;             ///< first component of the material's own items
+  const Real* strain = nullptr;  ///< increments at the middle of the step [point][6][tile_lanes], in the axes
+                                 ///< of its end
+  const Real* turn = nullptr;    ///< rotation R of the step less the unit matrix, row by row [point][9]
+                               ///< [tile_lanes]: float keeps that of a small rotation to full precision. The
+                               ///< old stress s, and every tensor in the history, becomes R s R^T first
   const double* constants = nullptr;  ///< ElementBlock::material_constants
   Real step = 0;                      ///< the step that the increments belong to [time]; may be 0
   Real* energy = nullptr;             ///< out: [point][tile_lanes] 1/2 (turned old + new stress) : strain

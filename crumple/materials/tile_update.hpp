@@ -18,22 +18,11 @@
 // decides whether any of them needs the correction. It then makes the trial again: that is cheaper than to
 // keep it.
 
+#include "materials/history_view.hpp"
 #include "materials/plane_stress.hpp"
 #include "materials/shell_material.hpp"
 
 namespace crumple::materials {
-
-/// History of one point of one pack of elements: item numbers are counted in components of the law's own
-/// items, as declare_history added them.
-template <class Real>
-struct HistoryView {
-  Real* first;  ///< component 0 of the law's items, first lane of the pack
-  int points;   ///< of the element, in plane and through the thickness
-  int point;    ///< counted over all of these
-
-  /// Address of component `component` of the law's items.
-  CRUMPLE_INLINE Real* at(int component) const { return first + component * lanes; }
-};
 
 /// One pack of elements of a tile, and the sums over its points. The stress in the state is brought up to
 /// date in two goes: elastically for all points, then again for those that yield or have failed, which are
