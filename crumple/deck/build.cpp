@@ -20,7 +20,7 @@ const ItemWords& words(Item item) {
       {"shell", "*ELEMENT_SHELL", "*ELEMENT_SHELL_", ""},
       {"mass element", "*ELEMENT_MASS", "*ELEMENT_MASS_", ""},
       {"part", "*PART", "*PART_", ""},
-      {"section", "*SECTION_SHELL", "*SECTION_", ""},
+      {"section", "*SECTION_SHELL or *SECTION_SOLID", "*SECTION_", ""},
       {"material", "*MAT_ELASTIC or another *MAT", "*MAT_", "*EOS_"},
       {"hourglass control", "*HOURGLASS", "*HOURGLASS_", ""},
       {"curve", "*DEFINE_CURVE", "*DEFINE_CURVE_", "*DEFINE_TABLE"},
@@ -29,6 +29,7 @@ const ItemWords& words(Item item) {
       {"rigid wall", "*RIGIDWALL_PLANAR_ID", "*RIGIDWALL_", ""},
       {"contact", "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", "*CONTACT_", ""},
       {"table", "*DEFINE_TABLE", "*DEFINE_TABLE_", ""},
+      {"solid", "*ELEMENT_SOLID", "*ELEMENT_SOLID_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -102,6 +103,8 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_nodes(build);
   build_parts(build);
   build_shells(build);
+  build_solids(build);
+  check_empty_parts(build);
   build_sets(build);
   build_masses(build);
   build_fixed_nodes(build);

@@ -28,6 +28,8 @@ enum class Item {
   Wall,
   Contact,
   Table,
+  Solid,
+  Count,  ///< how many there are
 };
 
 /// A user id with the field in which it stands.
@@ -46,6 +48,7 @@ class Build {
   Report& report;
   model::Model model;
   std::vector<std::int32_t> shells_of_part;  ///< number of shells, by index of the part
+  std::vector<std::int32_t> solids_of_part;  ///< number of solids, by index of the part
 
   /// Enters the id of an item that gets this index. An id that is there already is reported.
   void enter(Item item, const Reference& reference, std::size_t index);
@@ -69,9 +72,8 @@ class Build {
     IdTable table;
     std::vector<Where> first;  ///< where each id was entered, in the order of entering
   };
-  static constexpr std::size_t item_count = 13;
 
-  Entries entries_[item_count];
+  Entries entries_[static_cast<std::size_t>(Item::Count)];
   IdTable dropped_parts_;
 };
 
@@ -83,6 +85,16 @@ void check_materials(Build& build);
 void build_nodes(Build& build);
 void build_parts(Build& build);
 void build_shells(Build& build);
+void check_empty_parts(Build& build);
+
+/// Kinds of elements that have sections of their own.
+enum class ElementKind { Shell, Solid };
+
+/// Index of the part that an element names. Where there is none, or its section is for another kind of
+/// elements, says so and returns no_index.
+Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
+// build_solids.cpp
+void build_solids(Build& build);
 // build_sets.cpp
 void build_sets(Build& build);
 // build_conditions.cpp

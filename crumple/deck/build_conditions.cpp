@@ -26,16 +26,18 @@ std::array<bool, 3> fixed_directions(int code) {
           code == 3 || code == 5 || code == 6 || code == 7};
 }
 
-/// Nodes of the shells of some parts, ascending.
+/// Nodes of the elements of some parts, ascending.
 std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& parts) {
   std::vector<char> wanted(build.model.parts.size(), 0);
   for (const Index part : parts) wanted[static_cast<std::size_t>(part)] = 1;
   std::vector<char> taken(build.model.nodes.id.size(), 0);
-  for (const model::ShellElement& shell : build.model.shells) {
-    if (shell.part == no_index || !wanted[static_cast<std::size_t>(shell.part)]) continue;
-    for (const Index node : shell.node)
+  const auto take = [&](const auto& element) {
+    if (element.part == no_index || !wanted[static_cast<std::size_t>(element.part)]) return;
+    for (const Index node : element.node)
       if (node != no_index) taken[static_cast<std::size_t>(node)] = 1;
-  }
+  };
+  for (const model::ShellElement& shell : build.model.shells) take(shell);
+  for (const model::SolidElement& solid : build.model.solids) take(solid);
   std::vector<Index> nodes;
   for (std::size_t i = 0; i < taken.size(); ++i)
     if (taken[i]) nodes.push_back(static_cast<Index>(i));

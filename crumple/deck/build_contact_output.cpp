@@ -36,6 +36,26 @@ std::optional<std::vector<Index>> named_parts(Build& build, const RawContact& ra
   return others;
 }
 
+/// Contact knows the surfaces of shells only.
+void refuse_solids(Build& build, const RawContact& raw, const std::vector<Index>& named) {
+  std::vector<char> takes_part(build.model.parts.size(), raw.target == RawContact::Target::All ? 1 : 0);
+  if (raw.target == RawContact::Target::AllButPartSet) {
+    const Index set = build.find_quietly(Item::PartSet, raw.id);
+    takes_part.assign(build.model.parts.size(), 1);
+    for (const Index part : build.model.part_sets[static_cast<std::size_t>(set)].parts)
+      takes_part[static_cast<std::size_t>(part)] = 0;
+  }
+  for (const Index part : named) takes_part[static_cast<std::size_t>(part)] = 1;
+  for (std::size_t part = 0; part < takes_part.size(); ++part)
+    if (takes_part[part] && build.solids_of_part[part] > 0)
+      build.report.unsupported(
+          raw.where, "solids",
+          fmt::format(
+              "part {} consists of solids, which contact does not know yet; take it out of the contact, or "
+              "run with --allow-unsupported to do without its contact",
+              build.model.parts[part].id));
+}
+
 }  // namespace
 
 void build_contacts(Build& build, bool automatic_contact) {
@@ -47,6 +67,7 @@ void build_contacts(Build& build, bool automatic_contact) {
     build.enter(Item::Contact, {contact.id, "ID", raw.where}, i);
     const std::optional<std::vector<Index>> named = named_parts(build, raw);
     if (!named) continue;
+    refuse_solids(build, raw, *named);
     for (const Index part : *named)
       if (std::binary_search(with_shells.begin(), with_shells.end(), part)) contact.parts.push_back(part);
     std::sort(contact.parts.begin(), contact.parts.end());

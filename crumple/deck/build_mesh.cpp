@@ -119,7 +119,42 @@ void report_thickness(const model::ShellElement& shell, Build& build, std::vecto
        "thickness"});
 }
 
+/// The section of a part by its id; false if there is none, which has been reported.
+bool find_section(const RawPart& raw, model::Part& part, Build& build) {
+  if (raw.section == 0) return false;
+  const Index index = build.find(Item::Section, {raw.section, "SECID", raw.where});
+  if (index == no_index) return false;
+  // Sections of solids are entered behind those of shells.
+  const auto shells = static_cast<Index>(build.model.shell_sections.size());
+  if (index < shells)
+    part.section = index;
+  else
+    part.solid_section = index - shells;
+  return true;
+}
+
 }  // namespace
+
+Index find_part_of(Build& build, ElementKind kind, const Reference& reference) {
+  const Index index = build.find(Item::Part, reference);
+  if (index == no_index) return no_index;
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(index)];
+  const bool of_solids = part.solid_section != no_index;
+  if (of_solids == (kind == ElementKind::Solid)) return index;
+  const std::size_t section = static_cast<std::size_t>(of_solids ? part.solid_section : part.section);
+  const UserId section_id =
+      of_solids ? build.model.solid_sections[section].id : build.model.shell_sections[section].id;
+  const Where& place =
+      of_solids ? build.deck.solid_sections[section].where : build.deck.sections[section].where;
+  build.report.field_error(
+      reference.where,
+      {reference.field, std::to_string(reference.id),
+       fmt::format("a part with a section of {}", of_solids ? "shells" : "solids"),
+       fmt::format("section {} of part {} is one of {} ({}); give the elements a part of their own",
+                   section_id, part.id, of_solids ? "solids" : "shells", build.report.place(place)),
+       "kind"});
+  return no_index;
+}
 
 void build_nodes(Build& build) {
   model::Nodes& nodes = build.model.nodes;
@@ -137,11 +172,11 @@ void build_parts(Build& build) {
     model::Part part;
     part.id = raw.id;
     part.title = raw.title;
-    part.section = raw.section == 0 ? no_index : build.find(Item::Section, {raw.section, "SECID", raw.where});
+    const bool has_section = find_section(raw, part, build);
     part.material =
         raw.material == 0 ? no_index : build.find(Item::Material, {raw.material, "MID", raw.where});
     if (raw.hourglass != 0) part.hourglass = build.find(Item::Hourglass, {raw.hourglass, "HGID", raw.where});
-    if (part.section == no_index || part.material == no_index) {
+    if (!has_section || part.material == no_index) {
       build.drop_part(raw.id);
       if (build.report.allow_unsupported())
         build.report.warning(raw.where, "dropped",
@@ -165,7 +200,7 @@ void build_shells(Build& build) {
     shell.id = raw.id;
     shell.thickness = raw.thickness;
     shell.material_angle = raw.material_angle;
-    shell.part = build.find(Item::Part, {raw.part, "PID", raw.where});
+    shell.part = find_part_of(build, ElementKind::Shell, {raw.part, "PID", raw.where});
     bool complete = shell.part != no_index;
     for (std::size_t i = 0; i < 4; ++i) {
       const bool triangle = i == 3 && raw.node[3] == raw.node[2];
@@ -190,9 +225,14 @@ void build_shells(Build& build) {
     }
     shells.push_back(shell);
   }
+}
+
+void check_empty_parts(Build& build) {
   for (const RawPart& raw : build.deck.parts) {
-    const Index part = build.find_quietly(Item::Part, raw.id);
-    if (part != no_index && build.shells_of_part[static_cast<std::size_t>(part)] == 0)
+    const Index index = build.find_quietly(Item::Part, raw.id);
+    if (index == no_index) continue;
+    const auto part = static_cast<std::size_t>(index);
+    if (build.shells_of_part[part] == 0 && build.solids_of_part[part] == 0)
       build.report.warning(raw.where, "empty", fmt::format("part {} has no elements", raw.id));
   }
 }

@@ -149,6 +149,26 @@ void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law,
     }
 }
 
+/// One table of ids for all kinds of sections, in the order of the deck; those of solids have the indices
+/// behind those of shells.
+void enter_sections(Build& build) {
+  const RawDeck& deck = build.deck;
+  std::size_t shell = 0;
+  std::size_t solid = 0;
+  while (shell + solid < deck.section_count()) {
+    const bool is_shell =
+        solid == deck.solid_sections.size() ||
+        (shell < deck.sections.size() && deck.sections[shell].order < deck.solid_sections[solid].order);
+    if (is_shell) {
+      const RawSection& raw = deck.sections[shell];
+      build.enter(Item::Section, {raw.section.id, "SECID", raw.where}, shell++);
+    } else {
+      const RawSolidSection& raw = deck.solid_sections[solid];
+      build.enter(Item::Section, {raw.section.id, "SECID", raw.where}, deck.sections.size() + solid++);
+    }
+  }
+}
+
 }  // namespace
 
 void build_properties(Build& build) {
@@ -161,7 +181,6 @@ void build_properties(Build& build) {
   for (std::size_t i = 0; i < deck.tables.size(); ++i)
     build.enter(Item::Table, {deck.tables[i].id, "TBID", deck.tables[i].where}, i);
   for (const RawSection& raw : deck.sections) {
-    build.enter(Item::Section, {raw.section.id, "SECID", raw.where}, model.shell_sections.size());
     model.shell_sections.push_back(raw.section);
     model::ShellSection& section = model.shell_sections.back();
     if (!raw.formulation_given) section.formulation = deck.default_formulation;
@@ -172,6 +191,8 @@ void build_properties(Build& build) {
     if (deck.lobatto_points && gauss && section.thickness_points >= 3)
       section.thickness_rule = model::ThicknessRule::Lobatto;
   }
+  for (const RawSolidSection& raw : deck.solid_sections) model.solid_sections.push_back(raw.section);
+  enter_sections(build);
   for (const RawHourglass& raw : deck.hourglasses) {
     build.enter(Item::Hourglass, {raw.id, "HGID", raw.where}, model.hourglass_controls.size());
     model.hourglass_controls.push_back(raw.control);

@@ -17,6 +17,10 @@ void read_element_shell_thickness(Cards& cards, RawDeck& deck);
 void read_element_mass(Cards& cards, RawDeck& deck);
 void read_element_mass_node_set(Cards& cards, RawDeck& deck);
 
+// read_solids.cpp
+void read_element_solid(Cards& cards, RawDeck& deck);
+void read_section_solid(Cards& cards, RawDeck& deck);
+
 // read_parts.cpp
 void read_part(Cards& cards, RawDeck& deck);
 void read_section_shell(Cards& cards, RawDeck& deck);
@@ -88,10 +92,13 @@ void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);
 
 /// Which forms of hourglass control there are, and what instead of the others.
 inline constexpr std::string_view hourglass_forms =
-    "1-3 are viscous, 4-5 stiffness, 0 is 1; the warping stiffness that 8 adds to ELFORM 16 is always there, "
-    "take 0; 6, 7, 9 and 10 are for solids";
+    "1-3 are viscous, 4-5 stiffness, 0 is 1 for shells and 2 for solids; the warping stiffness that 8 adds "
+    "to "
+    "ELFORM 16 is always there, take 0; 6, 7, 9 and 10 are for solids and not supported, take 5";
 /// What HGID's and CONTROL_HOURGLASS' form number means for shells.
 model::HourglassForm hourglass_form(std::int64_t number);
+/// What it means for solids.
+model::SolidHourglassForm solid_hourglass_form(std::int64_t number);
 /// Warns of a hourglass coefficient above what LS-DYNA recommends.
 void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report);
 /// ELFORM of *SECTION_SHELL and THEORY of *CONTROL_SHELL; other numbers are Belytschko-Tsay.

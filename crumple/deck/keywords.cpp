@@ -21,11 +21,13 @@ constexpr Keyword table[] = {
     {"ELEMENT_SHELL", read_element_shell},
     {"ELEMENT_SHELL_THICKNESS", read_element_shell_thickness},
     {"ELEMENT_SHELL_BETA", read_element_shell_thickness},
+    {"ELEMENT_SOLID", read_element_solid},
     {"ELEMENT_MASS", read_element_mass},
     {"ELEMENT_MASS_NODE_SET", read_element_mass_node_set},
 
     {"PART", read_part},
     {"SECTION_SHELL", read_section_shell, title},
+    {"SECTION_SOLID", read_section_solid, title},
     {"HOURGLASS", read_hourglass, title},
 
     {"MAT_ELASTIC", read_mat_elastic, title},

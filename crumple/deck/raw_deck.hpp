@@ -34,6 +34,14 @@ struct RawShell {
   Where where;
 };
 
+struct RawSolid {
+  UserId id = 0;
+  UserId part = 0;
+  std::array<UserId, 8> node{};
+  Where where;
+  Where nodes_where;  ///< of the card with the nodes
+};
+
 struct RawMass {
   UserId id = 0;
   UserId target = 0;  ///< a node, or a node set
@@ -55,6 +63,13 @@ struct RawSection {
   model::ShellSection section;
   bool formulation_given = true;  ///< false: takes CONTROL_SHELL's THEORY
   bool thickness_good = true;     ///< false: could not be read, which has been reported
+  std::size_t order = 0;          ///< among all sections of the deck
+  Where where;
+};
+
+struct RawSolidSection {
+  model::SolidSection section;
+  std::size_t order = 0;  ///< among all sections of the deck
   Where where;
 };
 
@@ -174,12 +189,16 @@ struct UnsupportedDefinition {
 };
 
 struct RawDeck {
+  std::size_t section_count() const { return sections.size() + solid_sections.size(); }
+
   std::string title;
   std::vector<RawNode> nodes;
   std::vector<RawShell> shells;
+  std::vector<RawSolid> solids;
   std::vector<RawMass> masses;
   std::vector<RawPart> parts;
   std::vector<RawSection> sections;
+  std::vector<RawSolidSection> solid_sections;
   std::vector<RawMaterial> materials;
   std::vector<RawHourglass> hourglasses;
   std::vector<RawCurve> curves;

@@ -46,12 +46,11 @@ constexpr Field hourglass_card[] = {
     real_or_default("QH", 0.1, not_negative),
 };
 
-constexpr std::string_view solids_only = "it acts on solid elements only";
-
 constexpr Field bulk_viscosity_card[] = {
-    harmless("Q1", {1.5, 0}, solids_only),
-    harmless("Q2", {0.06, 0}, solids_only),
-    only("TYPE", {1, 0}, "shells and beams have no bulk viscosity"),
+    real_or_default("Q1", 1.5, not_negative),
+    real_or_default("Q2", 0.06, not_negative),
+    only("TYPE", {1, 0},
+         "solids always have bulk viscosity, and its energy is counted; shells have none (-1, -2)"),
     unused("BTYPE"),
     unused("TSTYPE"),
 };
@@ -99,12 +98,15 @@ void read_control_hourglass(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(hourglass_card);
   model::HourglassControl& control = deck.control.hourglass;
   control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+  control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
   warn_of_hourglass_coefficient(card, "QH", cards.report());
   control.coefficient = control.bending = control.warping = card.real("QH");
 }
 
-void read_control_bulk_viscosity(Cards& cards, RawDeck&) {
-  cards.next(bulk_viscosity_card);
+void read_control_bulk_viscosity(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(bulk_viscosity_card);
+  deck.control.bulk_quadratic = card.real("Q1");
+  deck.control.bulk_linear = card.real("Q2");
 }
 
 void read_control_accuracy(Cards& cards, RawDeck&) {

@@ -47,15 +47,13 @@ constexpr Field section_thickness_card[] = {
     unused("EDGSET"),  // for two-dimensional seatbelts
 };
 
-constexpr std::string_view solids_only = "it acts on solid elements only";
-
 constexpr Field hourglass_card[] = {
     id("HGID"),
     only("IHQ", {0, 1, 2, 3, 4, 5}, hourglass_forms),
     real_or_default("QM", 0.1, not_negative),
-    unused("IBQ"),  // LS-DYNA does not use it either
-    harmless("Q1", {0, 1.5}, solids_only),
-    harmless("Q2", {0, 0.06}, solids_only),
+    unused("IBQ"),                // LS-DYNA does not use it either: solids always have bulk viscosity
+    real("Q1", 0, not_negative),  // default CONTROL_BULK_VISCOSITY's
+    real("Q2", 0, not_negative),
     real("QB", 0, not_negative),  // default QM
     real("QW", 0, not_negative),  // default QB
 };
@@ -104,6 +102,22 @@ model::HourglassForm hourglass_form(std::int64_t number) {
   return number >= 4 ? model::HourglassForm::Stiffness : model::HourglassForm::Viscous;
 }
 
+model::SolidHourglassForm solid_hourglass_form(std::int64_t number) {
+  using enum model::SolidHourglassForm;
+  switch (number) {
+    case 1:
+      return StandardViscous;
+    case 3:
+      return ExactVolumeViscous;
+    case 4:
+      return FlanaganBelytschkoStiffness;
+    case 5:
+      return ExactVolumeStiffness;
+    default:
+      return FlanaganBelytschkoViscous;
+  }
+}
+
 void read_part(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     RawPart part;
@@ -137,6 +151,7 @@ void read_section_shell(Cards& cards, RawDeck& deck) {
       if (raw.section.thickness[i] == 0) raw.section.thickness[i] = raw.section.thickness[0];
     raw.thickness_good = second.good("T1") && second.good("T2") && second.good("T3") && second.good("T4");
     raw.where = second.where();
+    raw.order = deck.section_count();
     if (card.good("SECID")) deck.sections.push_back(std::move(raw));
   }
 }
@@ -148,7 +163,10 @@ void read_hourglass(Cards& cards, RawDeck& deck) {
     RawHourglass raw;
     raw.id = card.integer("HGID");
     raw.control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+    raw.control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
     raw.control.coefficient = card.real("QM");
+    raw.control.bulk_quadratic = card.real("Q1");
+    raw.control.bulk_linear = card.real("Q2");
     raw.control.bending = card.real("QB") != 0 ? card.real("QB") : raw.control.coefficient;
     raw.control.warping = card.real("QW") != 0 ? card.real("QW") : raw.control.bending;
     for (const std::string_view field : {"QM", "QB", "QW"})

@@ -52,9 +52,11 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.material = law;
   constants.density = elastic.density;
   constants.wave_speed = elastic.bulk_wave_speed();
-  constants.bulk_quadratic = model.control.bulk_quadratic;
-  constants.bulk_linear = model.control.bulk_linear;
-  set_hourglass(model::hourglass_of(model, part), elastic, constants);
+  const model::HourglassControl& control = model::hourglass_of(model, part);
+  constants.bulk_quadratic =
+      control.bulk_quadratic > 0 ? control.bulk_quadratic : model.control.bulk_quadratic;
+  constants.bulk_linear = control.bulk_linear > 0 ? control.bulk_linear : model.control.bulk_linear;
+  set_hourglass(control, elastic, constants);
   block.points = kind.points;
   domain::add_item(block, "stress", "stress", materials::solid_components * block.points);
   constants.history = materials::declare_solid_history(material.law, block);

@@ -25,7 +25,9 @@ struct ShellElement {
   double material_angle = 0;          ///< of an orthotropic law [rad]; zero takes the material's
 };
 
-/// Nodes 1 to 4 around one face, 5 to 8 around the opposite one, 5 above 1. Wedges and pyramids repeat nodes.
+/// Nodes 1 to 4 around one face, 5 to 8 around the opposite one, 5 above 1. Wedges repeat 5
+/// as 6 and 7 as 8, pyramids 5 as 6 to 8, tetrahedra 3 as 4 and 5 as 6 to 8; other hexahedra with equal
+/// neighbours are possible.
 struct SolidElement {
   UserId id = 0;
   Index part = no_index;

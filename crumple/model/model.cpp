@@ -29,6 +29,12 @@ const HourglassControl& hourglass_of(const Model& model, const Part& part) {
   return part.hourglass == no_index ? model.control.hourglass : model.hourglass_controls[part.hourglass];
 }
 
+BulkViscosity bulk_viscosity_of(const Model& model, const Part& part) {
+  const HourglassControl& own = hourglass_of(model, part);
+  return {own.bulk_quadratic > 0 ? own.bulk_quadratic : model.control.bulk_quadratic,
+          own.bulk_linear > 0 ? own.bulk_linear : model.control.bulk_linear};
+}
+
 namespace {
 
 bool within(Index index, std::size_t size) {

@@ -49,6 +49,15 @@ std::array<double, 4> shell_thickness(const Model& model, const ShellElement& sh
 /// Hourglass control that holds for a part.
 const HourglassControl& hourglass_of(const Model& model, const Part& part);
 
+/// Coefficients of the bulk viscosity of a part of solids.
+struct BulkViscosity {
+  double quadratic = 0;  ///< Q1 [-]
+  double linear = 0;     ///< Q2 [-]
+};
+
+/// The bulk viscosity that holds for a part: its own where *HOURGLASS gives one, else the model's.
+BulkViscosity bulk_viscosity_of(const Model& model, const Part& part);
+
 /// Checks every reference and every number of a model that was not read from a deck (the deck reader reports
 /// these with file and line itself). Returns one sentence per fault; empty if the model can be run.
 std::vector<std::string> faults(const Model& model);

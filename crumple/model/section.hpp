@@ -50,7 +50,8 @@ enum class HourglassForm {
   Stiffness,  ///< LS-DYNA's IHQ 4, 5 for shells
 };
 
-/// Of solids with one point, in the order of LS-DYNA's IHQ 1 to 5.
+/// Of solids with one point, in the order of LS-DYNA's IHQ 1 to 5; its default for explicit runs is the
+/// second.
 enum class SolidHourglassForm {
   StandardViscous,            ///< against the patterns alone, Hallquist 1982
   FlanaganBelytschkoViscous,  ///< against what is left of the motion without its linear part
@@ -61,10 +62,12 @@ enum class SolidHourglassForm {
 
 struct HourglassControl {
   HourglassForm form = HourglassForm::Viscous;  ///< of shells
-  double coefficient = 0.1;  ///< QM: solids, and the membrane of shells [-]
-  double bending = 0.1;      ///< QB: bending [-]
-  double warping = 0.1;      ///< QW: warping (transverse shear) [-]
-  SolidHourglassForm solid_form = SolidHourglassForm::StandardViscous;
+  double coefficient = 0.1;                     ///< QM: solids, and the membrane of shells [-]
+  double bending = 0.1;                         ///< QB: bending [-]
+  double warping = 0.1;                         ///< QW: warping (transverse shear) [-]
+  double bulk_quadratic = 0;  ///< Q1: bulk viscosity of solids [-]; 0 takes Control::bulk_quadratic
+  double bulk_linear = 0;     ///< Q2 [-]; 0 takes Control::bulk_linear
+  SolidHourglassForm solid_form = SolidHourglassForm::FlanaganBelytschkoViscous;
 };
 
 }  // namespace crumple::model
