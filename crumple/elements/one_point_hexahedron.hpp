@@ -81,7 +81,8 @@ CRUMPLE_INLINE HourglassForces<Pack> hourglass_forces(const SolidPlace<RealOf<Pa
   found.work = Pack(Real(0));
   for (int mode = 0; mode < 4; ++mode) {
     const Vec rate = kept_vector<Pack>(place, row_rates + 3 * mode);
-    const Vec old = turned * own_vector<Pack>(place, solid_state::hourglass + 3 * mode);
+    const Vec before = own_vector<Pack>(place, solid_state::hourglass + 3 * mode);
+    const Vec old = before + turned * before;
     Vec now =
         place.task.constants.viscous ? modulus * rate : math::multiply_add(Pack(modulus * step), rate, old);
     // What has failed does not hold its last force.

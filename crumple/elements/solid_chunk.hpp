@@ -10,7 +10,7 @@ namespace crumple::elements {
 template <class Real>
 struct SolidScratch {
   Real* strain;
-  Real* rotation;
+  Real* turn;
   Real* rows;
   Real* nodes;
 };
@@ -26,7 +26,7 @@ CRUMPLE_INLINE void for_each_solid_pack(const SolidTask<RealOf<Pack>>& task, Ind
           SolidPlace<RealOf<Pack>>{
               task, task.node + at * 8 * lanes + lane,
               task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes + lane,
-              scratch.strain + group * lanes + lane, scratch.rotation + group * lanes + lane,
+              scratch.strain + group * lanes + lane, scratch.turn + group * lanes + lane,
               scratch.rows + group * lanes + lane, scratch.nodes + (group * lanes + lane) * solid_row::count},
           task.target + at * 8 * lanes + lane);
     }
@@ -41,7 +41,7 @@ materials::SolidMaterialTask<RealOf<Pack>> solid_material_task(const SolidTask<R
   material.points = task.constants.points;
   material.history = task.constants.history;
   material.strain = scratch.strain;
-  material.rotation = scratch.rotation;
+  material.turn = scratch.turn;
   material.constants = task.material_constants;
   material.step = task.step;
   material.energy = scratch.rows + solid_scratch::material_energy * tile_lanes;
@@ -55,10 +55,10 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
   using Real = RealOf<Pack>;
   using materials::tile_groups;
   alignas(cache_line) Real strain[Formulation::points * materials::solid_components * tile_lanes];
-  alignas(cache_line) Real rotation[Formulation::points * 9 * tile_lanes];
+  alignas(cache_line) Real turn[Formulation::points * 9 * tile_lanes];
   alignas(cache_line) Real rows[Formulation::rows * tile_lanes];
   alignas(cache_line) Real nodes[solid_row::count * tile_lanes];
-  const SolidScratch<Real> scratch{strain, rotation, rows, nodes};
+  const SolidScratch<Real> scratch{strain, turn, rows, nodes};
   LaneSums<Pack> lane_sums;
   sums = {};
   sums.shortest_step = 1e30;

@@ -36,7 +36,7 @@ struct SolidPlace {
   const Index* node;  ///< [8][lanes], from the first element of the pack
   Real* state;        ///< [component][lanes]
   Real* strain;       ///< [point][6][tile_lanes]
-  Real* rotation;     ///< [point][9][tile_lanes]
+  Real* turn;         ///< [point][9][tile_lanes], rotation less the unit matrix
   Real* rows;         ///< [row][tile_lanes]
   Real* nodes;        ///< what gather_solids() has left
 };
@@ -91,9 +91,9 @@ CRUMPLE_INLINE math::PackVec3<Pack> operator*(const PackMatrix<Pack>& m, const m
   return {math::dot(m.x, v), math::dot(m.y, v), math::dot(m.z, v)};
 }
 
-/// The rotation that a spin makes of a step, (I - W/2)^-1 (I + W/2): orthogonal whatever the size of the
-/// step (Hughes & Winget, IJNME 15 (1980) 1862-1867). `turn` is the axial vector of W, step times half the
-/// curl.
+/// The rotation that a spin makes of a step, (I - W/2)^-1 (I + W/2), less the unit matrix: orthogonal
+/// whatever the size of the step (Hughes & Winget, IJNME 15 (1980) 1862-1867). `turn` is the axial vector of
+/// W, step times half the curl.
 template <class Pack>
 CRUMPLE_INLINE PackMatrix<Pack> step_rotation(const math::PackVec3<Pack>& turn) {
   using Real = RealOf<Pack>;
@@ -103,14 +103,13 @@ CRUMPLE_INLINE PackMatrix<Pack> step_rotation(const math::PackVec3<Pack>& turn) 
   const Pack k = one / multiply_add(Pack(Real(0.25)), square, one);
   const math::PackVec3<Pack> a = k * turn;
   const math::PackVec3<Pack> b = half * turn;
-  // 1 - k square/2 + k t t/2, without the loss of digits of a cosine near one.
   const Pack xx = -multiply_add(a.y, b.y, Pack(a.z * b.z));
   const Pack yy = -multiply_add(a.z, b.z, Pack(a.x * b.x));
   const Pack zz = -multiply_add(a.x, b.x, Pack(a.y * b.y));
   const Pack xy = a.x * b.y;
   const Pack yz = a.y * b.z;
   const Pack zx = a.z * b.x;
-  return {{one + xx, xy - a.z, zx + a.y}, {xy + a.z, one + yy, yz - a.x}, {zx - a.y, yz + a.x, one + zz}};
+  return {{xx, xy - a.z, zx + a.y}, {xy + a.z, yy, yz - a.x}, {zx - a.y, yz + a.x, zz}};
 }
 
 /// Gradient of a velocity field: row i holds the derivatives of component i.
@@ -148,7 +147,7 @@ CRUMPLE_INLINE void leave_strains(const SolidPlace<RealOf<Pack>>& place, int poi
   const Pack half = Pack(Real(0.5)) * step;
   const PackMatrix<Pack> turned = step_rotation(
       math::PackVec3<Pack>{half * (l.z.y - l.y.z), half * (l.x.z - l.z.x), half * (l.y.x - l.x.y)});
-  Real* const rotation = place.rotation + point * 9 * tile_lanes;
+  Real* const rotation = place.turn + point * 9 * tile_lanes;
   const math::PackVec3<Pack> rows[3] = {turned.x, turned.y, turned.z};
   for (int i = 0; i < 3; ++i) {
     store(rotation + 3 * i * tile_lanes, rows[i].x);
@@ -158,7 +157,7 @@ CRUMPLE_INLINE void leave_strains(const SolidPlace<RealOf<Pack>>& place, int poi
 }
 template <class Pack>
 CRUMPLE_INLINE PackMatrix<Pack> left_rotation(const SolidPlace<RealOf<Pack>>& place, int point) {
-  const RealOf<Pack>* const at = place.rotation + point * 9 * tile_lanes;
+  const RealOf<Pack>* const at = place.turn + point * 9 * tile_lanes;
   const auto row = [&](int i) {
     return math::PackVec3<Pack>{load<Pack>(at + 3 * i * tile_lanes),
                                 load<Pack>(at + (3 * i + 1) * tile_lanes),

@@ -4,8 +4,12 @@
 #include <array>
 
 #include "domain/domain.hpp"
+#include "elements/solid_patterns.hpp"
 
 namespace crumple::elements {
+
+/// Coefficients of the patterns of eight vectors, one element at a time.
+SolidPatterns<double> patterns_of(const std::array<math::Vec3, 8>& node);
 
 struct SolidSize {
   double volume = 0;  ///< [length^3]

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "elements/solid_geometry.hpp"
+#include "elements/solid_setup.hpp"
 #include "shell_harness.hpp"
 
 namespace crumple::elements::testing {
@@ -42,18 +43,6 @@ std::array<Vec3, 8> distorted_corners(int seed) {
                              {-1, -1, 1},      {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
   for (Vec3& x : corner) x += Vec3{uniform(generator), uniform(generator), uniform(generator)};
   return corner;
-}
-
-SolidPatterns<double> patterns_of(const std::array<Vec3, 8>& corner) {
-  SolidPatterns<double> x;
-  for (int axis = 0; axis < 3; ++axis) {
-    double values[8];
-    for (std::size_t k = 0; k < 8; ++k) values[k] = corner[k][axis];
-    const auto items = pattern_items<double>(values);
-    for (int p = 0; p < pattern::count; ++p)
-      (axis == 0 ? x.of[p].x : axis == 1 ? x.of[p].y : x.of[p].z) = items.of[p];
-  }
-  return x;
 }
 
 /// Volume by Gauss's rule of 2 x 2 x 2 points, exact for the trilinear map, from shape functions.
