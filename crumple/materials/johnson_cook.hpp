@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "materials/plane_stress_plasticity.hpp"
+#include "materials/solid_plasticity.hpp"
 
 namespace crumple::materials {
 
@@ -18,8 +19,8 @@ struct JohnsonCookHardening {
   Real largest;     ///< of A + B p^n
   Real saturation;  ///< of that times the rate factor
 
-  template <class Pack>
-  CRUMPLE_INLINE Pack aside(const PlaneStrain<Pack>& /*strain*/, const Pack& factor) const {
+  template <class Strain, class Pack>
+  CRUMPLE_INLINE Pack aside(const Strain& /*strain*/, const Pack& factor) const {
     return smaller(Pack(largest), Pack(Pack(saturation) / factor));
   }
   template <class Pack>
@@ -58,8 +59,8 @@ struct LogarithmicRate {
   CRUMPLE_INLINE Pack log_rate(const Pack& increment) const {
     return Pack(ln2) * math::binary_log(larger(Pack(Pack(per_reference) * increment), Pack(Real(1))));
   }
-  template <class Pack>
-  CRUMPLE_INLINE Pack factor(const PlaneStrain<Pack>& strain) const {
+  template <template <class> class Strain, class Pack>
+  CRUMPLE_INLINE Pack factor(const Strain<Pack>& strain) const {
     const Pack one(Real(1));
     if (coefficient == 0 || viscoplastic) return one;
     return multiply_add(Pack(coefficient), log_rate(effective_strain(strain)), one);
@@ -111,15 +112,15 @@ struct JohnsonCookLaw {
     Count
   };
 
-  template <class Pack>
-  struct Update
-      : PlaneStressPlasticity<Pack, JohnsonCookHardening<RealOf<Pack>>, LogarithmicRate<RealOf<Pack>>> {
-    using Real = RealOf<Pack>;
+  template <class Pack, class Base>
+  struct UpdateOf : Base {
+    using typename Base::History;
+    using typename Base::Mask;
+    using typename Base::Real;
+    using typename Base::Strain;
+    using typename Base::Stress;
     using Hardening = JohnsonCookHardening<Real>;
     using RateEffect = LogarithmicRate<Real>;
-    using Base = PlaneStressPlasticity<Pack, Hardening, RateEffect>;
-    using Mask = MaskOf<Pack>;
-    using History = HistoryView<Real>;
 
     struct Trial : Base::Trial {
       Pack temperature;  ///< (T - T0) / (melting - T0) at the start of the step
@@ -130,7 +131,7 @@ struct JohnsonCookLaw {
     bool softens;  ///< there is a temperature in the state
     bool damages;  ///< there is a damage in the state
 
-    CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
+    CRUMPLE_INLINE explicit UpdateOf(const typename Base::Task& task)
         : Base(task.constants[Youngs], task.constants[Poissons], 0,
                Hardening{
                    static_cast<Real>(task.constants[Initial]), static_cast<Real>(task.constants[Modulus]),
@@ -159,8 +160,7 @@ struct JohnsonCookLaw {
       return holds;
     }
 
-    CRUMPLE_INLINE Trial trial(const PlaneStress<Pack>& stress, const PlaneStrain<Pack>& strain,
-                               const History& history) const {
+    CRUMPLE_INLINE Trial trial(const Stress& stress, const Strain& strain, const History& history) const {
       const Pack one(Real(1));
       const Pack zero(Real(0));
       Trial t{};
@@ -179,24 +179,17 @@ struct JohnsonCookLaw {
       return t;
     }
 
-    CRUMPLE_INLINE void correct(PlaneStress<Pack>& stress, Trial& t, const Mask& mask,
-                                const History& history) const {
+    CRUMPLE_INLINE void correct(Stress& stress, Trial& t, const Mask& mask, const History& history) const {
       Base::correct(stress, t, mask, history);
       if (!softens && !damages) return;
       const Pack flow = t.flow;
-      Pack square = stress.xx * stress.xx - stress.xx * stress.yy;
-      square = multiply_add(stress.yy, stress.yy, square);
-      Pack shears = stress.xy * stress.xy;
-      shears = multiply_add(stress.yz, stress.yz, shears);
-      shears = multiply_add(stress.zx, stress.zx, shears);
-      const Pack size = square_root(multiply_add(Pack(Real(3)), shears, square));
+      const Pack size = square_root(equivalent_square(stress));
       if (softens && number(RisePerWork) > 0) {
         const Pack rise = number(RisePerWork) * (size * flow);
         store(temperature(history), Pack(load<Pack>(temperature(history)) + rise));
       }
       if (damages) {
-        const Pack mean = Pack(Real(1.0 / 3.0)) * (stress.xx + stress.yy);
-        const Pack triaxiality = mean / larger(size, Pack(Real(1e-30)));
+        const Pack triaxiality = mean_stress(stress) / larger(size, Pack(Real(1e-30)));
         const Pack strain = fracture_strain(triaxiality, t);
         store(damage(history), Pack(load<Pack>(damage(history)) + flow / strain));
       }
@@ -213,6 +206,13 @@ struct JohnsonCookLaw {
       return larger(Pack(bounded * (by_rate * by_heat)), Pack(number(LeastFracture)));
     }
   };
+  template <class Pack>
+  using Update = UpdateOf<
+      Pack, PlaneStressPlasticity<Pack, JohnsonCookHardening<RealOf<Pack>>, LogarithmicRate<RealOf<Pack>>>>;
+  template <class Pack>
+  using SolidUpdate =
+      UpdateOf<Pack,
+               SolidPlasticity<Pack, JohnsonCookHardening<RealOf<Pack>>, LogarithmicRate<RealOf<Pack>>>>;
 };
 
 }  // namespace crumple::materials

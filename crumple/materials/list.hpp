@@ -32,6 +32,7 @@ using SolidLaws = LawList<         //
     ElasticLaw,                    //
     PlasticKinematicLaw,           //
     PiecewiseLinearPlasticityLaw,  //
-    PowerLawPlasticityLaw>;
+    PowerLawPlasticityLaw,         //
+    JohnsonCookLaw>;
 
 }  // namespace crumple::materials

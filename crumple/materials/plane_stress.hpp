@@ -54,6 +54,23 @@ CRUMPLE_INLINE Pack mean_work(const PlaneStress<Pack>& a, const PlaneStress<Pack
                    strain);
 }
 
+/// A third of the trace [stress]; positive in tension.
+template <class Pack>
+CRUMPLE_INLINE Pack mean_stress(const PlaneStress<Pack>& stress) {
+  return Pack(RealOf<Pack>(1.0 / 3.0)) * (stress.xx + stress.yy);
+}
+
+/// Square of von Mises' stress.
+template <class Pack>
+CRUMPLE_INLINE Pack equivalent_square(const PlaneStress<Pack>& stress) {
+  Pack square = stress.xx * stress.xx - stress.xx * stress.yy;
+  square = multiply_add(stress.yy, stress.yy, square);
+  Pack shears = stress.xy * stress.xy;
+  shears = multiply_add(stress.yz, stress.yz, shears);
+  shears = multiply_add(stress.zx, stress.zx, shears);
+  return multiply_add(Pack(RealOf<Pack>(3)), shears, square);
+}
+
 /// Hooke's law with zero stress zz (docs/theory/elastic.md).
 template <class Real>
 struct PlaneStressElasticity {

@@ -28,8 +28,8 @@ struct SolidMaterialTask {
   int points = 0;
   Index stress = 0;              ///< first component of "stress" [point][6] in the state
   Index history = 0;             ///< first component of the material's own items
-  const Real* strain = nullptr;  ///< increments at the middle of the step [point][6][tile_lanes], in the axes
-                                 ///< of its end
+  const Real* strain = nullptr;  ///< increments of the middle of the step [point][6][tile_lanes], whose
+                                 ///< stress is added after the turn
   const Real* turn = nullptr;    ///< rotation R of the step less the unit matrix, row by row [point][9]
                                ///< [tile_lanes]: float keeps that of a small rotation to full precision. The
                                ///< old stress s, and every tensor in the history, becomes R s R^T first
