@@ -13,7 +13,7 @@ constexpr HeadingKind none = HeadingKind::None;
 constexpr HeadingKind title = HeadingKind::Title;
 constexpr HeadingKind identity = HeadingKind::Identity;
 
-// KEYWORD, INCLUDE and END are the scanner's, PARAMETER is the reader's.
+// KEYWORD, INCLUDE and END are the scanner's, PARAMETER and PARAMETER_EXPRESSION are the reader's.
 constexpr Keyword table[] = {
     {"TITLE", read_title},
 
