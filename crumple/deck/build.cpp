@@ -30,6 +30,10 @@ const ItemWords& words(Item item) {
       {"contact", "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", "*CONTACT_", ""},
       {"table", "*DEFINE_TABLE", "*DEFINE_TABLE_", ""},
       {"solid", "*ELEMENT_SOLID", "*ELEMENT_SOLID_", ""},
+      {"shell set", "*SET_SHELL_LIST", "*SET_SHELL_", ""},
+      {"solid set", "*SET_SOLID_LIST", "*SET_SOLID_", ""},
+      {"segment set", "*SET_SEGMENT", "*SET_SEGMENT_", ""},
+      {"box", "*DEFINE_BOX", "*DEFINE_BOX_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }

@@ -29,6 +29,10 @@ enum class Item {
   Contact,
   Table,
   Solid,
+  ShellSet,
+  SolidSet,
+  SegmentSet,
+  Box,
   Count,  ///< how many there are
 };
 
@@ -98,6 +102,8 @@ void build_solids(Build& build);
 // build_sets.cpp
 void build_sets(Build& build);
 // build_conditions.cpp
+/// Nodes of the elements of some parts, ascending.
+std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& parts);
 void build_masses(Build& build);
 void build_fixed_nodes(Build& build);
 void build_velocities(Build& build);

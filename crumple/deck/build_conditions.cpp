@@ -26,24 +26,6 @@ std::array<bool, 3> fixed_directions(int code) {
           code == 3 || code == 5 || code == 6 || code == 7};
 }
 
-/// Nodes of the elements of some parts, ascending.
-std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& parts) {
-  std::vector<char> wanted(build.model.parts.size(), 0);
-  for (const Index part : parts) wanted[static_cast<std::size_t>(part)] = 1;
-  std::vector<char> taken(build.model.nodes.id.size(), 0);
-  const auto take = [&](const auto& element) {
-    if (element.part == no_index || !wanted[static_cast<std::size_t>(element.part)]) return;
-    for (const Index node : element.node)
-      if (node != no_index) taken[static_cast<std::size_t>(node)] = 1;
-  };
-  for (const model::ShellElement& shell : build.model.shells) take(shell);
-  for (const model::SolidElement& solid : build.model.solids) take(solid);
-  std::vector<Index> nodes;
-  for (std::size_t i = 0; i < taken.size(); ++i)
-    if (taken[i]) nodes.push_back(static_cast<Index>(i));
-  return nodes;
-}
-
 std::vector<Index> all_nodes(const Build& build) {
   std::vector<Index> nodes(build.model.nodes.id.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = static_cast<Index>(i);
@@ -127,6 +109,23 @@ void warn_of_nodes_behind(const model::RigidWall& wall, const Where& where, Buil
 }
 
 }  // namespace
+
+std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& parts) {
+  std::vector<char> wanted(build.model.parts.size(), 0);
+  for (const Index part : parts) wanted[static_cast<std::size_t>(part)] = 1;
+  std::vector<char> taken(build.model.nodes.id.size(), 0);
+  const auto take = [&](const auto& element) {
+    if (element.part == no_index || !wanted[static_cast<std::size_t>(element.part)]) return;
+    for (const Index node : element.node)
+      if (node != no_index) taken[static_cast<std::size_t>(node)] = 1;
+  };
+  for (const model::ShellElement& shell : build.model.shells) take(shell);
+  for (const model::SolidElement& solid : build.model.solids) take(solid);
+  std::vector<Index> nodes;
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (taken[i]) nodes.push_back(static_cast<Index>(i));
+  return nodes;
+}
 
 void build_masses(Build& build) {
   for (const RawMass& raw : build.deck.masses) {

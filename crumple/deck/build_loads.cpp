@@ -32,11 +32,36 @@ void build_nodal_load(const RawNodalLoad& raw, Build& build) {
   }
 }
 
+/// The same load on every shell or segment of a set.
+void build_pressure_on_set(const RawPressureLoad& raw, model::PressureLoad load, Build& build) {
+  const bool of_shells = raw.shell_set != 0;
+  const Index set = of_shells ? build.find(Item::ShellSet, {raw.shell_set, "ESID", raw.where})
+                              : build.find(Item::SegmentSet, {raw.segment_set, "SSID", raw.where});
+  if (set == no_index || load.curve == no_index) return;
+  if (!of_shells) {
+    for (const std::array<Index, 4>& segment :
+         build.model.segment_sets[static_cast<std::size_t>(set)].segments) {
+      load.node = segment;
+      build.model.pressure_loads.push_back(load);
+    }
+    return;
+  }
+  for (const Index shell : build.model.shell_sets[static_cast<std::size_t>(set)].shells) {
+    load.shell = shell;
+    load.node = build.model.shells[static_cast<std::size_t>(shell)].node;
+    build.model.pressure_loads.push_back(load);
+  }
+}
+
 void build_pressure_load(const RawPressureLoad& raw, Build& build) {
   model::PressureLoad load;
   load.pressure = raw.scale;
   load.arrival = raw.arrival;
   load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  if (raw.shell_set != 0 || raw.segment_set != 0) {
+    build_pressure_on_set(raw, load, build);
+    return;
+  }
   if (raw.shell != 0) {
     const Index shell = build.find(Item::Shell, {raw.shell, "EID", raw.where});
     if (shell == no_index) return;

@@ -38,14 +38,36 @@ void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck);
 void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck);
 void read_mat_null(Cards& cards, RawDeck& deck);
 
-// read_curves_sets.cpp
+// read_curves.cpp
 void read_define_curve(Cards& cards, RawDeck& deck);
 void read_define_table(Cards& cards, RawDeck& deck);
 void read_define_table_2d(Cards& cards, RawDeck& deck);
+
+// read_sets.cpp
+void read_define_box(Cards& cards, RawDeck& deck);
 void read_set_node_list(Cards& cards, RawDeck& deck);
 void read_set_node_list_generate(Cards& cards, RawDeck& deck);
+void read_set_node_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_node_general(Cards& cards, RawDeck& deck);
+void read_set_node_add(Cards& cards, RawDeck& deck);
 void read_set_part_list(Cards& cards, RawDeck& deck);
 void read_set_part_list_generate(Cards& cards, RawDeck& deck);
+void read_set_part_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_part_general(Cards& cards, RawDeck& deck);
+void read_set_part_add(Cards& cards, RawDeck& deck);
+void read_set_shell_list(Cards& cards, RawDeck& deck);
+void read_set_shell_list_generate(Cards& cards, RawDeck& deck);
+void read_set_shell_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_shell_general(Cards& cards, RawDeck& deck);
+void read_set_shell_add(Cards& cards, RawDeck& deck);
+void read_set_solid_list(Cards& cards, RawDeck& deck);
+void read_set_solid_list_generate(Cards& cards, RawDeck& deck);
+void read_set_solid_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_solid_general(Cards& cards, RawDeck& deck);
+void read_set_solid_add(Cards& cards, RawDeck& deck);
+void read_set_segment(Cards& cards, RawDeck& deck);
+void read_set_segment_general(Cards& cards, RawDeck& deck);
+void read_set_segment_add(Cards& cards, RawDeck& deck);
 
 // read_control.cpp
 void read_title(Cards& cards, RawDeck& deck);
@@ -84,7 +106,9 @@ void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
 void read_load_node_point(Cards& cards, RawDeck& deck);
 void read_load_node_set(Cards& cards, RawDeck& deck);
 void read_load_segment(Cards& cards, RawDeck& deck);
+void read_load_segment_set(Cards& cards, RawDeck& deck);
 void read_load_shell_element(Cards& cards, RawDeck& deck);
+void read_load_shell_set(Cards& cards, RawDeck& deck);
 
 // read_contact.cpp
 void read_rigidwall_planar(Cards& cards, RawDeck& deck);

@@ -13,7 +13,7 @@ constexpr HeadingKind none = HeadingKind::None;
 constexpr HeadingKind title = HeadingKind::Title;
 constexpr HeadingKind identity = HeadingKind::Identity;
 
-// KEYWORD, INCLUDE and END are the scanner's, PARAMETER is the reader's.
+// KEYWORD, INCLUDE and END are the scanner's, PARAMETER and PARAMETER_EXPRESSION are the reader's.
 constexpr Keyword table[] = {
     {"TITLE", read_title},
 
@@ -50,12 +50,37 @@ constexpr Keyword table[] = {
     {"DEFINE_CURVE", read_define_curve, title},
     {"DEFINE_TABLE", read_define_table, title},
     {"DEFINE_TABLE_2D", read_define_table_2d, title},
+    {"DEFINE_BOX", read_define_box, title},
     {"SET_NODE", read_set_node_list, title},
     {"SET_NODE_LIST", read_set_node_list, title},
     {"SET_NODE_LIST_GENERATE", read_set_node_list_generate, title},
+    {"SET_NODE_LIST_GENERATE_INCREMENT", read_set_node_list_generate_increment, title},
+    {"SET_NODE_GENERAL", read_set_node_general, title},
+    {"SET_NODE_ADD", read_set_node_add, title},
     {"SET_PART", read_set_part_list, title},
     {"SET_PART_LIST", read_set_part_list, title},
     {"SET_PART_LIST_GENERATE", read_set_part_list_generate, title},
+    {"SET_PART_LIST_GENERATE_INCREMENT", read_set_part_list_generate_increment, title},
+    {"SET_PART_GENERAL", read_set_part_general, title},
+    {"SET_PART_ADD", read_set_part_add, title},
+    {"SET_SHELL", read_set_shell_list, title},
+    {"SET_SHELL_LIST", read_set_shell_list, title},
+    {"SET_SHELL_LIST_GENERATE", read_set_shell_list_generate, title},
+    {"SET_SHELL_LIST_GENERATE_INCREMENT", read_set_shell_list_generate_increment, title},
+    {"SET_SHELL_GENERAL", read_set_shell_general, title},
+    {"SET_SHELL_ADD", read_set_shell_add, title},
+    {"SET_SOLID", read_set_solid_list, title},
+    {"SET_SOLID_LIST", read_set_solid_list, title},
+    {"SET_SOLID_GENERATE", read_set_solid_list_generate, title},
+    {"SET_SOLID_GENERATE_INCREMENT", read_set_solid_list_generate_increment, title},
+    {"SET_SOLID_LIST_GENERATE", read_set_solid_list_generate, title},
+    {"SET_SOLID_LIST_GENERATE_INCREMENT", read_set_solid_list_generate_increment, title},
+    {"SET_SOLID_GENERAL", read_set_solid_general, title},
+    {"SET_SOLID_ADD", read_set_solid_add, title},
+    {"SET_SEGMENT", read_set_segment, title},
+    {"SET_SEGMENT_LIST", read_set_segment, title},
+    {"SET_SEGMENT_GENERAL", read_set_segment_general, title},
+    {"SET_SEGMENT_ADD", read_set_segment_add, title},
 
     {"BOUNDARY_SPC_NODE", read_boundary_spc_node, identity},
     {"BOUNDARY_SPC_SET", read_boundary_spc_set, identity},
@@ -65,7 +90,9 @@ constexpr Keyword table[] = {
     {"LOAD_NODE_POINT", read_load_node_point},
     {"LOAD_NODE_SET", read_load_node_set},
     {"LOAD_SEGMENT", read_load_segment, identity},
+    {"LOAD_SEGMENT_SET", read_load_segment_set, identity},
     {"LOAD_SHELL_ELEMENT", read_load_shell_element, identity},
+    {"LOAD_SHELL_SET", read_load_shell_set, identity},
     {"RIGIDWALL_PLANAR", read_rigidwall_planar, identity},
     {"CONTACT_AUTOMATIC_SINGLE_SURFACE", read_contact_automatic_single_surface, identity},
 
@@ -102,7 +129,7 @@ constexpr IgnoredRow ignored[] = {
     {"CONTROL_CPU", false, "the run has no limit of computing time"},
     {"CONTROL_SOLID", false, "it acts on solid elements only"},
     {"CONTROL_REQUIRE_REVISION", false, "it is about LS-DYNA's versions"},
-    {"DEFINE_BOX", false, is_definition},
+    {"DEFINE_BOX_", true, is_definition},
     {"DEFINE_COORDINATE_", true, is_definition},
     {"DEFINE_SD_ORIENTATION", false, is_definition},
     {"DEFINE_TABLE", true, is_definition},
@@ -129,6 +156,15 @@ std::string with_three_digits(std::string_view name) {
   return fmt::format("{}{:0>3}{}", prefix, rest.substr(0, digits), rest.substr(digits));
 }
 
+/// COLLECT changes nothing in the cards of a set; its reader looks for it.
+std::string without_collect(std::string name) {
+  constexpr std::string_view collect = "_COLLECT";
+  const std::size_t at = name.starts_with("SET_") ? name.find(collect) : std::string::npos;
+  const bool is_option =
+      at != std::string::npos && (at + collect.size() == name.size() || name[at + collect.size()] == '_');
+  return is_option ? name.erase(at, collect.size()) : name;
+}
+
 const Keyword* find_exact(std::string_view name) {
   const auto found =
       std::find_if(std::begin(table), std::end(table), [&](const Keyword& k) { return k.name == name; });
@@ -142,7 +178,7 @@ std::span<const Keyword> keyword_table() {
 }
 
 std::optional<FoundKeyword> find_keyword(std::string_view name) {
-  const std::string number_form = with_three_digits(name);
+  const std::string number_form = without_collect(with_three_digits(name));
   const std::string_view full = number_form;
   if (const Keyword* keyword = find_exact(full)) return FoundKeyword{keyword, none};
   for (const std::string_view suffix : {"_TITLE", "_ID"}) {

@@ -12,11 +12,14 @@ namespace crumple::deck {
 
 class Cards;
 
-/// The values that *PARAMETER gives names to. Names are not case-sensitive.
+/// The values that *PARAMETER and *PARAMETER_EXPRESSION give names to. Names are not case-sensitive.
 class Parameters {
  public:
   /// Reads a *PARAMETER block. Faults go to the cards' report.
   void read(Cards& cards);
+
+  /// Reads a *PARAMETER_EXPRESSION block.
+  void read_expressions(Cards& cards);
 
   /// True if the text is `&name`, `-&name` or `+&name`.
   static bool is_reference(std::string_view text);
@@ -28,9 +31,19 @@ class Parameters {
   struct Value {
     std::string text;
     Where where;
+    bool is_whole = false;  ///< of type I
   };
 
+  /// A name with its type in front of it.
+  struct Name {
+    std::string name;
+    bool is_whole = false;
+  };
+
+  static std::optional<Name> name_of(std::string_view name_and_type, const Where& where, Report& report);
+  void enter(const Name& name, const std::string& text, const Where& where, Report& report);
   void define(std::string_view name_and_type, std::string_view text, const Where& where, Report& report);
+  void define_by(const std::string& expression, const Name& name, const Where& where, Report& report);
 
   std::map<std::string, Value, std::less<>> values_;
 };

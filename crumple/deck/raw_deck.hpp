@@ -101,18 +101,44 @@ struct RawTable {
   Where where;
 };
 
-/// A member of a set, or a range of members.
+/// A box with sides along the global axes.
+struct RawBox {
+  UserId id = 0;
+  std::array<double, 3> lowest{};
+  std::array<double, 3> highest{};
+  Where where;
+};
+
+/// Something to put into a set, or to take out again: a member, a range of members, or what an item has.
 struct RawMember {
+  enum class What {
+    Member,
+    All,
+    Part,
+    Box,
+    BoxOfShells,
+    BoxOfSolids,
+    Shell,
+    Segment,
+    OwnSet,
+    ShellSet,
+    SolidSet
+  };
+  What what = What::Member;
+  bool removes = false;
   UserId first = 0;
-  UserId last = 0;
-  std::int32_t line = 0;
-  std::int32_t card = 0;
+  UserId last = 0;               ///< of a range; otherwise the same
+  UserId increment = 1;          ///< of a range
+  std::array<UserId, 4> node{};  ///< of a segment
+  std::string_view field;
+  Where where;
 };
 
 struct RawSet {
   UserId id = 0;
   std::string title;
   std::vector<RawMember> members;
+  bool collects = false;  ///< sets with COLLECT and the same id are one
   Where where;
 };
 
@@ -169,7 +195,9 @@ struct RawNodalLoad {
 /// A pressure on a segment, or on a shell.
 struct RawPressureLoad {
   std::array<UserId, 4> node{};
-  UserId shell = 0;  ///< the nodes are this shell's; 0: they are given
+  UserId shell = 0;        ///< the nodes are this shell's; 0: they are given
+  UserId shell_set = 0;    ///< on all shells of a set
+  UserId segment_set = 0;  ///< on all segments of a set
   UserId curve = 0;
   double scale = 1;
   double arrival = 0;
@@ -205,6 +233,10 @@ struct RawDeck {
   std::vector<RawTable> tables;
   std::vector<RawSet> node_sets;
   std::vector<RawSet> part_sets;
+  std::vector<RawSet> shell_sets;
+  std::vector<RawSet> solid_sets;
+  std::vector<RawSet> segment_sets;
+  std::vector<RawBox> boxes;
   std::vector<RawFixed> fixed;
   std::vector<RawVelocity> velocities;
   std::vector<RawNodalLoad> nodal_loads;

@@ -13,7 +13,7 @@ using namespace row;
 constexpr Check fixed_or_free = within(0, 1, "0 is free, 1 fixed");
 constexpr std::string_view global_axes = "only global axes are supported";
 constexpr std::string_view no_rigid_bodies = "there are no rigid bodies";
-constexpr std::string_view no_boxes = "boxes are not supported; use a node set";
+constexpr std::string_view no_boxes = "take *SET_NODE_GENERAL with the option BOX instead";
 
 constexpr Field spc_card[] = {
     id("NID"),

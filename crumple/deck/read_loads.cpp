@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *LOAD_NODE, *LOAD_SEGMENT and *LOAD_SHELL_ELEMENT.
+// *LOAD_NODE, *LOAD_SEGMENT and *LOAD_SHELL.
 #include "deck/families.hpp"
 
 namespace crumple::deck {
@@ -26,6 +26,27 @@ constexpr Field segment_card[] = {
 
 constexpr Field shell_card[] = {id("EID"), id("LCID"), real_or_default("SF", 1.0),
                                 real("AT", 0, not_negative)};
+
+constexpr Field segment_set_card[] = {id("SSID"), id("LCID"), real_or_default("SF", 1.0),
+                                      real("AT", 0, not_negative)};
+
+constexpr Field shell_set_card[] = {id("ESID"), id("LCID"), real_or_default("SF", 1.0),
+                                    real("AT", 0, not_negative)};
+
+/// Cards of an id, a curve, a factor and a time; `target` is the member that takes the id.
+void read_pressures(Cards& cards, Layout layout, UserId RawPressureLoad::*target, RawDeck& deck) {
+  while (cards.more()) {
+    cards.heading();
+    const Card card = cards.next_filled(layout);
+    RawPressureLoad load;
+    load.*target = card.integer(layout[0].name);
+    load.curve = card.integer("LCID");
+    load.scale = card.real("SF");
+    load.arrival = card.real("AT");
+    load.where = card.where();
+    if (card.good(layout[0].name) && card.good("LCID")) deck.pressure_loads.push_back(load);
+  }
+}
 
 void read_nodal(Cards& cards, RawDeck& deck, bool is_set) {
   while (cards.more()) {
@@ -75,18 +96,16 @@ void read_load_segment(Cards& cards, RawDeck& deck) {
   }
 }
 
+void read_load_segment_set(Cards& cards, RawDeck& deck) {
+  read_pressures(cards, segment_set_card, &RawPressureLoad::segment_set, deck);
+}
+
 void read_load_shell_element(Cards& cards, RawDeck& deck) {
-  while (cards.more()) {
-    cards.heading();
-    const Card card = cards.next_filled(shell_card);
-    RawPressureLoad load;
-    load.shell = card.integer("EID");
-    load.curve = card.integer("LCID");
-    load.scale = card.real("SF");
-    load.arrival = card.real("AT");
-    load.where = card.where();
-    if (card.good("EID") && card.good("LCID")) deck.pressure_loads.push_back(load);
-  }
+  read_pressures(cards, shell_card, &RawPressureLoad::shell, deck);
+}
+
+void read_load_shell_set(Cards& cards, RawDeck& deck) {
+  read_pressures(cards, shell_set_card, &RawPressureLoad::shell_set, deck);
 }
 
 }  // namespace crumple::deck

@@ -50,9 +50,12 @@ class Reading {
 
 void Reading::take(const Block& block) {
   has_keywords_ = true;
-  if (block.name == "PARAMETER") {
+  if (block.name == "PARAMETER" || block.name == "PARAMETER_EXPRESSION") {
     Cards cards(block, HeadingKind::None, parameters_, report_);
-    parameters_.read(cards);
+    if (block.name == "PARAMETER")
+      parameters_.read(cards);
+    else
+      parameters_.read_expressions(cards);
     return;
   }
   const std::optional<FoundKeyword> found = find_keyword(block.name);

@@ -66,4 +66,17 @@ struct PartSet {
   std::vector<Index> parts;
 };
 
+struct ShellSet {
+  UserId id = 0;
+  std::string title;
+  std::vector<Index> shells;
+};
+
+/// Pieces of surface. No two of a set have the same nodes.
+struct SegmentSet {
+  UserId id = 0;
+  std::string title;
+  std::vector<std::array<Index, 4>> segments;  ///< a triangle repeats its third node
+};
+
 }  // namespace crumple::model

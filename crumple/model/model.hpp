@@ -30,6 +30,8 @@ struct Model {
   std::vector<Curve> curves;
   std::vector<NodeSet> node_sets;
   std::vector<PartSet> part_sets;
+  std::vector<ShellSet> shell_sets;
+  std::vector<SegmentSet> segment_sets;
   std::vector<FixedNode> fixed_nodes;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodalLoad> nodal_loads;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *DEFINE_CURVE, *DEFINE_TABLE, *SET_NODE_LIST, *SET_PART_LIST.
+// *DEFINE_CURVE, *DEFINE_TABLE.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,39 +31,6 @@ constexpr Field value_card[] = {sized(20, real("VALUE"))};
 constexpr Field value_curve_card[] = {sized(20, real("VALUE")), sized(20, id("CURVEID"))};
 
 constexpr Field point_card[] = {sized(20, real("A")), sized(20, real("O"))};
-
-// DA1-4 are values that other keywords may take from the set; those here do not.
-constexpr Field set_card[] = {id("SID"),     unused("DA1"),      unused("DA2"), unused("DA3"),
-                              unused("DA4"), text("SOLVER", 10), unused("ITS")};
-
-constexpr Field member_card[] = {reference("ID1"), reference("ID2"), reference("ID3"), reference("ID4"),
-                                 reference("ID5"), reference("ID6"), reference("ID7"), reference("ID8")};
-
-enum class Members { Single, Ranges };
-
-void read_set(Cards& cards, std::vector<RawSet>& sets, Members members) {
-  RawSet set;
-  set.title = cards.heading().title;
-  const Card card = cards.next(set_card);
-  set.id = card.integer("SID");
-  set.where = card.where();
-  while (cards.more()) {
-    const Card list = cards.next_filled(member_card);
-    const std::size_t stride = members == Members::Ranges ? 2 : 1;
-    for (std::size_t i = 0; i < std::size(member_card); i += stride) {
-      const std::int64_t first = list.good(i) ? list.integer(i) : 0;
-      const std::int64_t last = members == Members::Ranges && list.good(i + 1) ? list.integer(i + 1) : first;
-      if (first == 0) continue;
-      if (last < first)
-        cards.report().field_error(list.where(), {member_card[i + 1].name, std::to_string(last),
-                                                  fmt::format("a number not below {}", first),
-                                                  "ranges go from the first to the last id", "range"});
-      else
-        set.members.push_back({first, last, list.where().line, list.where().card});
-    }
-  }
-  if (card.good("SID")) sets.push_back(std::move(set));
-}
 
 }  // namespace
 
@@ -134,22 +101,6 @@ void read_define_table_2d(Cards& cards, RawDeck& deck) {
     raw.curve.push_back(point.integer("CURVEID"));
   }
   if (card.good("TBID")) deck.tables.push_back(std::move(raw));
-}
-
-void read_set_node_list(Cards& cards, RawDeck& deck) {
-  read_set(cards, deck.node_sets, Members::Single);
-}
-
-void read_set_node_list_generate(Cards& cards, RawDeck& deck) {
-  read_set(cards, deck.node_sets, Members::Ranges);
-}
-
-void read_set_part_list(Cards& cards, RawDeck& deck) {
-  read_set(cards, deck.part_sets, Members::Single);
-}
-
-void read_set_part_list_generate(Cards& cards, RawDeck& deck) {
-  read_set(cards, deck.part_sets, Members::Ranges);
 }
 
 }  // namespace crumple::deck
