@@ -120,8 +120,7 @@ TEST_F(ParaviewSeriesTest, VtkItselfReadsTheSameValues) {
   domain_.nodes.position[node] += math::Vec3{0.25, 0.5, -1};
   go_to(0.125, 9);
   ParaviewSeries(folder_, "run", view()).write_frame(view());
-  const std::string script = (std::filesystem::path(__FILE__).parent_path() / "read_with_vtk.py").string();
-  EXPECT_EQ(std::system(("/usr/bin/python3 " + script + " " + folder_.string()).c_str()), 0);
+  EXPECT_EQ(std::system(("/usr/bin/python3 tests/output/read_with_vtk.py " + folder_.string()).c_str()), 0);
 }
 
 }  // namespace
