@@ -26,13 +26,15 @@ void print_steps(std::ostream& out, const timeloop::Simulation& simulation) {
   std::vector<double> steps(model.parts.size(), std::numeric_limits<double>::infinity());
   for (const domain::ShellBlock& block : simulation.domain().shells)
     steps[block.part] = std::min(steps[block.part], elements::stable_step(simulation.domain(), block));
+  for (const domain::SolidBlock& block : simulation.domain().solids)
+    steps[block.part] = std::min(steps[block.part], elements::stable_step(simulation.domain(), block));
   for (std::size_t part = 0; part < steps.size(); ++part)
     if (std::isfinite(steps[part]))
       fmt::print(out, "  part {:<8} {:.4e}\n", model.parts[part].id, model.control.step_scale * steps[part]);
   const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
   const double cycles = std::ceil(model.control.end_time / simulation.next_step());
-  fmt::print(out, "  first step {:.4e}, controlled by shell {} of part {}; about {:.0f} {} to the end time\n",
-             simulation.next_step(), controlling.element, controlling.part, cycles,
+  fmt::print(out, "  first step {:.4e}, controlled by {} {} of part {}; about {:.0f} {} to the end time\n",
+             simulation.next_step(), controlling.kind, controlling.element, controlling.part, cycles,
              cycles == 1 ? "cycle" : "cycles");
 }
 

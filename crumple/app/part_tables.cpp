@@ -41,18 +41,40 @@ std::string points_words(const model::ShellSection& section) {
   return fmt::format("{} {}", section.thickness_points, rule);
 }
 
+bool is_solid(const model::Part& part) {
+  return part.solid_section != no_index;
+}
+
+struct ElementWords {
+  const char* kind;
+  std::string points;
+};
+ElementWords element_words(const model::Model& model, const model::Part& part) {
+  if (is_solid(part)) {
+    const elements::SolidKind kind =
+        elements::solid_kind(model.solid_sections[part.solid_section].formulation);
+    return {kind.name, std::to_string(kind.points)};
+  }
+  const model::ShellSection& section = model.shell_sections[part.section];
+  return {elements::shell_kind(section.formulation).name, points_words(section)};
+}
+
+/// Words for the forms of solids, in the order of the enumeration.
+constexpr const char* solid_forms[] = {"viscous, standard", "viscous", "viscous, exact volume", "stiffness",
+                                       "stiffness, exact volume"};
+
 void print_make(std::ostream& out, const model::Model& model, const domain::Domain& domain, Index rows) {
   const output::PartMasses masses(output::View{model, domain, 0});
-  std::vector<Index> shells(model.parts.size());
-  for (const model::ShellElement& shell : model.shells) ++shells[shell.part];
-  fmt::print(out, "  {:>8} {:>8}  {:<29} {:<27} {:>12} {:>14} {:>11}  title\n", "part", "shells", "element",
+  std::vector<Index> elements(model.parts.size());
+  for (const model::ShellElement& shell : model.shells) ++elements[shell.part];
+  for (const model::SolidElement& solid : model.solids) ++elements[solid.part];
+  fmt::print(out, "  {:>8} {:>8}  {:<29} {:<27} {:>12} {:>14} {:>11}  title\n", "part", "elements", "element",
              "material", "points", "thickness", "mass");
   for (Index p = 0; p < rows; ++p) {
     const model::Part& part = model.parts[p];
-    const model::ShellSection& section = model.shell_sections[part.section];
-    fmt::print(out, "  {:>8} {:>8}  {:<26} {:<23} {:>12} {:>14} {:>11.4g}  {}\n", part.id, shells[p],
-               elements::shell_kind(section.formulation).name,
-               materials::shell_material_name(model.materials[part.material].law), points_words(section),
+    const ElementWords words = element_words(model, part);
+    fmt::print(out, "  {:>8} {:>8}  {:<26} {:<23} {:>12} {:>14} {:>11.4g}  {}\n", part.id, elements[p],
+               words.kind, materials::shell_material_name(model.materials[part.material].law), words.points,
                thickness_range(model, p), masses.mass(p), part.title);
   }
 }
@@ -61,8 +83,10 @@ void print_options(std::ostream& out, const model::Model& model, Index rows) {
   fmt::print(out, "  {:>8} {:>8}  {:<29} {}\n", "part", "NLOC", "hourglass control", "strain rate effect");
   for (Index p = 0; p < rows; ++p) {
     const model::Part& part = model.parts[p];
-    fmt::print(out, "  {:>8} {:>8.4g}  {:<29} {}\n", part.id, model.shell_sections[part.section].node_place,
-               hourglass_words(model, part), rate_words(model.materials[part.material].law));
+    const std::string place =
+        is_solid(part) ? "-" : fmt::format("{:.4g}", model.shell_sections[part.section].node_place);
+    fmt::print(out, "  {:>8} {:>8}  {:<29} {}\n", part.id, place, hourglass_words(model, part),
+               rate_words(model.materials[part.material].law));
   }
 }
 
@@ -94,6 +118,11 @@ struct RateWords {
 
 std::string hourglass_words(const model::Model& model, const model::Part& part) {
   using enum model::ShellFormulation;
+  if (is_solid(part)) {
+    const model::HourglassControl& control = model::hourglass_of(model, part);
+    return fmt::format("{} QM {:.4g}", solid_forms[static_cast<std::size_t>(control.solid_form)],
+                       control.coefficient);
+  }
   const model::ShellFormulation formulation = model.shell_sections[part.section].formulation;
   if (formulation == FullyIntegrated || formulation == Triangle) return "none";
   if (!materials::has_stiffness(model.materials[part.material].law)) return "none";

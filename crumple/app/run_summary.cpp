@@ -139,8 +139,8 @@ void print_run_settings(std::ostream& out, const timeloop::Simulation& simulatio
   const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
   fmt::print(out, "\nRun\n");
   fmt::print(out, "  end time              {:.6g}\n", model.control.end_time);
-  fmt::print(out, "  first step            {:.4e}, controlled by shell {} of part {}\n",
-             simulation.next_step(), controlling.element, controlling.part);
+  fmt::print(out, "  first step            {:.4e}, controlled by {} {} of part {}\n", simulation.next_step(),
+             controlling.kind, controlling.element, controlling.part);
   fmt::print(out, "  arithmetic            {}, {}, {}\n",
              execution.precision == Precision::Mixed ? "mixed precision" : "double precision",
              isa_name(execution.isa), counted(execution.threads, "thread"));

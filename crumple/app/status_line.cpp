@@ -33,8 +33,8 @@ std::string status_header() {
 
 std::string status_line(const domain::Domain& domain, const Progress& progress) {
   const domain::EnergyLedger& energy = domain.energy;
-  const std::string controlling =
-      fmt::format("{} {} p{}", progress.controlling.kind, progress.controlling.element, progress.controlling.part);
+  const std::string controlling = fmt::format("{} {} p{}", progress.controlling.kind,
+                                              progress.controlling.element, progress.controlling.part);
   return fmt::format(
       "{:>8} {:>10.4e} {:>9.3e}  {:<16} {:>10.4e} {:>10.4e} {:>9.2e} {:>9.2e} {:>7.5f} {:>6.1f} {:>7}",
       domain.clock.cycle, domain.clock.time, progress.next_step, controlling, energy.kinetic, energy.internal,

@@ -36,9 +36,9 @@ struct PartEnergy {
 
 std::vector<PartEnergy> energy_by_part(const View& view) {
   std::vector<PartEnergy> parts(view.model.parts.size());
-  for (const domain::ShellBlock& block : view.domain.shells) {
-    parts[block.part].internal += block.internal_energy;
-    parts[block.part].hourglass += block.hourglass_energy;
+  for (const domain::ElementBlock* block : view.domain.blocks()) {
+    parts[block->part].internal += block->internal_energy;
+    parts[block->part].hourglass += block->hourglass_energy;
   }
   return parts;
 }

@@ -11,6 +11,7 @@
 
 #include "output/atomic_file.hpp"
 #include "output/shell_results.hpp"
+#include "output/solid_results.hpp"
 
 namespace crumple::output {
 
@@ -18,6 +19,10 @@ namespace {
 
 constexpr std::uint8_t vtk_triangle = 5;
 constexpr std::uint8_t vtk_quad = 9;
+constexpr std::uint8_t vtk_tetrahedron = 10;
+constexpr std::uint8_t vtk_hexahedron = 12;
+constexpr std::uint8_t vtk_wedge = 13;
+constexpr std::uint8_t vtk_pyramid = 14;
 
 /// User ids as 32-bit numbers, or as 64-bit ones if any does not fit.
 VtuArray make_id_array(VtuPacker& packer, const std::string& name, const std::vector<UserId>& ids) {
@@ -47,6 +52,27 @@ bool is_triangle(const model::ShellElement& shell) {
   return shell.node[3] == shell.node[2];
 }
 
+/// Places of the nodes that a cell of VTK has; degenerate hexahedra are what they look like.
+struct SolidCell {
+  std::uint8_t type = vtk_hexahedron;
+  std::vector<std::size_t> corner;
+};
+SolidCell cell_of(const std::array<Index, 8>& node) {
+  const auto same = [&](std::size_t a, std::size_t b) { return node[a] == node[b]; };
+  const bool tip = same(4, 5) && same(5, 6) && same(6, 7);
+  if (tip && same(2, 3)) return {vtk_tetrahedron, {0, 1, 2, 4}};
+  if (tip) return {vtk_pyramid, {0, 1, 2, 3, 4}};
+  // The two triangles of a wedge whose edge 5-7 lies over the quadrilateral 1 2 3 4.
+  if (same(4, 5) && same(6, 7)) return {vtk_wedge, {0, 1, 4, 3, 2, 6}};
+  return {vtk_hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}};
+}
+
+template <class Block>
+void note_places(const std::vector<Block>& blocks, std::vector<std::pair<Index, Index>>& places) {
+  for (Index b = 0; b < static_cast<Index>(blocks.size()); ++b)
+    for (Index place = 0; place < blocks[b].elements; ++place) places[blocks[b].element[place]] = {b, place};
+}
+
 }  // namespace
 
 ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view)
@@ -54,10 +80,9 @@ ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, c
   make_folder(folder_ / "vtu");
   remove_earlier_frames();
   place_.resize(view.model.shells.size());
-  for (Index b = 0; b < static_cast<Index>(view.domain.shells.size()); ++b) {
-    const domain::ShellBlock& block = view.domain.shells[b];
-    for (Index place = 0; place < block.elements; ++place) place_[block.element[place]] = {b, place};
-  }
+  note_places(view.domain.shells, place_);
+  solid_place_.resize(view.model.solids.size());
+  note_places(view.domain.solids, solid_place_);
   pack_constant_arrays(view);
 }
 
@@ -85,6 +110,14 @@ void ParaviewSeries::pack_constant_arrays(const View& view) {
     elements.push_back(shell.id);
     parts.push_back(view.model.parts[shell.part].id);
   }
+  for (const model::SolidElement& solid : view.model.solids) {
+    const SolidCell cell = cell_of(solid.node);
+    for (const std::size_t corner : cell.corner) connectivity.push_back(solid.node[corner]);
+    offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
+    types.push_back(cell.type);
+    elements.push_back(solid.id);
+    parts.push_back(view.model.parts[solid.part].id);
+  }
   topology_.push_back(packer_.array<std::int32_t>("connectivity", 1, connectivity));
   topology_.push_back(packer_.array<std::int32_t>("offsets", 1, offsets));
   topology_.push_back(packer_.array<std::uint8_t>("types", 1, types));
@@ -109,23 +142,37 @@ std::vector<VtuArray> ParaviewSeries::point_fields(const View& view) {
 }
 
 std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
-  std::vector<ShellResults> results;
-  for (const domain::ShellBlock& block : view.domain.shells) results.emplace_back(view.model, block);
-  const auto make = [&](const std::string& name, auto value) {
-    std::vector<float> values;
-    values.reserve(place_.size());
+  std::vector<ShellResults> shells;
+  for (const domain::ShellBlock& block : view.domain.shells) shells.emplace_back(view.model, block);
+  const std::vector<SolidResults> solids(view.domain.solids.begin(), view.domain.solids.end());
+  // Shells first, then solids, as in the topology.
+  const auto make = [&]<class Number>(const std::string& name, Number /*type*/, auto of_shell,
+                                      auto of_solid) {
+    std::vector<Number> values;
+    values.reserve(place_.size() + solid_place_.size());
     for (const auto& [block, place] : place_)
-      values.push_back(static_cast<float>((results[block].*value)(place)));
-    return packer_.array<float>(name, 1, values);
+      values.push_back(static_cast<Number>(of_shell(shells[block], place)));
+    for (const auto& [block, place] : solid_place_)
+      values.push_back(static_cast<Number>(of_solid(solids[block], place)));
+    return packer_.array<Number>(name, 1, values);
   };
+  const auto same = [&](const std::string& name, auto value) { return make(name, 0.0F, value, value); };
+  const auto none = [](const auto&, Index) { return 0; };
   std::vector<VtuArray> fields;
-  fields.push_back(make("plastic_strain", &ShellResults::plastic_strain));
-  fields.push_back(make("von_mises", &ShellResults::von_mises));
-  fields.push_back(make("von_mises_mid", &ShellResults::mid_von_mises));
-  fields.push_back(make("thickness", &ShellResults::thickness));
-  std::vector<std::uint8_t> alive;
-  for (const auto& [block, place] : place_) alive.push_back(results[block].alive(place) ? 1 : 0);
-  fields.push_back(packer_.array<std::uint8_t>("alive", 1, alive));
+  fields.push_back(
+      same("plastic_strain", [](const auto& r, Index place) { return r.plastic_strain(place); }));
+  fields.push_back(same("von_mises", [](const auto& r, Index place) { return r.von_mises(place); }));
+  fields.push_back(make(
+      "von_mises_mid", 0.0F, [](const ShellResults& r, Index place) { return r.mid_von_mises(place); },
+      [](const SolidResults& r, Index place) { return r.mean_von_mises(place); }));
+  if (!place_.empty())
+    fields.push_back(make(
+        "thickness", 0.0F, [](const ShellResults& r, Index place) { return r.thickness(place); }, none));
+  if (!solid_place_.empty())
+    fields.push_back(
+        make("pressure", 0.0F, none, [](const SolidResults& r, Index place) { return r.pressure(place); }));
+  const auto alive = [](const auto& r, Index place) { return r.alive(place) ? 1 : 0; };
+  fields.push_back(make("alive", std::uint8_t(0), alive, alive));
   return fields;
 }
 

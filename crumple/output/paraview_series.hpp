@@ -39,7 +39,8 @@ class ParaviewSeries {
   VtuPacker packer_;
   /// Block and place in it of every shell, in the order of the model.
   std::vector<std::pair<Index, Index>> place_;
-  std::vector<VtuArray> topology_;  ///< connectivity, offsets, types
+  std::vector<std::pair<Index, Index>> solid_place_;  ///< the same of the solids
+  std::vector<VtuArray> topology_;                    ///< connectivity, offsets, types
   VtuArray node_id_;
   VtuArray part_id_;
   VtuArray element_id_;

@@ -13,9 +13,9 @@ class PartHistory : public History {
   void add_rows(const View& view, CsvFile& table) override {
     std::vector<double> internal(view.model.parts.size());
     std::vector<double> hourglass(view.model.parts.size());
-    for (const domain::ShellBlock& block : view.domain.shells) {
-      internal[block.part] += block.internal_energy;
-      hourglass[block.part] += block.hourglass_energy;
+    for (const domain::ElementBlock* block : view.domain.blocks()) {
+      internal[block->part] += block->internal_energy;
+      hourglass[block->part] += block->hourglass_energy;
     }
     for (Index part = 0; part < static_cast<Index>(view.model.parts.size()); ++part) {
       const PartMasses::Motion motion = masses_.motion(view.domain.nodes, part);

@@ -33,6 +33,14 @@ PartMasses::PartMasses(const View& view) {
     for (int corner = 0; corner < corners; ++corner)
       by_node[shell.part][view.domain.nodes.domain_node[shell.node[corner]]] += share;
   }
+  for (const domain::SolidBlock& block : view.domain.solids) {
+    const double density = view.model.materials[view.model.parts[block.part].material].density;
+    const domain::StateItem* const volume = block.find("reference_volume");
+    if (volume == nullptr) continue;
+    for (Index place = 0; place < block.elements; ++place)
+      for (const Index node : block.nodes_of(place))
+        by_node[block.part][node] += 0.125 * density * block.state(place, volume->first);
+  }
   for (const auto& nodes : by_node) shares_.emplace_back(nodes.begin(), nodes.end());
 }
 

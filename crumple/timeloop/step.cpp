@@ -99,10 +99,10 @@ void Simulation::balance() {
   domain::EnergyLedger& energy = domain_.energy;
   energy.internal = energy.hourglass = energy.eroded = 0;
   energy.contact = energy.friction = energy.rigidwall = 0;
-  for (const domain::ShellBlock& block : domain_.shells) {
-    energy.internal += block.internal_energy;
-    energy.hourglass += block.hourglass_energy;
-    energy.eroded += block.eroded_energy;
+  for (const domain::ElementBlock* block : domain_.blocks()) {
+    energy.internal += block->internal_energy;
+    energy.hourglass += block->hourglass_energy;
+    energy.eroded += block->eroded_energy;
   }
   for (const domain::ContactReport& contact : domain_.contacts) {
     energy.contact += contact.energy;

@@ -26,16 +26,21 @@ Index fastest_node(const domain::NodeFields& nodes) {
                             nodes.velocity.begin());
 }
 
-/// " of shell 12, part 3" for the first shell that has the node; empty if there is none.
+/// " of shell 12, part 3" for the first element that has the node; empty if there is none.
 std::string owner_of(const model::Model& model, const domain::Domain& domain, Index node) {
-  for (const domain::ShellBlock& block : domain.shells)
-    for (Index place = 0; place < block.elements; ++place) {
-      const auto nodes = block.nodes_of(place);
-      if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
-        return " of shell " + std::to_string(model.shells[block.element[place]].id) + ", part " +
-               std::to_string(model.parts[block.part].id);
-    }
-  return "";
+  std::string found;
+  const auto look = [&](const auto& blocks, const char* kind, const auto& elements) {
+    for (const auto& block : blocks)
+      for (Index place = 0; place < block.elements && found.empty(); ++place) {
+        const auto nodes = block.nodes_of(place);
+        if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+          found = std::string(" of ") + kind + " " + std::to_string(elements[block.element[place]].id) +
+                  ", part " + std::to_string(model.parts[block.part].id);
+      }
+  };
+  look(domain.shells, "shell", model.shells);
+  look(domain.solids, "solid", model.solids);
+  return found;
 }
 
 }  // namespace

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A copper bar that strikes a rigid wall (G.I. Taylor 1948): final length and radius, by hexahedra.
+//
+// 32.4 mm long, radius 3.2 mm, 227 m/s, E 117 GPa, nu 0.35, 8930 kg/m^3, yield stress 400 MPa, linear
+// hardening with a tangent modulus of 100 MPa, 80 us: the case that many codes report since Kamoulakos (1990)
+// and Zhu & Cescotto (CMAME 125 (1995) 297-315), with final lengths of 21.4 to 21.5 mm and radii of the foot
+// of 6.9 to 7.2 mm.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/meshes.hpp"
+#include "support/run.hpp"
+
+namespace crumple {
+namespace {
+
+constexpr double length = 32.4;
+constexpr double radius = 3.2;
+
+/// A point of the unit square, [-1, 1] squared, on the unit disc: concentric squares become circles towards
+/// the rim.
+std::array<double, 2> on_disc(double x, double y) {
+  const double larger = std::max(std::fabs(x), std::fabs(y));
+  const double distance = std::hypot(x, y);
+  if (distance == 0) return {0, 0};
+  // At the rim a circle, in the middle the square: no cell of the rim's corners collapses.
+  const double round = larger / distance;
+  const double factor = (1 - larger) * 0.75 + larger * round;
+  return {factor * x, factor * y};
+}
+
+/// mm, ms, kg: GPa, m/s.
+model::Model bar(model::SolidHourglassForm form, Index across, Index along) {
+  model::Material copper;
+  copper.id = 1;
+  copper.density = 8930e-9;
+  copper.law = model::PlasticKinematic{117, 0.35, 0.4, 0.1, 1, 0, 0, 0};
+  model::Model model = test::one_solid_part(copper);
+  model.control.hourglass.solid_form = form;
+  model.control.end_time = 0.08;
+  test::add_box(model, 0, across, across, along, [&](double u, double v, double w) {
+    const auto disc = on_disc(2 * u - 1, 2 * v - 1);
+    return test::Point{radius * disc[0], radius * disc[1], length * w};
+  });
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -227}});
+    if (model.nodes.position[i][2] == 0)
+      model.fixed_nodes.push_back({.node = i, .translation = {false, false, true}});
+  }
+  return model;
+}
+
+struct Shape {
+  double length = 0;
+  double foot = 0;
+  double energy_error = 0;
+  double hourglass_share = 0;
+};
+
+Shape struck(const model::Model& model, const domain::Execution& execution) {
+  timeloop::Simulation simulation(model, execution);
+  test::run(simulation);
+  const domain::Domain& domain = simulation.domain();
+  Shape shape;
+  for (Index i = 0; i < domain.nodes.count(); ++i) {
+    const math::Vec3& x = domain.nodes.position[i];
+    const math::Vec3& start = domain.nodes.reference[i];
+    if (start.z == length && start.x == 0 && start.y == 0) shape.length = x.z;
+    if (start.z == 0) shape.foot = std::max(shape.foot, std::hypot(x.x, x.y));
+  }
+  const domain::EnergyLedger& energy = domain.energy;
+  shape.energy_error =
+      std::fabs(energy.total() - energy.initial_total - energy.external_work) / energy.initial_total;
+  shape.hourglass_share = energy.hourglass / energy.internal;
+  return shape;
+}
+
+TEST(TaylorBar, HasTheLengthAndTheFootThatOthersReport) {
+  using Form = model::SolidHourglassForm;
+  for (const Form form : {Form::StandardViscous, Form::FlanaganBelytschkoViscous, Form::ExactVolumeViscous,
+                          Form::FlanaganBelytschkoStiffness, Form::ExactVolumeStiffness})
+    for (const Precision precision : {Precision::Double, Precision::Mixed}) {
+      const Shape shape = struck(bar(form, 8, 36), {precision, default_isa(), 1});
+      std::printf(
+          "form %d, %s: length %.3f mm, foot %.3f mm, energy error %.1e, hourglass %.2f %% of internal\n",
+          int(form) + 1, precision == Precision::Double ? "double" : "mixed", shape.length, shape.foot,
+          shape.energy_error, 100 * shape.hourglass_share);
+      EXPECT_GT(shape.length, 21.4) << int(form) + 1;
+      EXPECT_LT(shape.length, 21.5) << int(form) + 1;
+      EXPECT_GT(shape.foot, 6.9) << int(form) + 1;
+      EXPECT_LT(shape.foot, 7.2) << int(form) + 1;
+      EXPECT_LT(shape.energy_error, 1e-2) << int(form) + 1;
+    }
+}
+
+}  // namespace
+}  // namespace crumple
