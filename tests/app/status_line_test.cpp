@@ -33,7 +33,7 @@ class StatusDomain : public ::testing::Test {
     progress_.next_step = 1e-3;
     progress_.cycle_seconds = 0.1;
     progress_.seconds = 4;
-    progress_.controlling = {12345678, 99};
+    progress_.controlling = {"shell", 12345678, 99};
   }
   domain::Domain domain_;
   Progress progress_;
