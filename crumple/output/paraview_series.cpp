@@ -198,7 +198,7 @@ void ParaviewSeries::write_frame(const View& view) {
   VtuGrid grid;
   grid.time = view.domain.clock.time;
   grid.points = nodes.count();
-  grid.cells = static_cast<Index>(place_.size());
+  grid.cells = static_cast<Index>(place_.size() + solid_place_.size());
   grid.positions = {&positions};
   for (const VtuArray& array : topology_) grid.topology.push_back(&array);
   grid.point_data = {&node_id_};
