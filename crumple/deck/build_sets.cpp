@@ -79,7 +79,7 @@ class SetTable {
     std::vector<Index> all;
     for (std::size_t i = 0; i < raws_.size(); ++i) {
       if (raws_[i].id < member.first || raws_[i].id > member.last) continue;
-      const Found found = of_set(i, member);
+      Found found = of_set(i, member);
       if (!found) return found;
       all.insert(all.end(), found->begin(), found->end());
     }
@@ -133,8 +133,8 @@ bool is_inside(const RawBox& box, const std::array<double, 3>& x) {
   return true;
 }
 
-template <std::size_t count>
-bool all_inside(const RawBox& box, const std::array<Index, count>& node, const model::Nodes& nodes) {
+template <std::size_t Count>
+bool all_inside(const RawBox& box, const std::array<Index, Count>& node, const model::Nodes& nodes) {
   return std::all_of(node.begin(), node.end(), [&](Index n) {
     return n != no_index && is_inside(box, nodes.position[static_cast<std::size_t>(n)]);
   });
@@ -143,6 +143,7 @@ bool all_inside(const RawBox& box, const std::array<Index, count>& node, const m
 template <class Elements>
 std::vector<UserId> ids_of(const Elements& elements) {
   std::vector<UserId> ids;
+  ids.reserve(elements.size());
   for (const auto& element : elements) ids.push_back(element.id);
   return ids;
 }

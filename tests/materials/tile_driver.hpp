@@ -61,8 +61,8 @@ class TileDriver {
     if (can_fail(material)) intact_.assign(tile_lanes, Real(-1));
   }
   /// Once the history is declared.
-  void allocate(std::vector<double> constants, std::size_t outputs) {
-    block_.material_constants = std::move(constants);
+  void allocate(const std::vector<double>& constants, std::size_t outputs) {
+    block_.material_constants = constants;
     values(block_).assign(static_cast<std::size_t>(tile_lanes) * block_.components, Real(0));
     out_.assign(outputs * tile_lanes, Real(0));
   }
