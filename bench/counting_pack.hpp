@@ -33,6 +33,7 @@ struct CountingPack {
   friend bool operator>(CountingPack a, CountingPack b) { return a.value > b.value; }
   friend bool operator<=(CountingPack a, CountingPack b) { return a.value <= b.value; }
   friend bool operator>=(CountingPack a, CountingPack b) { return a.value >= b.value; }
+  friend bool operator==(CountingPack a, CountingPack b) { return a.value == b.value; }
 };
 
 template <class Number>
