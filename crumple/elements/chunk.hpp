@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/erode.hpp"
 #include "elements/erosion.hpp"
 #include "elements/formulation.hpp"
 #include "elements/lane_sums.hpp"
@@ -103,8 +104,13 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
                         });
     for (Index group = 0; group < groups; ++group) {
       lane_sums.add_group(rows + group * lanes);
-      if (task.constants.can_fail)
-        erode<Pack>(task, material.state + group * material.group_stride, rows + group * lanes, sums);
+      if (task.constants.can_fail) {
+        Real* const own = material.state + group * material.group_stride + task.constants.own * lanes;
+        erode<Pack>(
+            {own + element_state::active * lanes, own + element_state::energy * lanes, rows + group * lanes,
+             rows + scratch_row::intact * tile_lanes + group * lanes, task.constants.planes},
+            sums);
+      }
     }
   }
   lane_sums.add_to(sums);

@@ -25,4 +25,7 @@ domain::ControllingElement controlling_element(const model::Model& model, const 
 double stable_step(const domain::Domain& domain, const domain::ShellBlock& block);
 double stable_step(const domain::Domain& domain, const domain::SolidBlock& block);
 
+/// Present volume of a solid as its forces see it; not above zero if it has turned inside out [length^3].
+double solid_volume(const domain::Domain& domain, const domain::SolidBlock& block, Index place);
+
 }  // namespace crumple::elements

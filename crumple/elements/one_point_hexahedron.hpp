@@ -127,8 +127,8 @@ CRUMPLE_INLINE SolidForces<Pack> OnePointHexahedron::forces(const SolidPlace<Rea
 
   const Pack viscous_work =
       Pack(Real(-0.5)) * (old_pressure + pressure) * (Pack(place.task.step) * dilatation);
-  const Pack work = kept_row<Pack>(place, solid_scratch::material_energy) + viscous_work;
-  keep_row(place, solid_scratch::internal_energy, Pack(active * (work * kept_row<Pack>(place, row_volume))));
+  const Pack work = multiply_add(active, kept_row<Pack>(place, solid_scratch::material_energy), viscous_work);
+  keep_row(place, solid_scratch::internal_energy, Pack(work * kept_row<Pack>(place, row_volume)));
 
   PackMatrix<Pack> stress = stress_of<Pack>(place, 0);
   stress.x.x = stress.x.x - pressure;

@@ -28,12 +28,13 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
                                           : 0.5 * control.coefficient * modulus;
 }
 
-void declare_own_items(SolidBlock& block) {
+void declare_own_items(bool can_fail, SolidBlock& block) {
   domain::add_item(block, "reference_volume", "length^3", 1);
   domain::add_item(block, "active", "-", 1);
   domain::add_item(block, "step_scale", "-", 1);
   domain::add_item(block, "bulk_viscosity", "stress", 1);
   domain::add_item(block, "hourglass", "force", 12);
+  if (can_fail) domain::add_item(block, "energy", "energy", 2);
 }
 
 SolidConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
@@ -44,12 +45,12 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   const int law = materials::solid_material_kind(material.law);
   require(kind.kind >= 0, part, "its formulation of solids is not computed by any kind in the registry");
   require(law >= 0, part, "its material cannot be used with solids");
-  require(!materials::can_fail(material), part, "solids that fail and erode are not possible yet");
   const ElasticConstants elastic = materials::elastic_constants(material);
   SolidConstants<double> constants;
   constants.formulation = kind.kind;
   constants.points = kind.points;
   constants.material = law;
+  constants.can_fail = materials::can_fail(material);
   constants.density = elastic.density;
   constants.wave_speed = elastic.bulk_wave_speed();
   const model::HourglassControl& control = model::hourglass_of(model, part);
@@ -61,7 +62,7 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   domain::add_item(block, "stress", "stress", materials::solid_components * block.points);
   constants.history = materials::declare_solid_history(material.law, block);
   constants.own = block.components;
-  declare_own_items(block);
+  declare_own_items(constants.can_fail, block);
   block.allocate(domain.execution.precision);
   block.material_constants = materials::solid_material_constants(material);
   block.element_constants = to_numbers(constants);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/erode.hpp"
 #include "elements/solid_formulation.hpp"
 
 // As in chunk.hpp every template has the pack among its parameters.
@@ -30,6 +31,23 @@ CRUMPLE_INLINE void for_each_solid_pack(const SolidTask<RealOf<Pack>>& task, Ind
               scratch.rows + group * lanes + lane, scratch.nodes + (group * lanes + lane) * solid_row::count},
           task.target + at * 8 * lanes + lane);
     }
+}
+
+/// Puts a cube at rest in the place of failed elements, as rest_failed() does for shells.
+template <class Pack>
+CRUMPLE_INLINE void rest_failed_solids(const SolidPlace<RealOf<Pack>>& place) {
+  using Real = RealOf<Pack>;
+  const Pack zero(Real(0));
+  auto gone = own_item<Pack>(place, solid_state::active) == zero &&
+              own_item<Pack>(place, solid_state::bulk_viscosity) == zero;
+  for (Index c = 0; c < 12; ++c) gone = gone && own_item<Pack>(place, solid_state::hourglass + c) == zero;
+  if (!any<Pack>(gone)) return;
+  for (int row = 0; row < solid_row::count; ++row) {
+    // The first three patterns are the axes of the cube.
+    const bool side = row < 9 && row % 4 == 0;
+    Real* const at = place.nodes + row * width_of<Pack>;
+    store(at, select<Pack>(gone, Pack(side ? Real(1) : Real(0)), load<Pack>(at)));
+  }
 }
 
 template <class Pack>
@@ -68,6 +86,7 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
     for_each_solid_pack<Pack>(task, first, groups, scratch,
                               [](const SolidPlace<Real>& place, const Index* /*target*/) {
                                 gather_solids<Pack>(place.task.nodes, place.node, place.nodes);
+                                if (place.task.constants.can_fail) rest_failed_solids<Pack>(place);
                               });
     for_each_solid_pack<Pack>(task, first, groups, scratch,
                               [](const SolidPlace<Real>& place, const Index* /*target*/) {
@@ -80,7 +99,15 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
                               [&](const SolidPlace<Real>& place, const Index* target) {
                                 scatter_solids(task.force, target, Formulation::template forces<Pack>(place));
                               });
-    for (Index group = 0; group < groups; ++group) lane_sums.add_group(rows + group * lanes);
+    for (Index group = 0; group < groups; ++group) {
+      lane_sums.add_group(rows + group * lanes);
+      if (task.constants.can_fail) {
+        Real* const own = material.state + group * material.group_stride + task.constants.own * lanes;
+        erode<Pack>({own + solid_state::active * lanes, own + solid_state::energy * lanes,
+                     rows + group * lanes, rows + solid_scratch::intact * tile_lanes + group * lanes},
+                    sums);
+      }
+    }
   }
   lane_sums.add_to(sums);
 }

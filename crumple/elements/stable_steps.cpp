@@ -51,6 +51,11 @@ double stable_step(const Domain& domain, const domain::SolidBlock& block) {
   return shortest_step(domain, block);
 }
 
+double solid_volume(const Domain& domain, const domain::SolidBlock& block, Index place) {
+  const bool exact = from_numbers<SolidConstants<double>>(block.element_constants).exact_volume;
+  return solid_size(domain, block.nodes_of(place), exact).volume;
+}
+
 domain::ControllingElement controlling_element(const model::Model& model, const Domain& domain) {
   domain::ControllingElement found;
   double shortest = 1e30;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "elements/elements.hpp"
 
 namespace crumple::timeloop {
 namespace {
@@ -43,11 +44,25 @@ std::string owner_of(const model::Model& model, const domain::Domain& domain, In
   return found;
 }
 
+/// The first active solid that has turned inside out, in words; empty if there is none.
+std::string inside_out(const model::Model& model, const domain::Domain& domain) {
+  for (const domain::SolidBlock& block : domain.solids)
+    for (Index place = 0; place < block.elements; ++place) {
+      const bool active = block.state(place, block.find("active")->first) != 0;
+      if (!active || !(elements::solid_volume(domain, block, place) <= 0)) continue;
+      return "negative volume in brick element " + std::to_string(model.solids[block.element[place]].id) +
+             ", part " + std::to_string(model.parts[block.part].id);
+    }
+  return "";
+}
+
 }  // namespace
 
 void throw_trouble(const model::Model& model, const domain::Domain& domain, const std::string& otherwise) {
   const std::string where =
       " at cycle " + std::to_string(domain.clock.cycle) + ", time " + std::to_string(domain.clock.time) + ".";
+  if (const std::string solid = inside_out(model, domain); !solid.empty())
+    throw NumericalError(solid + "," + where);
   const Index node = first_bad_node(domain.nodes);
   if (node == no_index) {
     const Index fastest = fastest_node(domain.nodes);

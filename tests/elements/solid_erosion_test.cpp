@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solids whose points have failed.
+#include <gtest/gtest.h>
+
+#include "shell_harness.hpp"
+
+namespace crumple::elements::testing {
+namespace {
+
+/// Two cubes of side 2 in a row along x; the second is stretched until it fails.
+struct TornBar {
+  TornBar(const domain::Execution& execution, model::SolidHourglassForm form) : body(bar(form), execution) {}
+
+  static model::Model bar(model::SolidHourglassForm form) {
+    model::Material material = plastic();
+    std::get<model::PlasticKinematic>(material.law).failure_strain = 0.05;
+    model::Model model = test::one_solid_part(material);
+    model.control.hourglass.solid_form = form;
+    test::add_box(model, 0, 2, 1, 1, [](double u, double v, double w) {
+      return test::Point{4 * u, 2 * v, 2 * w};
+    });
+    return model;
+  }
+  void stretch(double factor) {
+    body.step(
+        1e-6,
+        [&](const Vec3& x) {
+          return Vec3{x.x > 2 ? 2 + factor * (x.x - 2) : x.x, x.y, x.z};
+        },
+        [](const Vec3&) { return Vec3{}; });
+  }
+  const domain::SolidBlock& block() const { return body.domain.solids[0]; }
+
+  Driven body;
+};
+
+TEST(SolidErosion, TakesForceEnergyAndStepOfTheElement) {
+  for (const auto form : {model::SolidHourglassForm::FlanaganBelytschkoViscous,
+                          model::SolidHourglassForm::ExactVolumeStiffness})
+    for (const auto& execution : all_executions()) {
+      TornBar torn(execution, form);
+      const domain::SolidBlock& block = torn.block();
+      double energy = 0;
+      for (int step = 0; step < 200 && block.eroded == 0; ++step) {
+        energy = block.internal_energy;
+        torn.stretch(1.001);
+      }
+      const std::string name = name_of(execution);
+      ASSERT_EQ(block.eroded, 1) << name;
+      // The step of failure adds the last trapezoid, half of a whole step's work.
+      EXPECT_GT(block.eroded_energy, energy) << name;
+      EXPECT_LT(block.eroded_energy, 1.03 * energy) << name;
+      EXPECT_NEAR(block.internal_energy, 0, 1e-5 * energy) << name;
+      const double eroded = block.eroded_energy;
+      torn.stretch(1.01);
+      EXPECT_LT(torn.body.domain.clock.element_limit, 1e29) << "the other still limits the step";
+      // The nodes of what has failed go where they will, to one place as well.
+      torn.stretch(0);
+      torn.stretch(0);
+      EXPECT_EQ(block.eroded_energy, eroded) << name;
+      for (Index i = 0; i < torn.body.domain.nodes.count(); ++i)
+        EXPECT_EQ(norm(torn.body.force(i)), 0) << name;
+    }
+}
+
+}  // namespace
+}  // namespace crumple::elements::testing
