@@ -100,7 +100,13 @@ TEST(TaylorBarSlow, LengthConvergesToWhatOthersReport) {
   EXPECT_LT(length_limit, 21.5);
 }
 
-/// Elastic hourglass stiffness does not yield: with a coefficient of 0.1 it holds the foot together (5.4 mm).
+/// Elastic hourglass stiffness does not yield: with a coefficient of 0.1 it holds the foot together.
+TEST(TaylorBarSlow, HourglassStiffnessThatSuitsElasticBodiesIsTooStiffForFlow) {
+  const Shape shape = struck_and_told(Form::ExactVolumeStiffness, 0.1, 8, Precision::Mixed);
+  EXPECT_LT(shape.foot, 6);
+  EXPECT_LT(shape.length, 21);
+}
+
 /// The standard viscous form, which resists linear fields of distorted elements too, has 7.24 mm on this
 /// mesh.
 TEST(TaylorBarSlow, FootIsWhatOthersReportWithTheFormsThatSpareLinearFields) {
