@@ -292,6 +292,30 @@ TEST(OnePointHexahedron, HasTheSameBitsForEveryWidth) {
     }
 }
 
+/// Four chunks that share nodes: their forces are added in one order whoever computes them.
+TEST(OnePointHexahedron, HasTheSameBitsForEveryNumberOfThreads) {
+  for (const Precision precision : {Precision::Double, Precision::Mixed}) {
+    std::vector<double> alone;
+    for (const int threads : {1, 2, 3, 4}) {
+      Driven body(cube(12, 0.2, Form::ExactVolumeStiffness, plastic()),
+                  {precision, available_isas().back(), threads});
+      ASSERT_GE(body.domain.assembly.chunks().size(), 4U);
+      std::mt19937 generator(5);
+      std::uniform_real_distribution<double> uniform(-0.01, 0.01);
+      std::vector<Vec3> move(static_cast<std::size_t>(body.domain.nodes.count()));
+      for (int step = 0; step < 3; ++step) {
+        for (Vec3& m : move) m = Vec3{uniform(generator), uniform(generator), uniform(generator)};
+        body.step(1e-7, move, std::vector<Vec3>(move.size()));
+      }
+      std::vector<double> all{body.domain.solids[0].internal_energy, body.domain.solids[0].hourglass_energy};
+      for (Index i = 0; i < body.domain.nodes.count(); ++i)
+        for (int axis = 0; axis < 3; ++axis) all.push_back(body.force(i)[axis]);
+      if (threads == 1) alone = all;
+      EXPECT_EQ(all, alone) << threads;
+    }
+  }
+}
+
 TEST(OnePointHexahedron, StepIsThatOfAWaveAcrossTheThinnestWay) {
   model::Model model = cube(1, 0, Form::ExactVolumeViscous);
   for (auto& x : model.nodes.position) x[2] *= 0.25;
