@@ -32,7 +32,7 @@ endforeach()
 # CRUMPLE_ISA naming the variant. "scalar" is the reference that every other one is tested against.
 # Sanitizers look at the text of the kernels, which is one: the two plain variants are enough, and cheap.
 set(CRUMPLE_ISAS scalar baseline)
-if(CRUMPLE_X86 AND NOT CRUMPLE_SANITIZE)
+if(CRUMPLE_X86 AND NOT CRUMPLE_SANITIZE AND NOT CRUMPLE_PLAIN_KERNELS)
   list(APPEND CRUMPLE_ISAS avx2 avx512)
   set(CRUMPLE_FAST_KERNELS CRUMPLE_FAST_KERNELS)
 endif()
