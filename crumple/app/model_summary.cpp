@@ -20,6 +20,21 @@ double lumped_mass(const model::Model& model) {
   return sum;
 }
 
+const char* name_of(model::WallShape shape) {
+  switch (shape) {
+    case model::WallShape::Flat:
+      return "rectangle";
+    case model::WallShape::Prism:
+      return "prism";
+    case model::WallShape::Cylinder:
+      return "cylinder";
+    case model::WallShape::Sphere:
+      return "sphere";
+    default:
+      return "plane";
+  }
+}
+
 void print_conditions(std::ostream& out, const model::Model& model) {
   fmt::print(out, "  nodes held            {}\n", model.fixed_nodes.size());
   fmt::print(out, "  initial velocities    {}\n", model.initial_velocities.size());
@@ -27,8 +42,9 @@ void print_conditions(std::ostream& out, const model::Model& model) {
   if (!model.pressure_loads.empty())
     fmt::print(out, "  pressure loads        {}\n", model.pressure_loads.size());
   for (const model::RigidWall& wall : model.rigid_walls)
-    fmt::print(out, "  rigid wall {:<10} stops {}, friction {:g}\n", wall.id,
-               counted(wall.nodes.size(), "node"), wall.friction);
+    fmt::print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
+               wall.motion.curve == no_index ? "" : ", moves", counted(wall.nodes.size(), "node"),
+               wall.friction);
   for (const model::SingleSurfaceContact& contact : model.contacts)
     fmt::print(out, "  contact {:<13} single surface, {}, friction {:g}/{:g}\n", contact.id,
                counted(contact.parts.size(), "part"), contact.static_friction, contact.dynamic_friction);

@@ -101,12 +101,18 @@ Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
 void build_solids(Build& build);
 // build_sets.cpp
 void build_sets(Build& build);
+/// Whether a point is in a box; its sides belong to it.
+bool is_inside(const RawBox& box, const std::array<double, 3>& point);
 // build_conditions.cpp
 /// Nodes of the elements of some parts, ascending.
 std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& parts);
+/// Nodes of the set that a field refers to; null, with a message, if there is none.
+const std::vector<Index>* set_nodes(Build& build, const Reference& set);
+std::vector<Index> all_nodes(const Build& build);
 void build_masses(Build& build);
 void build_fixed_nodes(Build& build);
 void build_velocities(Build& build);
+// build_walls.cpp
 void build_walls(Build& build);
 // build_loads.cpp
 void build_loads(Build& build);

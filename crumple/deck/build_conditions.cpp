@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Masses, fixed nodes, initial velocities and rigid walls.
+// Masses, fixed nodes and initial velocities.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,21 +15,10 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-const std::vector<Index>* set_nodes(Build& build, const Reference& set) {
-  const Index index = build.find(Item::NodeSet, set);
-  return index == no_index ? nullptr : &build.model.node_sets[static_cast<std::size_t>(index)].nodes;
-}
-
 /// TC and RC of *NODE: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 all.
 std::array<bool, 3> fixed_directions(int code) {
   return {code == 1 || code == 4 || code == 6 || code == 7, code == 2 || code == 4 || code == 5 || code == 7,
           code == 3 || code == 5 || code == 6 || code == 7};
-}
-
-std::vector<Index> all_nodes(const Build& build) {
-  std::vector<Index> nodes(build.model.nodes.id.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = static_cast<Index>(i);
-  return nodes;
 }
 
 std::vector<Index> velocity_nodes(Build& build, const RawVelocity& raw) {
@@ -86,29 +75,18 @@ void warn_of_mixed_velocities(Build& build) {
                     other->where.keyword, build.report.place(other->where)));
 }
 
-void warn_of_nodes_behind(const model::RigidWall& wall, const Where& where, Build& build) {
-  const auto& positions = build.model.nodes.position;
-  std::vector<double> distances;
-  distances.reserve(wall.nodes.size());
-  double farthest = 0;
-  for (const Index node : wall.nodes) {
-    const Vector& x = positions[static_cast<std::size_t>(node)];
-    double distance = 0;
-    for (std::size_t i = 0; i < 3; ++i) distance += (x[i] - wall.point[i]) * wall.normal[i];
-    distances.push_back(distance);
-    farthest = std::max(farthest, std::fabs(distance));
-  }
-  constexpr double on_the_wall = 1e-6;
-  const auto behind = std::count_if(distances.begin(), distances.end(),
-                                    [&](double distance) { return distance < -on_the_wall * farthest; });
-  if (behind > 0)
-    build.report.warning(where, "behind",
-                         fmt::format("{} of the wall's {} {} behind it at the start; is its normal (from "
-                                     "tail to head, towards the body) right?",
-                                     behind, counted(wall.nodes.size(), "node"), behind == 1 ? "is" : "are"));
+}  // namespace
+
+const std::vector<Index>* set_nodes(Build& build, const Reference& set) {
+  const Index index = build.find(Item::NodeSet, set);
+  return index == no_index ? nullptr : &build.model.node_sets[static_cast<std::size_t>(index)].nodes;
 }
 
-}  // namespace
+std::vector<Index> all_nodes(const Build& build) {
+  std::vector<Index> nodes(build.model.nodes.id.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = static_cast<Index>(i);
+  return nodes;
+}
 
 std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& parts) {
   std::vector<char> wanted(build.model.parts.size(), 0);
@@ -187,30 +165,6 @@ void build_velocities(Build& build) {
     if (raw.target == RawVelocity::Target::Node) apply(raw);
   for (const model::InitialVelocity& velocity : at_node)
     if (velocity.node != no_index) build.model.initial_velocities.push_back(velocity);
-}
-
-void build_walls(Build& build) {
-  for (std::size_t i = 0; i < build.deck.walls.size(); ++i) {
-    const RawWall& raw = build.deck.walls[i];
-    model::RigidWall wall = raw.wall;
-    if (wall.id == 0) wall.id = static_cast<UserId>(i) + 1;
-    build.enter(Item::Wall, {wall.id, "ID", raw.where}, build.model.rigid_walls.size());
-    if (raw.node_set == 0) {
-      wall.nodes = all_nodes(build);
-    } else {
-      const std::vector<Index>* nodes = set_nodes(build, {raw.node_set, "NSID", raw.where});
-      if (!nodes) continue;
-      wall.nodes = *nodes;
-      std::sort(wall.nodes.begin(), wall.nodes.end());
-      wall.nodes.erase(std::unique(wall.nodes.begin(), wall.nodes.end()), wall.nodes.end());
-    }
-    if (raw.exempt_set != 0) {
-      if (const std::vector<Index>* exempt = set_nodes(build, {raw.exempt_set, "NSIDEX", raw.where}))
-        for (const Index node : *exempt) std::erase(wall.nodes, node);
-    }
-    warn_of_nodes_behind(wall, raw.where, build);
-    build.model.rigid_walls.push_back(std::move(wall));
-  }
 }
 
 }  // namespace crumple::deck

@@ -126,13 +126,6 @@ Index named(const RawMember& member, Item item, Build& build) {
   return build.find(item, {member.first, member.field, member.where});
 }
 
-/// Sides belong to the box.
-bool is_inside(const RawBox& box, const std::array<double, 3>& x) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (!(x[i] >= box.lowest[i] && x[i] <= box.highest[i])) return false;
-  return true;
-}
-
 template <std::size_t Count>
 bool all_inside(const RawBox& box, const std::array<Index, Count>& node, const model::Nodes& nodes) {
   return std::all_of(node.begin(), node.end(), [&](Index n) {
@@ -340,6 +333,12 @@ void build_segment_sets(Build& build, SetTable& solid_sets) {
 }
 
 }  // namespace
+
+bool is_inside(const RawBox& box, const std::array<double, 3>& point) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(point[i] >= box.lowest[i] && point[i] <= box.highest[i])) return false;
+  return true;
+}
 
 void build_sets(Build& build) {
   const RawDeck& deck = build.deck;

@@ -112,6 +112,7 @@ void read_load_shell_set(Cards& cards, RawDeck& deck);
 
 // read_contact.cpp
 void read_rigidwall_planar(Cards& cards, RawDeck& deck);
+void read_rigidwall_geometric(Cards& cards, RawDeck& deck);
 void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);
 
 /// Which forms of hourglass control there are, and what instead of the others.

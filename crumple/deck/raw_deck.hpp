@@ -171,6 +171,9 @@ struct RawWall {
   model::RigidWall wall;
   UserId node_set = 0;
   UserId exempt_set = 0;
+  UserId box = 0;
+  UserId motion_curve = 0;
+  Where motion_where;
   Where where;
 };
 

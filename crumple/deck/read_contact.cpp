@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *CONTACT_AUTOMATIC_SINGLE_SURFACE and *RIGIDWALL_PLANAR.
-#include <fmt/format.h>
-
-#include <cmath>
-
+// *CONTACT_AUTOMATIC_SINGLE_SURFACE.
 #include "deck/families.hpp"
 
 namespace crumple::deck {
@@ -13,27 +9,6 @@ namespace {
 using namespace row;
 
 constexpr std::string_view no_boxes = "boxes are not supported; use a set";
-
-constexpr Field wall_card_1[] = {
-    reference("NSID"),
-    reference("NSIDEX"),
-    only("BOXID", {0}, no_boxes),
-    only("OFFSET", {0}, "choose the nodes with NSID"),
-    only("BIRTH", {0}, "walls act from the start"),
-    only("DEATH", {0, 1e20, 1e28}, "walls act to the end"),
-    unused("RWKSF"),  // for rigid bodies
-};
-
-constexpr Field wall_card_2[] = {
-    real("XT"),
-    real("YT"),
-    real("ZT"),
-    real("XH"),
-    real("YH"),
-    real("ZH"),
-    real("FRIC", 0, within(0, 1, "0 slides, 1 sticks; nodes that stay welded (2, 3) are not supported")),
-    unused("WVEL"),  // for FRIC 2 and 3
-};
 
 constexpr Field contact_card_1[] = {
     reference("SSID"),
@@ -121,33 +96,6 @@ RawContact::Target target_of(const Card& card) {
 }
 
 }  // namespace
-
-void read_rigidwall_planar(Cards& cards, RawDeck& deck) {
-  do {
-    const Heading heading = cards.heading();
-    const Card first = cards.next(wall_card_1);
-    const Card second = cards.next(wall_card_2);
-    RawWall raw;
-    raw.wall.id = heading.id;
-    raw.wall.title = heading.title;
-    raw.wall.point = {second.real("XT"), second.real("YT"), second.real("ZT")};
-    raw.wall.normal = {second.real("XH") - second.real("XT"), second.real("YH") - second.real("YT"),
-                       second.real("ZH") - second.real("ZT")};
-    const double length = std::hypot(raw.wall.normal[0], raw.wall.normal[1], raw.wall.normal[2]);
-    if (length > 0)
-      for (double& component : raw.wall.normal) component /= length;
-    else if (second.good("XH"))
-      cards.report().error(
-          second.where(), "normal",
-          "tail (XT, YT, ZT) and head (XH, YH, ZH) are the same point, expected a vector from "
-          "the wall towards the body");
-    raw.wall.friction = second.good("FRIC") ? second.real("FRIC") : 0;
-    raw.node_set = first.integer("NSID");
-    raw.exempt_set = first.integer("NSIDEX");
-    raw.where = first.where();
-    if (first.good("NSID") && first.good("NSIDEX")) deck.walls.push_back(std::move(raw));
-  } while (cards.more());
-}
 
 void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck) {
   const Heading heading = cards.heading();

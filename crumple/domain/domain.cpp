@@ -56,6 +56,9 @@ void Domain::declare(StateList& list) {
     list.add("wall_impulse", "force*time", Entity::Wall, 3, std::span(&wall.impulse, 1));
     list.add("wall_energy", "energy", Entity::Wall, 1, std::span(&wall.energy, 1));
     list.add("wall_deferred_energy", "energy", Entity::Wall, 1, std::span(&wall.deferred, 1));
+    list.add("wall_normal_impulse", "force*time", Entity::Wall, 1, std::span(&wall.normal_impulse, 1));
+    list.add("wall_deferred_work", "energy", Entity::Wall, 1, std::span(&wall.deferred_work, 1));
+    list.add("wall_displacement", "length", Entity::Wall, 3, std::span(&wall.displacement, 1));
   }
   for (ContactReport& contact : contacts) {
     list.add("contact_energy", "energy", Entity::Contact, 1, std::span(&contact.energy, 1));

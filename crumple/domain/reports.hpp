@@ -51,11 +51,14 @@ struct ContactReport {
 /// What a rigid wall did so far.
 struct WallReport {
   UserId id = 0;
-  math::Vec3 force{};       ///< on the wall, in the last step [force]
-  double normal_force = 0;  ///< its part along the wall's normal [force]
-  math::Vec3 impulse{};     ///< on the wall, of the whole run [force * time]
-  double energy = 0;        ///< taken from the model until time n [energy]
-  double deferred = 0;      ///< the half of the last impulses' work that the kinetic energy of n+1 shows
+  math::Vec3 force{};         ///< on the wall, in the last step [force]
+  double normal_force = 0;    ///< sum over the nodes of its parts along the normals where they touch [force]
+  math::Vec3 impulse{};       ///< on the wall, of the whole run [force * time]
+  double normal_impulse = 0;  ///< likewise along the normals [force * time]
+  double energy = 0;          ///< taken from the model until time n [energy]
+  double deferred = 0;        ///< the half of the last impulses' work that the kinetic energy of n+1 shows
+  double deferred_work = 0;   ///< the half of the last impulses' work done by the wall's motion, likewise
+  math::Vec3 displacement{};  ///< of a moving wall at time n [length]
 };
 
 /// The element that governs the step.

@@ -42,14 +42,35 @@ struct PressureLoad {
   Index shell = no_index;  ///< in Model::shells: the load ends when this shell erodes
 };
 
-/// A plane that nodes may not cross (*RIGIDWALL_PLANAR). Infinite, at rest.
+/// What a rigid wall looks like. Plane, Flat: a plane, infinite or a rectangle. The others are closed
+/// surfaces that are stopped at from outside.
+enum class WallShape { Plane, Flat, Prism, Cylinder, Sphere };
+
+/// How a wall moves: along `direction`, by a curve of its velocity or displacement over time.
+struct WallMotion {
+  Index curve = no_index;  ///< in Model::curves; abscissa [time], ordinate [length/time] or [length]
+  bool is_displacement = false;
+  std::array<double, 3> direction{};  ///< what the curve's ordinate is multiplied with [-]
+};
+
+/// A surface that nodes may not cross (*RIGIDWALL_PLANAR, *RIGIDWALL_GEOMETRIC). At rest unless it has a
+/// curve.
 struct RigidWall {
   UserId id = 0;
   std::string title;
   std::vector<Index> nodes;        ///< the nodes that the wall stops
-  std::array<double, 3> point{};   ///< a point of the plane [length]
-  std::array<double, 3> normal{};  ///< unit normal, towards the side where the nodes are
+  std::array<double, 3> point{};   ///< on the plane; corner of a rectangle or of the front of a prism; centre
+                                   ///< of the end of a cylinder or of a sphere [length]
+  std::array<double, 3> normal{};  ///< unit normal, towards the side where the nodes are; axis of a cylinder
   double friction = 0;             ///< Coulomb coefficient; a value of 1 or more sticks, as in LS-DYNA
+  WallShape shape = WallShape::Plane;
+  std::array<double, 3> edge{};  ///< l: unit vector along a rectangle's or prism's first edge; m = normal x l
+  std::array<double, 3> lengths{};  ///< along l, m and against the normal, of a cylinder along it (the
+                                    ///< first); 0 is infinite [length]
+  double radius = 0;  ///< of a cylinder or a sphere [length]
+  WallMotion motion{};
+  double birth_time = 0;     ///< [time]
+  double death_time = 1e20;  ///< [time]
 };
 
 /// Single-surface contact of shells with themselves and each other (*CONTACT_AUTOMATIC_SINGLE_SURFACE).

@@ -76,7 +76,7 @@ void note_places(const std::vector<Block>& blocks, std::vector<std::pair<Index, 
 }  // namespace
 
 ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view)
-    : folder_(std::move(folder)), name_(std::move(name)) {
+    : folder_(std::move(folder)), name_(std::move(name)), walls_(view) {
   make_folder(folder_ / "vtu");
   remove_earlier_frames();
   place_.resize(view.model.shells.size());
@@ -92,7 +92,8 @@ void ParaviewSeries::remove_earlier_frames() const {
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "vtu", ignored)) {
     const std::string file = entry.path().filename().string();
     const std::string frame = file.substr(0, file.find_last_of('_'));
-    if (frame == name_ && entry.path().extension() == ".vtu") std::filesystem::remove(entry.path(), ignored);
+    if ((frame == name_ || frame == name_ + "_walls") && entry.path().extension() == ".vtu")
+      std::filesystem::remove(entry.path(), ignored);
   }
 }
 
@@ -180,12 +181,21 @@ std::string ParaviewSeries::frame_name(int frame) const {
   return fmt::format("vtu/{}_{:06}.vtu", name_, frame);
 }
 
+std::string ParaviewSeries::walls_name(int frame) const {
+  return fmt::format("vtu/{}_walls_{:06}.vtu", name_, frame);
+}
+
 std::string ParaviewSeries::collection_text() const {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-  for (int frame = 0; frame < frames(); ++frame)
-    fmt::format_to(std::back_inserter(text), "    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n",
-                   times_[frame], frame_name(frame));
+  const auto add = [&](int frame, int part, const std::string& file) {
+    fmt::format_to(std::back_inserter(text), "    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n",
+                   times_[frame], part, file);
+  };
+  for (int frame = 0; frame < frames(); ++frame) {
+    add(frame, 0, frame_name(frame));
+    if (!walls_.empty()) add(frame, 1, walls_name(frame));
+  }
   return text + "  </Collection>\n</VTKFile>\n";
 }
 
@@ -206,6 +216,7 @@ void ParaviewSeries::write_frame(const View& view) {
   grid.cell_data = {&part_id_, &element_id_};
   for (const VtuArray& array : cells) grid.cell_data.push_back(&array);
   write_atomically(folder_ / frame_name(frames()), vtu_text(grid));
+  if (!walls_.empty()) write_atomically(folder_ / walls_name(frames()), walls_.text(view));
   times_.push_back(grid.time);
   write_atomically(collection(), collection_text());
 }

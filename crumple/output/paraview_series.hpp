@@ -6,13 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "output/paraview_walls.hpp"
 #include "output/view.hpp"
 #include "output/vtu_file.hpp"
 
 namespace crumple::output {
 
 /// The frames of a run for ParaView: `<name>.pvd` and `vtu/<name>_000000.vtu`, `..._000001.vtu`, ... Points
-/// and cells are in the order of the deck. Every file is replaced as a whole, so that what lies in the folder
+/// and cells are in the order of the deck. Rigid walls that have a shape are a second part of each frame,
+/// `vtu/<name>_walls_000000.vtu`. Every file is replaced as a whole, so that what lies in the folder
 /// loads at any moment.
 class ParaviewSeries {
  public:
@@ -31,12 +33,14 @@ class ParaviewSeries {
   std::vector<VtuArray> point_fields(const View& view);
   std::vector<VtuArray> cell_fields(const View& view);
   std::string frame_name(int frame) const;
+  std::string walls_name(int frame) const;
   std::string collection_text() const;
 
   std::filesystem::path folder_;
   std::string name_;
   std::vector<double> times_;
   VtuPacker packer_;
+  ParaviewWalls walls_;
   /// Block and place in it of every shell, in the order of the model.
   std::vector<std::pair<Index, Index>> place_;
   std::vector<std::pair<Index, Index>> solid_place_;  ///< the same of the solids

@@ -9,25 +9,30 @@ namespace {
 /// neither peaks nor means. The mean over an interval follows from the impulse and loses nothing.
 class WallHistory : public History {
  public:
-  explicit WallHistory(const View& view) : impulse_(view.domain.walls.size()) {}
+  explicit WallHistory(const View& view)
+      : impulse_(view.domain.walls.size()), normal_impulse_(view.domain.walls.size()) {}
 
   void add_rows(const View& view, CsvFile& table) override {
     const double time = view.domain.clock.time;
     for (std::size_t i = 0; i < view.domain.walls.size(); ++i) {
       const domain::WallReport& wall = view.domain.walls[i];
-      const auto& n = view.model.rigid_walls[i].normal;
       math::Vec3 force;
-      if (time > time_) force = (1.0 / (time - time_)) * (wall.impulse - impulse_[i]);
-      const double normal = 0.0 - math::dot(force, {n[0], n[1], n[2]});
+      double normal = 0;
+      if (time > time_) {
+        force = (1.0 / (time - time_)) * (wall.impulse - impulse_[i]);
+        normal = (wall.normal_impulse - normal_impulse_[i]) / (time - time_);
+        impulse_[i] = wall.impulse;
+        normal_impulse_[i] = wall.normal_impulse;
+      }
       table.add_row(time, wall.id, normal, force.x, force.y, force.z);
-      if (time > time_) impulse_[i] = wall.impulse;
     }
     time_ = time;
   }
 
  private:
   double time_ = 0;
-  std::vector<math::Vec3> impulse_;  ///< up to the row before
+  std::vector<math::Vec3> impulse_;     ///< up to the row before
+  std::vector<double> normal_impulse_;  ///< likewise
 };
 
 }  // namespace

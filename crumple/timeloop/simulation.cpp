@@ -33,7 +33,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
   elements::prepare_elements(model, domain_);
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});
-    walls_.emplace_back(wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
+    walls_.emplace_back(model, wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
   }
   for (const model::SingleSurfaceContact& contact : model.contacts) {
     domain_.contacts.push_back({.id = contact.id, .method = model.search.method});

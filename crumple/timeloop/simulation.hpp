@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "constraints/planar_wall.hpp"
+#include "constraints/rigid_wall.hpp"
 #include "contact/single_surface.hpp"
 #include "domain/domain.hpp"
 #include "loads/nodal_loads.hpp"
@@ -57,7 +57,7 @@ class Simulation {
   const model::Model* model_;
   domain::Domain domain_;
   std::vector<contact::SingleSurface> contacts_;
-  std::vector<constraints::PlanarWall> walls_;
+  std::vector<constraints::RigidWall> walls_;
   loads::NodalLoads nodal_loads_;
   loads::PressureLoads pressure_loads_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if there are walls

@@ -90,7 +90,7 @@ void Simulation::kick(double interval) {
   }
   if (walls_.empty()) return;
   const StageTimer timer(domain_.times.constraints);
-  for (constraints::PlanarWall& wall : walls_)
+  for (constraints::RigidWall& wall : walls_)
     wall.stop_nodes(domain_, previous_velocity_, interval, next_step_);
   kick_energy_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity);
 }

@@ -315,6 +315,53 @@ TEST(Wall, BlankFirstCardIsAllNodesAndNumbersFollowTheOrder) {
   EXPECT_EQ(model.rigid_walls[1].id, 2);
 }
 
+TEST(Wall, GeometricShapes) {
+  const model::Model model = read_with(
+      "*RIGIDWALL_GEOMETRIC_FLAT_ID\n         5barrier\n0,0,0,1.0,2.0\n3,0,0,2,0,0,0.2\n3,4,0,6,7\n"
+      "*RIGIDWALL_GEOMETRIC_PRISM\n0\n3,0,0,2,0,0\n5,4,0,6,7,8\n"
+      "*RIGIDWALL_GEOMETRIC_CYLINDER_DISPLAY\n0\n3,0,0,3,0,9\n0.5,2.5\n77,1,2,3\n"
+      "*DEFINE_CURVE\n8\n0,0\n1,1\n"
+      "*RIGIDWALL_GEOMETRIC_SPHERE_MOTION_DISPLAY\n0\n3,0,0\n0.5\n8,1,0,0,-1\n\n"
+      "*RIGIDWALL_PLANAR_FINITE\n0\n3,0,0,2,0,0\n3,4,0,6,7\n");
+  using model::WallShape;
+  ASSERT_EQ(model.rigid_walls.size(), 5U);
+  const auto& walls = model.rigid_walls;
+  EXPECT_EQ(walls[0].id, 5);
+  EXPECT_EQ(walls[0].shape, WallShape::Flat);
+  EXPECT_EQ(walls[0].birth_time, 1);
+  EXPECT_EQ(walls[0].death_time, 2);
+  EXPECT_EQ(walls[0].friction, 0.2);
+  EXPECT_EQ(walls[0].edge, (Vector{0, 1, 0}));
+  EXPECT_EQ(walls[0].lengths, (Vector{6, 7, 0}));
+  EXPECT_EQ(walls[1].shape, WallShape::Prism);
+  EXPECT_EQ(walls[1].edge, (Vector{0, 1, 0})) << "made square to the normal";
+  EXPECT_EQ(walls[1].lengths, (Vector{6, 7, 8}));
+  EXPECT_EQ(walls[2].shape, WallShape::Cylinder);
+  EXPECT_EQ(walls[2].normal, (Vector{0, 0, 1}));
+  EXPECT_EQ(walls[2].radius, 0.5);
+  EXPECT_EQ(walls[2].lengths[0], 2.5);
+  EXPECT_EQ(walls[2].motion.curve, no_index);
+  EXPECT_EQ(walls[3].shape, WallShape::Sphere);
+  EXPECT_EQ(walls[3].motion.curve, 0);
+  EXPECT_TRUE(walls[3].motion.is_displacement);
+  EXPECT_EQ(walls[3].motion.direction, (Vector{0, 0, -1}));
+  EXPECT_EQ(walls[4].shape, WallShape::Flat);
+  EXPECT_EQ(walls[4].lengths, (Vector{6, 7, 0}));
+}
+
+TEST(Wall, ABoxChoosesAmongItsNodes) {
+  const model::Model model =
+      read_with("*DEFINE_BOX\n3,-1,0.5,-9,9,-9,9\n*RIGIDWALL_PLANAR\n0,0,3\n3,0,0,2,0,0\n");
+  ASSERT_EQ(model.rigid_walls.size(), 1U);
+  EXPECT_EQ(model.rigid_walls[0].nodes.size(), 2U);
+}
+
+TEST(Wall, AnEdgeAlongTheNormalIsAnError) {
+  const auto messages = messages_with("*RIGIDWALL_GEOMETRIC_FLAT\n0\n3,0,0,2,0,0\n1,0,0,6,7\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("the head of the edge vector l"), std::string::npos) << messages[0];
+}
+
 TEST(Wall, WarnsOfNodesBehind) {
   const auto messages = messages_with(
       "*RIGIDWALL_PLANAR\n         0\n       1.5       0.0       0.0       1.0       0.0       0.0\n");

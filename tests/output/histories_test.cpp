@@ -102,16 +102,22 @@ TEST_F(HistoriesTest, WallForceTimesTimeSumsToTheImpulse) {
   double time = 0;
   for (long cycle = 1; cycle <= 1000; ++cycle) {
     time += 1e-3 * (1 + 0.5 * std::sin(static_cast<double>(cycle)));
-    domain_.walls[0].impulse.z -= std::fabs(std::sin(0.7 * static_cast<double>(cycle)));
+    const double impulse = std::fabs(std::sin(0.7 * static_cast<double>(cycle)));
+    domain_.walls[0].impulse.z -= impulse;
+    domain_.walls[0].normal_impulse += impulse;
     record(recorder, time, cycle);
   }
   recorder.write_last(view());
   const auto rows = lines(folder_ / "rwforc.csv");
   double impulse = 0;
-  for (std::size_t i = 2; i < rows.size(); ++i)
-    impulse +=
-        std::stod(cells(rows[i])[5]) * (std::stod(cells(rows[i])[0]) - std::stod(cells(rows[i - 1])[0]));
+  double normal_impulse = 0;
+  for (std::size_t i = 2; i < rows.size(); ++i) {
+    const double interval = std::stod(cells(rows[i])[0]) - std::stod(cells(rows[i - 1])[0]);
+    impulse += std::stod(cells(rows[i])[5]) * interval;
+    normal_impulse += std::stod(cells(rows[i])[2]) * interval;
+  }
   EXPECT_NEAR(impulse, domain_.walls[0].impulse.z, 1e-10);
+  EXPECT_NEAR(normal_impulse, domain_.walls[0].normal_impulse, 1e-10);
   EXPECT_GT(std::stod(cells(rows[2])[2]), 0) << "nodes press on the wall: its normal force is positive";
 }
 

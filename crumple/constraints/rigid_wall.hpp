@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "constraints/wall_shapes.hpp"
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::constraints {
+
+/// A surface that stops nodes, at rest or with a prescribed motion: impact is perfectly plastic, the force is
+/// the momentum exchanged (LS-DYNA Theory Manual, "Rigid walls"). Velocity is changed in the integrator,
+/// between the kick and the drift, so that no node ever passes the surface.
+class RigidWall {
+ public:
+  /// `report` is the place of this wall in domain.walls. Puts a wall with a displacement
+  /// curve to where it is at time zero. The model must outlive the wall.
+  RigidWall(const model::Model& model, const model::RigidWall& wall, domain::Domain& domain, Index report);
+
+  /// Takes from the velocities v(n+1/2) what would carry nodes through the surface within `next_step`, with
+  /// Coulomb friction along it. `impulse_interval` is the time over which the forces of this step act. Adds
+  /// impulse and energy to the report, the work of the wall's motion to the ledger's external work, and moves
+  /// the wall to time n+1. `previous_velocity` is v(n-1/2).
+  void stop_nodes(domain::Domain& domain, const AlignedArray<math::Vec3>& previous_velocity,
+                  double impulse_interval, double next_step);
+
+ private:
+  /// What the wall's nodes do to it in one step.
+  struct Sums {
+    math::Vec3 impulse;  ///< on the wall
+    double normal_impulse = 0;
+    double energy = 0;    ///< the half that the kinetic energy of time n shows
+    double deferred = 0;  ///< the half that the one of n+1 shows
+  };
+  template <class Shape>
+  Sums stop_at(const Shape& shape, domain::NodeFields& nodes,
+               const AlignedArray<math::Vec3>& previous_velocity, double next_step) const;
+  math::Vec3 displacement_after(const domain::Clock& clock, const math::Vec3& now, double next_step) const;
+
+  const model::Model* model_;
+  std::vector<Index> nodes_;  ///< domain nodes, ascending
+  WallSurface surface_;       ///< at time zero
+  model::WallMotion motion_;
+  double friction_ = 0;
+  double birth_time_ = 0;
+  double death_time_ = 0;
+  Index report_ = 0;
+  math::Vec3 displacement_;  ///< at time n [length]
+  math::Vec3 velocity_;      ///< from n to n+1 [length/time]
+};
+
+}  // namespace crumple::constraints

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "constraints/rigid_wall.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace crumple::constraints {
+namespace {
+
+using math::Vec3;
+
+/// One free node of mass 2 in front of a wall; exact answers by hand.
+class RigidWallTest : public ::testing::Test {
+ protected:
+  RigidWallTest() {
+    domain_.nodes.position.resize(1);
+    domain_.nodes.velocity.resize(1);
+    domain_.nodes.mass.assign(1, 2.0);
+    domain_.nodes.fixed.assign(1, 0);
+    domain_.nodes.domain_node = {0};
+    domain_.walls.resize(1);
+  }
+
+  static model::RigidWall wall_at_five() {
+    model::RigidWall wall;
+    wall.nodes = {0};
+    wall.point = {0, 0, 5};
+    wall.normal = {0, 0, 1};
+    return wall;
+  }
+
+  void stop(double friction, double interval, double next_step) {
+    model::RigidWall wall = wall_at_five();
+    wall.friction = friction;
+    stop(wall, interval, next_step);
+  }
+
+  void stop(const model::RigidWall& wall, double interval, double next_step) {
+    const AlignedArray<Vec3> previous = domain_.nodes.velocity;
+    RigidWall(model_, wall, domain_, 0).stop_nodes(domain_, previous, interval, next_step);
+  }
+
+  model::Model model_;
+  domain::Domain domain_;
+};
+
+TEST_F(RigidWallTest, LeavesANodeAloneThatDoesNotReachThePlane) {
+  domain_.nodes.position[0] = {1, 2, 6};
+  domain_.nodes.velocity[0] = {3, 0, -4};
+  stop(1.0, 0.1, 0.2);
+  EXPECT_EQ(domain_.nodes.velocity[0].x, 3);
+  EXPECT_EQ(domain_.nodes.velocity[0].z, -4);
+  EXPECT_EQ(domain_.walls[0].impulse.z, 0);
+}
+
+TEST_F(RigidWallTest, LetsANodeArriveExactlyAtThePlane) {
+  domain_.nodes.position[0] = {0, 0, 5.5};
+  domain_.nodes.velocity[0] = {0, 0, -4};
+  stop(0.0, 0.25, 0.5);
+  EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].z, -1.0);
+  EXPECT_DOUBLE_EQ(domain_.walls[0].impulse.z, -6.0) << "on the wall: minus the change of momentum";
+  EXPECT_DOUBLE_EQ(domain_.walls[0].normal_force, 24.0);
+  EXPECT_DOUBLE_EQ(domain_.walls[0].energy + domain_.walls[0].deferred, 0.5 * 2 * (16 - 1))
+      << "the kinetic energy lost";
+}
+
+TEST_F(RigidWallTest, FrictionTakesMuTimesTheNormalImpulseAndNoMore) {
+  domain_.nodes.position[0] = {0, 0, 5};
+  domain_.nodes.velocity[0] = {3, 4, -2};
+  stop(0.5, 0.1, 0.1);
+  // Slip 5, normal change 2: the slip falls by 0.5 * 2 along its own direction.
+  EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].x, 3 * 0.8);
+  EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].y, 4 * 0.8);
+  EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].z, 0);
+}
+
+TEST_F(RigidWallTest, FrictionNeverReversesTheSlip) {
+  domain_.nodes.position[0] = {0, 0, 5};
+  domain_.nodes.velocity[0] = {0.3, 0.4, -2};
+  stop(0.5, 0.1, 0.1);
+  EXPECT_EQ(domain_.nodes.velocity[0].x, 0);
+  EXPECT_EQ(domain_.nodes.velocity[0].y, 0);
+}
+
+TEST_F(RigidWallTest, AFrictionOfOneSticks) {
+  domain_.nodes.position[0] = {0, 0, 5};
+  domain_.nodes.velocity[0] = {300, 0, -0.001};
+  stop(1.0, 0.1, 0.1);
+  EXPECT_EQ(domain_.nodes.velocity[0].x, 0);
+}
+
+TEST_F(RigidWallTest, ANodeThatStartsBehindIsHeldAndNotThrownOut) {
+  domain_.nodes.position[0] = {0, 0, 4};
+  domain_.nodes.velocity[0] = {0, 0, -7};
+  stop(0.0, 0.1, 0.1);
+  EXPECT_EQ(domain_.nodes.velocity[0].z, 0);
+}
+
+TEST_F(RigidWallTest, ANodeMayLeaveThePlane) {
+  domain_.nodes.position[0] = {0, 0, 5};
+  domain_.nodes.velocity[0] = {1, 0, 2};
+  stop(1.0, 0.1, 0.1);
+  EXPECT_EQ(domain_.nodes.velocity[0].x, 1);
+  EXPECT_EQ(domain_.nodes.velocity[0].z, 2);
+}
+
+TEST_F(RigidWallTest, AFixedDegreeOfFreedomStaysFixedAndTheOthersMakeUpForIt) {
+  // The normal lies halfway between x, which is fixed, and z.
+  domain_.nodes.position[0] = {0, 0, 5};
+  domain_.nodes.velocity[0] = {0, 1, -2};
+  domain_.nodes.fixed[0] = domain::fixed_translation(0);
+  model::RigidWall wall = wall_at_five();
+  wall.normal = {std::sqrt(0.5), 0, std::sqrt(0.5)};
+  stop(wall, 0.1, 0.1);
+  EXPECT_EQ(domain_.nodes.velocity[0].x, 0);
+  EXPECT_EQ(domain_.nodes.velocity[0].y, 1);
+  EXPECT_NEAR(domain_.nodes.velocity[0].z, 0, 1e-15);
+}
+
+TEST_F(RigidWallTest, ABoxOfTimeLimitsTheWall) {
+  model::RigidWall wall = wall_at_five();
+  wall.birth_time = 1;
+  wall.death_time = 2;
+  for (const double time : {0.5, 2.5}) {
+    domain_.clock.time = time;
+    domain_.nodes.position[0] = {0, 0, 5};
+    domain_.nodes.velocity[0] = {0, 0, -1};
+    stop(wall, 0.1, 0.1);
+    EXPECT_EQ(domain_.nodes.velocity[0].z, -1) << time;
+  }
+  domain_.clock.time = 1.5;
+  stop(wall, 0.1, 0.1);
+  EXPECT_EQ(domain_.nodes.velocity[0].z, 0);
+}
+
+TEST_F(RigidWallTest, AMovingWallPushesWithItsVelocityAndItsWorkIsExternal) {
+  model_.curves.push_back({.id = 1, .abscissa = {0, 1}, .ordinate = {3, 3}});
+  model::RigidWall wall = wall_at_five();
+  wall.motion = {.curve = 0, .is_displacement = false, .direction = {0, 0, 1}};
+  domain_.nodes.position[0] = {0, 0, 5};
+  domain_.nodes.velocity[0] = {0, 0, 0};
+  stop(wall, 0.1, 0.1);
+  EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].z, 3);
+  EXPECT_DOUBLE_EQ(domain_.walls[0].displacement.z, 0.3);
+  EXPECT_DOUBLE_EQ(domain_.walls[0].impulse.z, -6);
+  const domain::WallReport& report = domain_.walls[0];
+  const double work = domain_.energy.external_work + report.deferred_work;
+  EXPECT_DOUBLE_EQ(work, 6 * 3) << "impulse times velocity of the wall";
+  EXPECT_DOUBLE_EQ(work - report.energy - report.deferred, 0.5 * 2 * 9) << "kinetic energy gained";
+}
+
+TEST_F(RigidWallTest, ADisplacementCurvePlacesTheWall) {
+  model_.curves.push_back({.id = 1, .abscissa = {0, 1}, .ordinate = {-2, 8}});
+  model::RigidWall wall = wall_at_five();
+  wall.motion = {.curve = 0, .is_displacement = true, .direction = {0, 0, 1}};
+  // The plane is at 3 and comes to 4 within the step.
+  domain_.nodes.position[0] = {0, 0, 3.5};
+  domain_.nodes.velocity[0] = {0, 0, 0};
+  stop(wall, 0.1, 0.1);
+  EXPECT_NEAR(domain_.nodes.velocity[0].z, 5, 1e-13);
+}
+
+}  // namespace
+}  // namespace crumple::constraints
