@@ -34,6 +34,8 @@ const ItemWords& words(Item item) {
       {"solid set", "*SET_SOLID_LIST", "*SET_SOLID_", ""},
       {"segment set", "*SET_SEGMENT", "*SET_SEGMENT_", ""},
       {"box", "*DEFINE_BOX", "*DEFINE_BOX_", ""},
+      {"rigid body", "a part of *MAT_RIGID or *CONSTRAINED_NODAL_RIGID_BODY", "*CONSTRAINED_NODAL_RIGID_",
+       ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -111,9 +113,11 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   check_empty_parts(build);
   build_sets(build);
   build_masses(build);
+  build_rigid_bodies(build);
   build_fixed_nodes(build);
   build_velocities(build);
   build_loads(build);
+  build_motions(build);
   build_walls(build);
   build_contacts(build, automatic_contact);
   build_output(build);

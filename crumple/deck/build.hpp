@@ -33,6 +33,7 @@ enum class Item {
   SolidSet,
   SegmentSet,
   Box,
+  RigidBody,
   Count,  ///< how many there are
 };
 
@@ -114,6 +115,11 @@ void build_fixed_nodes(Build& build);
 void build_velocities(Build& build);
 // build_walls.cpp
 void build_walls(Build& build);
+// build_rigid_bodies.cpp
+void build_rigid_bodies(Build& build);
+// build_motions.cpp
+/// Prescribed motions, body loads and loads on rigid bodies.
+void build_motions(Build& build);
 // build_loads.cpp
 void build_loads(Build& build);
 // build_contact_output.cpp

@@ -23,6 +23,7 @@ void read_section_solid(Cards& cards, RawDeck& deck);
 
 // read_parts.cpp
 void read_part(Cards& cards, RawDeck& deck);
+void read_part_inertia(Cards& cards, RawDeck& deck);
 void read_section_shell(Cards& cards, RawDeck& deck);
 void read_hourglass(Cards& cards, RawDeck& deck);
 
@@ -101,6 +102,23 @@ void read_boundary_spc_set(Cards& cards, RawDeck& deck);
 void read_initial_velocity(Cards& cards, RawDeck& deck);
 void read_initial_velocity_node(Cards& cards, RawDeck& deck);
 void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
+
+// read_rigid_bodies.cpp
+void read_mat_rigid(Cards& cards, RawDeck& deck);
+void read_constrained_rigid_bodies(Cards& cards, RawDeck& deck);
+void read_constrained_extra_nodes_node(Cards& cards, RawDeck& deck);
+void read_constrained_extra_nodes_set(Cards& cards, RawDeck& deck);
+void read_constrained_nodal_rigid_body(Cards& cards, RawDeck& deck);
+void read_constrained_nodal_rigid_body_inertia(Cards& cards, RawDeck& deck);
+
+// read_motions.cpp
+void read_boundary_prescribed_motion_node(Cards& cards, RawDeck& deck);
+void read_boundary_prescribed_motion_set(Cards& cards, RawDeck& deck);
+void read_boundary_prescribed_motion_rigid(Cards& cards, RawDeck& deck);
+void read_load_body_x(Cards& cards, RawDeck& deck);
+void read_load_body_y(Cards& cards, RawDeck& deck);
+void read_load_body_z(Cards& cards, RawDeck& deck);
+void read_load_rigid_body(Cards& cards, RawDeck& deck);
 
 // read_loads.cpp
 void read_load_node_point(Cards& cards, RawDeck& deck);

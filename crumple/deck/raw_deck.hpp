@@ -50,12 +50,20 @@ struct RawMass {
   Where where;
 };
 
+/// Mass properties of a rigid part, or of a nodal rigid body.
+struct RawInertia {
+  model::RigidInertia inertia;
+  UserId centre_node = 0;  ///< the centre is this node's place; 0: it is given
+  Where where;
+};
+
 struct RawPart {
   UserId id = 0;
   std::string title;
   UserId section = 0;
   UserId material = 0;
   UserId hourglass = 0;
+  std::optional<RawInertia> inertia{};
   Where where;
 };
 
@@ -164,6 +172,8 @@ struct RawVelocity {
   std::array<double, 3> exempt_velocity{};
   std::array<double, 3> exempt_angular_velocity{};
   bool is_generation = false;
+  bool replaces_given = false;   ///< IRIGID: velocities that come with a given inertia do not count
+  bool of_whole_bodies = false;  ///< IVATN: of the nodes tied to these, too
   Where where;
 };
 
@@ -207,6 +217,54 @@ struct RawPressureLoad {
   Where where;
 };
 
+/// Two rigid bodies that are one.
+struct RawRigidMerge {
+  UserId leading = 0;
+  UserId merged = 0;
+  Where where;
+};
+
+/// Nodes that are tied to a rigid part.
+struct RawExtraNodes {
+  UserId part = 0;
+  UserId target = 0;  ///< a node, or a node set
+  bool is_set = false;
+  bool adds_mass = false;  ///< to a given inertia
+  Where where;
+};
+
+/// Nodes of a set as a rigid body of their own.
+struct RawNodalBody {
+  UserId id = 0;
+  std::string title;
+  UserId node_set = 0;
+  std::optional<RawInertia> inertia{};
+  Where where;
+};
+
+struct RawPrescribedMotion {
+  enum class Target { Node, NodeSet, Body };
+  Target target = Target::Node;
+  UserId id = 0;
+  UserId curve = 0;
+  model::PrescribedMotion motion;
+  Where where;
+};
+
+struct RawBodyLoad {
+  model::BodyLoad load;
+  UserId curve = 0;
+  Where where;
+};
+
+struct RawRigidBodyLoad {
+  UserId body = 0;
+  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
+  UserId curve = 0;
+  double scale = 1;
+  Where where;
+};
+
 struct RawHistory {
   UserId id = 0;
   bool is_set = false;
@@ -244,6 +302,12 @@ struct RawDeck {
   std::vector<RawVelocity> velocities;
   std::vector<RawNodalLoad> nodal_loads;
   std::vector<RawPressureLoad> pressure_loads;
+  std::vector<RawRigidMerge> rigid_merges;
+  std::vector<RawExtraNodes> extra_nodes;
+  std::vector<RawNodalBody> nodal_bodies;
+  std::vector<RawPrescribedMotion> prescribed_motions;
+  std::vector<RawBodyLoad> body_loads;
+  std::vector<RawRigidBodyLoad> rigid_body_loads;
   std::vector<RawWall> walls;
   std::vector<RawContact> contacts;
   std::vector<RawHistory> histories;

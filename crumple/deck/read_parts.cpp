@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "deck/families.hpp"
+#include "deck/rigid_inertia.hpp"
 
 namespace crumple::deck {
 
@@ -118,7 +119,9 @@ model::SolidHourglassForm solid_hourglass_form(std::int64_t number) {
   }
 }
 
-void read_part(Cards& cards, RawDeck& deck) {
+namespace {
+
+void read_parts(Cards& cards, RawDeck& deck, bool with_inertia) {
   while (cards.more()) {
     RawPart part;
     part.title = cards.text_line("the title of a part");
@@ -128,8 +131,19 @@ void read_part(Cards& cards, RawDeck& deck) {
     part.material = card.good("MID") ? card.integer("MID") : 0;
     part.hourglass = card.good("HGID") ? card.integer("HGID") : 0;
     part.where = card.where();
+    if (with_inertia) part.inertia = read_inertia(cards);
     if (card.good("PID")) deck.parts.push_back(std::move(part));
   }
+}
+
+}  // namespace
+
+void read_part(Cards& cards, RawDeck& deck) {
+  read_parts(cards, deck, false);
+}
+
+void read_part_inertia(Cards& cards, RawDeck& deck) {
+  read_parts(cards, deck, true);
 }
 
 void read_section_shell(Cards& cards, RawDeck& deck) {

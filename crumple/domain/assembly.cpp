@@ -30,9 +30,11 @@ void for_each_entry(const std::vector<ElementBlock*>& blocks, const Chunk& chunk
 void Assembly::build(const std::vector<ElementBlock*>& blocks, Index nodes) {
   nodes_ = nodes;
   chunks_.clear();
-  for (Index b = 0; b < static_cast<Index>(blocks.size()); ++b)
+  for (Index b = 0; b < static_cast<Index>(blocks.size()); ++b) {
+    if (blocks[b]->rigid) continue;
     for (Index g = 0; g < blocks[b]->groups(); g += groups_per_chunk)
       chunks_.push_back({b, g, std::min(g + groups_per_chunk, blocks[b]->groups())});
+  }
 
   std::vector<Touch> touch(nodes);
   for (Index c = 0; c < static_cast<Index>(chunks_.size()); ++c)

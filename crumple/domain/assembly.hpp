@@ -25,7 +25,8 @@ inline constexpr Index groups_per_chunk = 32;
 /// block at the very end takes the forces of its fill.
 class Assembly {
  public:
-  /// Cuts the blocks into chunks and writes their `target` arrays. `nodes` is the number of nodes.
+  /// Cuts the blocks into chunks, but the rigid ones, and writes their `target` arrays. `nodes` is the number
+  /// of nodes.
   void build(const std::vector<ElementBlock*>& blocks, Index nodes);
 
   const std::vector<Chunk>& chunks() const { return chunks_; }

@@ -94,6 +94,7 @@ ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index 
   ShellBlock block;
   const model::ShellSection& section = model.shell_sections[model.parts[part].section];
   block.part = part;
+  block.rigid = model::is_rigid(model, model.parts[part]);
   block.formulation =
       is_triangle(model.shells[shells.front()]) ? model::ShellFormulation::Triangle : section.formulation;
   block.thickness_points = section.thickness_points;
@@ -107,6 +108,7 @@ SolidBlock make_solid_block(const model::Model& model, const NodeFields& nodes, 
                             const std::vector<Index>& solids) {
   SolidBlock block;
   block.part = part;
+  block.rigid = model::is_rigid(model, model.parts[part]);
   block.formulation = model.solid_sections[model.parts[part].solid_section].formulation;
   block.elements = static_cast<Index>(solids.size());
   block.element = solids;

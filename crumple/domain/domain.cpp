@@ -22,6 +22,23 @@ void declare_block(const std::string& name, Entity entity, ElementBlock& block, 
   list.add(name + "_eroded", "-", Entity::Run, 1, std::span(&block.eroded, 1));
 }
 
+void declare_body(RigidBody& body, StateList& list) {
+  const auto add = [&](const char* name, const char* unit, int components, auto& value) {
+    list.add(std::string("body_") + name, unit, Entity::RigidBody, components, std::span(&value, 1));
+  };
+  add("centre", "length", 3, body.centre);
+  add("turn", "-", 4, body.turn);
+  add("next_turn", "-", 4, body.next_turn);
+  add("velocity", "length/time", 3, body.velocity);
+  add("angular_momentum", "mass*length^2/time", 3, body.angular_momentum);
+  add("angular_velocity", "1/time", 3, body.angular_velocity);
+  add("spin", "1/time", 3, body.spin);
+  add("deferred_work", "energy", 1, body.deferred_work);
+  add("held_rotation", "-", 3, body.held_rotation);
+  add("prescribed_spin", "1/time", 3, body.prescribed_spin);
+  add("active", "-", 1, body.active);
+}
+
 }  // namespace
 
 std::vector<ElementBlock*> Domain::blocks() {
@@ -60,6 +77,7 @@ void Domain::declare(StateList& list) {
     list.add("wall_deferred_work", "energy", Entity::Wall, 1, std::span(&wall.deferred_work, 1));
     list.add("wall_displacement", "length", Entity::Wall, 3, std::span(&wall.displacement, 1));
   }
+  for (RigidBody& body : rigid_bodies) declare_body(body, list);
   for (ContactReport& contact : contacts) {
     list.add("contact_energy", "energy", Entity::Contact, 1, std::span(&contact.energy, 1));
     list.add("friction_energy", "energy", Entity::Contact, 1, std::span(&contact.friction_energy, 1));

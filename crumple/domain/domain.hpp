@@ -9,6 +9,7 @@
 #include "domain/energy_ledger.hpp"
 #include "domain/node_fields.hpp"
 #include "domain/reports.hpp"
+#include "domain/rigid_body.hpp"
 #include "domain/shell_block.hpp"
 #include "domain/solid_block.hpp"
 #include "domain/state_list.hpp"
@@ -29,6 +30,8 @@ struct Clock {
   long cycle = 0;            ///< steps done
   double step = 0;           ///< from n-1 to n; 0 before the first step [time]
   double element_limit = 0;  ///< smallest stable element step at time n, without TSSFAC [time]
+  double rigid_limit =
+      1e30;  ///< step of the rigid elements where no others set one, else without limit [time]
   ControllingElement controlling;
 };
 
@@ -45,13 +48,15 @@ struct Domain {
   double added_mass = 0;  ///< by mass scaling [mass]
   std::vector<ContactReport> contacts;
   std::vector<WallReport> walls;
+  std::vector<RigidBody> rigid_bodies;  ///< in the order of the model
+  std::vector<Index> body_of_node;      ///< rigid body of each node, or no_index; empty without bodies
   StageTimes times;
 
   /// All blocks, shells first: the order that Chunk::block counts in.
   std::vector<ElementBlock*> blocks();
   std::vector<const ElementBlock*> blocks() const;
 
-  /// Declares the nodal fields, the element state, the walls and the ledger.
+  /// Declares the nodal fields, the element state, the walls, the rigid bodies and the ledger.
   void declare(StateList& list);
 };
 

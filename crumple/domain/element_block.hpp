@@ -40,6 +40,7 @@ struct ElementBlock {
   double hourglass_energy = 0;             ///< accumulated, of the whole block [energy]
   double eroded_energy = 0;                ///< part of both that elements had when they failed [energy]
   Index eroded = 0;                        ///< elements that have failed
+  bool rigid = false;                      ///< its elements have mass and a surface, but no forces
 
   Index groups() const { return (elements + lanes - 1) / lanes; }
 

@@ -34,6 +34,9 @@ inline constexpr std::uint8_t fixed_translation(int axis) {
 inline constexpr std::uint8_t fixed_rotation(int axis) {
   return static_cast<std::uint8_t>(8U << axis);
 }
+/// Bit of NodeFields::fixed, set where a rigid body moves the node: the integrator leaves its velocities
+/// alone and does not count its kinetic energy.
+inline constexpr std::uint8_t moved_by_body = 64;
 
 /// The fields of all nodes, in the domain's own numbering. Every array has one entry per node, but `force`,
 /// which has Assembly::slots() more at its end.
@@ -43,7 +46,7 @@ struct NodeFields {
   AlignedArray<Vec3> angular_velocity;  ///< omega at n - 1/2, global axes [1/time]
   AlignedArray<double> mass;            ///< [mass]
   AlignedArray<double> inertia;         ///< rotary inertia, isotropic [mass * length^2]; 0 without shells
-  AlignedArray<std::uint8_t> fixed;     ///< see fixed_translation, fixed_rotation
+  AlignedArray<std::uint8_t> fixed;     ///< see fixed_translation, moved_by_body
   AlignedArray<NodeForce> force;        ///< forces on the nodes at time n, cleared by the integrator
   AlignedArray<Vec3> reference;         ///< position at time zero [length]; never changes
   AlignedArray<Vec3> acceleration;      ///< at time n, if output asks for it [length/time^2]
@@ -53,6 +56,8 @@ struct NodeFields {
 
   std::vector<Index> model_node;   ///< model index of a domain node
   std::vector<Index> domain_node;  ///< domain index of a model node
+
+  bool is_free(Index node) const { return (fixed[node] & moved_by_body) == 0; }
 
   Index count() const { return static_cast<Index>(position.size()); }
 

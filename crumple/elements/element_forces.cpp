@@ -73,7 +73,7 @@ void add_element_forces(Domain& domain) {
   else
     work_off_all<double>(domain, sums);
   domain.assembly.gather_interface(domain.nodes.force, domain.execution.threads);
-  domain.clock.element_limit = 1e30;
+  domain.clock.element_limit = domain.clock.rigid_limit;
   const std::vector<domain::ElementBlock*> blocks = domain.blocks();
   for (std::size_t c = 0; c < chunks.size(); ++c) {
     domain::ElementBlock& block = *blocks[chunks[c].block];

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "elements/prepare.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "base/error.hpp"
 #include "elements/elements.hpp"
+#include "materials/shell_material.hpp"
 
 namespace crumple::elements {
 
@@ -19,9 +21,28 @@ void require(bool holds, const model::Part& part, const std::string& what) {
   if (!holds) throw Error("Part " + std::to_string(part.id) + ": " + what + ".");
 }
 
+namespace {
+
+/// Rigid elements limit the step where all others have no stiffness: something has to.
+void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) {
+  for (const domain::ElementBlock* block : domain.blocks()) {
+    const model::Part& part = model.parts[block->part];
+    if (!block->rigid && materials::has_stiffness(model.materials[part.material].law)) return;
+  }
+  const auto look = [&](const auto& block) {
+    if (block.rigid)
+      domain.clock.rigid_limit = std::min(domain.clock.rigid_limit, stable_step(domain, block));
+  };
+  for (const domain::ShellBlock& block : domain.shells) look(block);
+  for (const domain::SolidBlock& block : domain.solids) look(block);
+}
+
+}  // namespace
+
 void prepare_elements(const model::Model& model, domain::Domain& domain) {
   prepare_shells(model, domain);
   prepare_solids(model, domain);
+  limit_by_rigid_elements(model, domain);
 }
 
 }  // namespace crumple::elements

@@ -182,8 +182,9 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
   const double about_nodes = thickness * thickness / 12 + offset * offset;
   const double inertia = std::max(about_nodes, area * shear_inertia(model, block, constants.shear_root));
   const double coupled = coupled_step(offset, thickness, inertia);
-  const double factor =
-      stiff ? mass_factor(model.control.mass_scaling_step, coupled * length * constants.slowness) : 1;
+  const double factor = stiff && !block.rigid ? mass_factor(model.control.mass_scaling_step,
+                                                            coupled * length * constants.slowness)
+                                              : 1;
   const std::array<double, 2> frame = reference_frame(corner);
   const Index own = constants.own;
   block.set_state(place, own + element_state::thickness, thickness);
@@ -211,7 +212,8 @@ void prepare_shells(const model::Model& model, domain::Domain& domain) {
       const std::array<double, 4> share = mass_shares(node);
       for (std::size_t k = 0; k < 4; ++k) {
         nodes.mass[node[k]] += share[k] * shell.mass;
-        nodes.inertia[node[k]] += share[k] * shell.mass * shell.inertia;
+        // A rigid shell turns with its body, whose inertia the masses of the nodes make.
+        if (!block.rigid) nodes.inertia[node[k]] += share[k] * shell.mass * shell.inertia;
       }
       domain.added_mass += shell.added;
     }

@@ -82,7 +82,8 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
     throw Error(
         "Solid " + std::to_string(solid.id) +
         " has no positive volume: its nodes are not numbered as they should be, or it is inside out.");
-  const double factor = mass_factor(model.control.mass_scaling_step, size.length / constants.wave_speed);
+  const double factor =
+      block.rigid ? 1 : mass_factor(model.control.mass_scaling_step, size.length / constants.wave_speed);
   const Index own = constants.own;
   block.set_state(place, own + solid_state::reference_volume, size.volume);
   block.set_state(place, own + solid_state::active, place < block.elements ? 1 : 0);

@@ -35,9 +35,12 @@ void for_each_step(const Domain& domain, const domain::SolidBlock& block, const 
   }
 }
 
+/// Longer than any step.
+constexpr double no_limit = 1e30;
+
 template <class Block>
 double shortest_step(const Domain& domain, const Block& block) {
-  double shortest = 1e30;
+  double shortest = no_limit;
   for_each_step(domain, block, [&](Index, double step) { shortest = std::min(shortest, step); });
   return shortest;
 }
@@ -58,8 +61,9 @@ double solid_volume(const Domain& domain, const domain::SolidBlock& block, Index
 
 domain::ControllingElement controlling_element(const model::Model& model, const Domain& domain) {
   domain::ControllingElement found;
-  double shortest = 1e30;
+  double shortest = no_limit;
   const auto look = [&](const auto& block, const char* kind, const auto& elements) {
+    if (block.rigid && domain.clock.rigid_limit == no_limit) return;
     for_each_step(domain, block, [&](Index place, double step) {
       if (step >= shortest) return;
       shortest = step;

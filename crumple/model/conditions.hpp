@@ -42,6 +42,36 @@ struct PressureLoad {
   Index shell = no_index;  ///< in Model::shells: the load ends when this shell erodes
 };
 
+/// Motion of a node or of a rigid body along or about one global axis (*BOUNDARY_PRESCRIBED_MOTION): scale
+/// times the curve's ordinate at the time since birth.
+struct PrescribedMotion {
+  enum class Kind { Velocity, Acceleration, Displacement };
+  Index node = no_index;  ///< in Model::nodes; or a body
+  Index body = no_index;  ///< in Model::rigid_bodies: translation of its centre of mass
+  int axis = 0;           ///< 0, 1, 2 for x, y, z
+  bool rotation = false;  ///< about the axis, in radians, instead of along it
+  Kind kind = Kind::Velocity;
+  Index curve = no_index;  ///< in Model::curves; abscissa [time]
+  double scale = 1;
+  double birth = 0;     ///< free before [time]
+  double death = 1e28;  ///< free from then on [time]
+};
+
+/// Acceleration of the frame of reference along a global axis (*LOAD_BODY): masses feel the opposite.
+struct BodyLoad {
+  int axis = 0;            ///< 0, 1, 2 for x, y, z
+  Index curve = no_index;  ///< in Model::curves; abscissa [time], ordinate [length/time^2]
+  double scale = 1;
+};
+
+/// Force on the centre of mass of a rigid body, or moment on the body (*LOAD_RIGID_BODY), global axes.
+struct RigidBodyLoad {
+  Index body = no_index;           ///< in Model::rigid_bodies
+  std::array<double, 3> force{};   ///< [force]
+  std::array<double, 3> moment{};  ///< [force * length]
+  Index curve = no_index;          ///< in Model::curves; abscissa [time], ordinate a factor
+};
+
 /// What a rigid wall looks like. Plane, Flat: a plane, infinite or a rectangle. The others are closed
 /// surfaces that are stopped at from outside.
 enum class WallShape { Plane, Flat, Prism, Cylinder, Sphere };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -130,11 +131,19 @@ struct NullMaterial {
 using ConstitutiveLaw = std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity,
                                      JohnsonCook, OrthotropicElastic, NullMaterial>;
 
+/// What the parts of a rigid material may not do, in global axes (CMO = 1 of *MAT_RIGID).
+struct RigidMaterial {
+  std::array<bool, 3> fixed_translation{};
+  std::array<bool, 3> fixed_rotation{};
+};
+
 struct Material {
   UserId id = 0;
   std::string title;
   double density = 0;  ///< rho [mass/volume]
   ConstitutiveLaw law;
+  /// Present: parts of this material are rigid bodies, and the law serves the stiffness of contact alone.
+  std::optional<RigidMaterial> rigid{};
 };
 
 }  // namespace crumple::model

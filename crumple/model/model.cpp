@@ -25,6 +25,10 @@ std::array<double, 4> shell_thickness(const Model& model, const ShellElement& sh
   return t;
 }
 
+bool is_rigid(const Model& model, const Part& part) {
+  return part.material != no_index && model.materials[part.material].rigid.has_value();
+}
+
 const HourglassControl& hourglass_of(const Model& model, const Part& part) {
   return part.hourglass == no_index ? model.control.hourglass : model.hourglass_controls[part.hourglass];
 }
@@ -100,6 +104,34 @@ void check_shells(const Model& model, std::vector<std::string>& found) {
   }
 }
 
+/// Every rigid part in one body, every node in one at most.
+void check_rigid_bodies(const Model& model, std::vector<std::string>& found) {
+  std::vector<Index> body_of_part(model.parts.size(), no_index);
+  std::vector<Index> body_of_node(model.nodes.id.size(), no_index);
+  for (Index b = 0; b < static_cast<Index>(model.rigid_bodies.size()); ++b) {
+    const RigidBody& body = model.rigid_bodies[b];
+    const std::string name = "Rigid body " + std::to_string(body.id);
+    if (body.nodes.empty()) found.push_back(name + " has no nodes.");
+    for (const Index part : body.parts) body_of_part[part] = b;
+    for (const Index node : body.nodes) {
+      if (!within(node, body_of_node.size())) {
+        found.push_back(name + " refers to a node that does not exist.");
+        continue;
+      }
+      Index& owner = body_of_node[node];
+      if (owner != no_index && owner != b)
+        found.push_back("Node " + std::to_string(model.nodes.id[node]) + " belongs to the rigid bodies " +
+                        std::to_string(model.rigid_bodies[owner].id) + " and " + std::to_string(body.id) +
+                        ", which are not merged.");
+      owner = b;
+    }
+  }
+  for (std::size_t part = 0; part < model.parts.size(); ++part)
+    if (is_rigid(model, model.parts[part]) && body_of_part[part] == no_index)
+      found.push_back("Part " + std::to_string(model.parts[part].id) +
+                      " is of rigid material and belongs to no rigid body.");
+}
+
 }  // namespace
 
 std::vector<std::string> faults(const Model& model) {
@@ -108,6 +140,7 @@ std::vector<std::string> faults(const Model& model) {
   check_parts(model, found);
   if (found.empty()) check_shells(model, found);
   if (found.empty()) check_solids(model, found);
+  if (found.empty()) check_rigid_bodies(model, found);
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include "model/curve.hpp"
 #include "model/material.hpp"
 #include "model/mesh.hpp"
+#include "model/rigid_body.hpp"
 #include "model/section.hpp"
 
 namespace crumple::model {
@@ -32,10 +33,14 @@ struct Model {
   std::vector<PartSet> part_sets;
   std::vector<ShellSet> shell_sets;
   std::vector<SegmentSet> segment_sets;
+  std::vector<RigidBody> rigid_bodies;
   std::vector<FixedNode> fixed_nodes;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodalLoad> nodal_loads;
   std::vector<PressureLoad> pressure_loads;
+  std::vector<BodyLoad> body_loads;
+  std::vector<RigidBodyLoad> rigid_body_loads;
+  std::vector<PrescribedMotion> prescribed_motions;
   std::vector<RigidWall> rigid_walls;
   std::vector<SingleSurfaceContact> contacts;
   Control control;
@@ -47,6 +52,9 @@ struct Model {
 /// Thickness of a shell at its four nodes [length]: the element's own where given, else the section's. Where
 /// a triangle repeats a node stands the mean of its corners, so that the mean of all four is that, too.
 std::array<double, 4> shell_thickness(const Model& model, const ShellElement& shell);
+
+/// Whether the elements of a part are rigid: they have mass and a surface, but no forces.
+bool is_rigid(const Model& model, const Part& part);
 
 /// Hourglass control that holds for a part.
 const HourglassControl& hourglass_of(const Model& model, const Part& part);

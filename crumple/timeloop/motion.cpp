@@ -75,7 +75,7 @@ double kinetic_energy(const domain::Domain& domain, const AlignedArray<Vec3>& pr
   return 0.5 * ordered_sum(nodes.count(), domain.execution.threads, [&](NodeRange range) {
            double sum = 0;
            for (Index i = range.first; i < range.last; ++i)
-             sum += nodes.mass[i] * dot(previous_velocity[i], velocity[i]);
+             if (nodes.is_free(i)) sum += nodes.mass[i] * dot(previous_velocity[i], velocity[i]);
            return sum;
          });
 }
@@ -85,7 +85,8 @@ double rotational_energy(const domain::Domain& domain) {
   return 0.5 * ordered_sum(nodes.count(), domain.execution.threads, [&](NodeRange range) {
            double sum = 0;
            for (Index i = range.first; i < range.last; ++i)
-             sum += nodes.inertia[i] * dot(nodes.angular_velocity[i], nodes.angular_velocity[i]);
+             if (nodes.is_free(i))
+               sum += nodes.inertia[i] * dot(nodes.angular_velocity[i], nodes.angular_velocity[i]);
            return sum;
          });
 }

@@ -13,14 +13,15 @@ namespace crumple::timeloop {
 void move_nodes(domain::Domain& domain, double step);
 
 /// v(n+1/2) = v(n-1/2) + interval f(n) / m, likewise the rotations; holds fixed degrees of freedom and clears
-/// the forces. Returns the kinetic energy of time n.
+/// the forces. Nodes of rigid bodies stay as they are. Returns the kinetic energy of time n.
 KickEnergy accelerate_nodes(domain::Domain& domain, const Kick& kick);
 
-/// 1/2 m v(n-1/2).v(n+1/2), where something has changed velocities after the kick [energy].
+/// 1/2 m v(n-1/2).v(n+1/2) of the nodes that no rigid body moves, where something has changed velocities
+/// after the kick [energy].
 double kinetic_energy(const domain::Domain& domain, const AlignedArray<math::Vec3>& previous_velocity,
                       const AlignedArray<math::Vec3>& velocity);
 
-/// 1/2 I omega.omega at the present angular velocities [energy].
+/// 1/2 I omega.omega of the same nodes at the present angular velocities [energy].
 double rotational_energy(const domain::Domain& domain);
 
 }  // namespace crumple::timeloop

@@ -22,15 +22,22 @@ void require_stiffness(const model::Model& model) {
         "No element of the model has any stiffness (all materials are null): there is no time step to take.");
 }
 
+/// The domain with its elements and their masses.
+domain::Domain prepared_domain(const model::Model& model, const domain::Execution& execution) {
+  domain::Domain domain = domain::build(model, execution);
+  require_stiffness(model);
+  elements::prepare_elements(model, domain);
+  return domain;
+}
+
 }  // namespace
 
 Simulation::Simulation(const model::Model& model, const domain::Execution& execution)
     : model_(&model),
-      domain_(domain::build(model, execution)),
+      domain_(prepared_domain(model, execution)),
+      rigid_bodies_(model, domain_),
       nodal_loads_(model, domain_),
       pressure_loads_(model, domain_) {
-  require_stiffness(model);
-  elements::prepare_elements(model, domain_);
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});
     walls_.emplace_back(model, wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);

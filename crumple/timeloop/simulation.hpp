@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "constraints/rigid_bodies.hpp"
 #include "constraints/rigid_wall.hpp"
 #include "contact/single_surface.hpp"
 #include "domain/domain.hpp"
@@ -51,12 +52,15 @@ class Simulation {
   void compute_forces();
   void choose_step();
   void kick(double interval);
+  void accelerate_free_nodes(double interval);
+  void stop_at_walls(double interval);
   void drift();
   void balance();
 
   const model::Model* model_;
   domain::Domain domain_;
   std::vector<contact::SingleSurface> contacts_;
+  constraints::RigidBodies rigid_bodies_;
   std::vector<constraints::RigidWall> walls_;
   loads::NodalLoads nodal_loads_;
   loads::PressureLoads pressure_loads_;

@@ -34,7 +34,8 @@ void Simulation::start() {
   choose_step();
   const AlignedArray<math::Vec3>& velocity = domain_.nodes.velocity;
   if (!walls_.empty()) previous_velocity_ = velocity;
-  domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + rotational_energy(domain_);
+  domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + rotational_energy(domain_) +
+                           constraints::RigidBodies::kinetic_energy(domain_);
   balance();
   domain_.energy.initial_total = domain_.energy.total();
   kick(0.5 * next_step_);
@@ -45,7 +46,8 @@ void Simulation::step() {
   compute_forces();
   choose_step();
   kick(0.5 * (domain_.clock.step + next_step_));
-  domain_.energy.kinetic = kick_energy_.translational + kick_energy_.rotational;
+  domain_.energy.kinetic = kick_energy_.translational + kick_energy_.rotational +
+                           constraints::RigidBodies::kinetic_energy(domain_);
   balance();
 }
 
@@ -56,6 +58,7 @@ void Simulation::drift() {
   clock.step = next_step_;
   clock.time += next_step_;
   ++clock.cycle;
+  rigid_bodies_.place_nodes(domain_);
 }
 
 void Simulation::compute_forces() {
@@ -82,12 +85,20 @@ void Simulation::choose_step() {
 }
 
 void Simulation::kick(double interval) {
-  {
-    const StageTimer timer(domain_.times.integrate);
-    const bool output_wants_acceleration = !model_->output.history_nodes.empty();
-    math::Vec3* const previous = walls_.empty() ? nullptr : previous_velocity_.data();
-    kick_energy_ = accelerate_nodes(domain_, {interval, previous, output_wants_acceleration});
-  }
+  rigid_bodies_.kick(domain_, interval);
+  accelerate_free_nodes(interval);
+  stop_at_walls(interval);
+  rigid_bodies_.carry_nodes(domain_, interval, next_step_);
+}
+
+void Simulation::accelerate_free_nodes(double interval) {
+  const StageTimer timer(domain_.times.integrate);
+  const bool output_wants_acceleration = !model_->output.history_nodes.empty();
+  math::Vec3* const previous = walls_.empty() ? nullptr : previous_velocity_.data();
+  kick_energy_ = accelerate_nodes(domain_, {interval, previous, output_wants_acceleration});
+}
+
+void Simulation::stop_at_walls(double interval) {
   if (walls_.empty()) return;
   const StageTimer timer(domain_.times.constraints);
   for (constraints::RigidWall& wall : walls_)

@@ -101,14 +101,18 @@ KickEnergy kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
     const Double4 moment = math::read<Double4>(forces[i].moment);
     math::write(forces[i].force, Double4{});
     math::write(forces[i].moment, Double4{});
-    const Double2 per = inverses(mass[i], inertia[i]);
+    // A node that a rigid body moves keeps its velocities here, and its energy is the body's.
+    const bool free = (fixed[i] & domain::moved_by_body) == 0;
+    const double m = free ? mass[i] : 0.0;
+    const double own = free ? inertia[i] : 0.0;
+    const Double2 per = inverses(m, own);
     const Double4 a = held(per[0] * force, fixed[i]);
     const Double4 old_v = read3(velocity + 3 * i);
     const Double4 new_v = old_v + kick.interval * a;
     const Double4 old_w = read3(angular + 3 * i);
     const Double4 new_w = held(old_w + kick.interval * (per[1] * moment), fixed[i] >> 3U);
-    translational += mass[i] * (old_v * new_v);
-    rotational += inertia[i] * (old_w * new_w);
+    translational += m * (old_v * new_v);
+    rotational += own * (old_w * new_w);
     write3(velocity + 3 * i, new_v);
     write3(angular + 3 * i, new_w);
     if (acceleration != nullptr) write3(acceleration + 3 * i, a);

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prescribed motions, body loads, and loads on rigid bodies.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+std::vector<Index> moved_nodes(const RawPrescribedMotion& raw, Build& build) {
+  if (raw.target == RawPrescribedMotion::Target::Node) {
+    const Index node = build.find(Item::Node, {raw.id, "NID", raw.where});
+    return node == no_index ? std::vector<Index>() : std::vector<Index>{node};
+  }
+  const Index set = build.find(Item::NodeSet, {raw.id, "NSID", raw.where});
+  return set == no_index ? std::vector<Index>() : build.model.node_sets[static_cast<std::size_t>(set)].nodes;
+}
+
+void build_prescribed_motion(const RawPrescribedMotion& raw, const std::vector<Index>& body_of_node,
+                             Build& build) {
+  model::PrescribedMotion motion = raw.motion;
+  motion.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  if (raw.target == RawPrescribedMotion::Target::Body) {
+    motion.body = build.find(Item::RigidBody, {raw.id, "PID", raw.where});
+    if (motion.body != no_index && motion.curve != no_index) build.model.prescribed_motions.push_back(motion);
+    return;
+  }
+  for (const Index node : moved_nodes(raw, build)) {
+    const Index body = body_of_node[static_cast<std::size_t>(node)];
+    if (body != no_index) {
+      build.report.error(raw.where, "rigid",
+                         fmt::format("node {} belongs to the rigid body {}; move the body with "
+                                     "*BOUNDARY_PRESCRIBED_MOTION_RIGID",
+                                     build.model.nodes.id[static_cast<std::size_t>(node)],
+                                     build.model.rigid_bodies[static_cast<std::size_t>(body)].id));
+      continue;
+    }
+    motion.node = node;
+    if (motion.curve != no_index) build.model.prescribed_motions.push_back(motion);
+  }
+}
+
+void build_rigid_body_load(const RawRigidBodyLoad& raw, Build& build) {
+  model::RigidBodyLoad load;
+  load.body = build.find(Item::RigidBody, {raw.body, "PID", raw.where});
+  load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  if (load.body == no_index || load.curve == no_index) return;
+  if (raw.direction <= 3)
+    load.force[static_cast<std::size_t>(raw.direction - 1)] = raw.scale;
+  else
+    load.moment[static_cast<std::size_t>(raw.direction - 5)] = raw.scale;
+  build.model.rigid_body_loads.push_back(load);
+}
+
+}  // namespace
+
+void build_motions(Build& build) {
+  std::vector<Index> body_of_node(build.model.nodes.id.size(), no_index);
+  const auto& bodies = build.model.rigid_bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (const Index node : bodies[b].nodes)
+      body_of_node[static_cast<std::size_t>(node)] = static_cast<Index>(b);
+  for (const RawPrescribedMotion& raw : build.deck.prescribed_motions)
+    build_prescribed_motion(raw, body_of_node, build);
+  for (const RawBodyLoad& raw : build.deck.body_loads) {
+    model::BodyLoad load = raw.load;
+    load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+    if (load.curve != no_index) build.model.body_loads.push_back(load);
+  }
+  for (const RawRigidBodyLoad& raw : build.deck.rigid_body_loads) build_rigid_body_load(raw, build);
+}
+
+}  // namespace crumple::deck

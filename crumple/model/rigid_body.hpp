@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/index.hpp"
+
+namespace crumple::model {
+
+/// Mass properties that are given instead of those of the nodes (*PART_INERTIA).
+struct RigidInertia {
+  double mass = 0;                 ///< [mass]
+  std::array<double, 3> centre{};  ///< centre of mass [length]
+  /// About the centre in global axes: xx, xy, xz, yy, yz, zz components of the tensor [mass * length^2].
+  std::array<double, 6> tensor{};
+  std::array<double, 3> velocity{};          ///< at time zero, of the centre [length/time]
+  std::array<double, 3> angular_velocity{};  ///< at time zero, global axes [1/time]
+  bool velocity_from_nodes = false;          ///< IRIGID: initial velocities of the nodes replace these two
+};
+
+/// Nodes that move as one: those of parts of rigid material, and others that are tied to them.
+struct RigidBody {
+  UserId id = 0;  ///< of the leading part, or the body's own
+  std::string title;
+  std::vector<Index> parts;                 ///< parts of rigid material, the leading one first; may be empty
+  std::vector<Index> nodes;                 ///< all nodes, ascending, none twice
+  std::array<bool, 3> fixed_translation{};  ///< of the centre of mass, global axes
+  std::array<bool, 3> fixed_rotation{};     ///< about the global axes
+  std::optional<RigidInertia> inertia{};    ///< absent: of the masses at the nodes
+  /// Nodes whose masses are added to a given inertia (IFLAG of *CONSTRAINED_EXTRA_NODES), ascending.
+  std::vector<Index> added_nodes{};
+};
+
+}  // namespace crumple::model
