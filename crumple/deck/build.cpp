@@ -114,6 +114,7 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_sets(build);
   build_masses(build);
   build_rigid_bodies(build);
+  build_connections(build);
   build_fixed_nodes(build);
   build_velocities(build);
   build_loads(build);

@@ -113,6 +113,8 @@ std::vector<Index> all_nodes(const Build& build);
 void build_masses(Build& build);
 void build_fixed_nodes(Build& build);
 void build_velocities(Build& build);
+// build_connections.cpp
+void build_connections(Build& build);
 // build_walls.cpp
 void build_walls(Build& build);
 // build_rigid_bodies.cpp

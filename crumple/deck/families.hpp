@@ -103,6 +103,11 @@ void read_initial_velocity(Cards& cards, RawDeck& deck);
 void read_initial_velocity_node(Cards& cards, RawDeck& deck);
 void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
 
+// read_connections.cpp
+void read_constrained_spotweld(Cards& cards, RawDeck& deck);
+void read_constrained_generalized_weld_spot(Cards& cards, RawDeck& deck);
+void read_constrained_rivet(Cards& cards, RawDeck& deck);
+void read_constrained_node_set(Cards& cards, RawDeck& deck);
 // read_rigid_bodies.cpp
 void read_mat_rigid(Cards& cards, RawDeck& deck);
 void read_constrained_rigid_bodies(Cards& cards, RawDeck& deck);

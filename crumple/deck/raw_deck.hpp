@@ -242,6 +242,29 @@ struct RawNodalBody {
   Where where;
 };
 
+/// A weld of two nodes, or of the nodes of a set.
+struct RawWeld {
+  model::SpotWeld weld;
+  std::array<UserId, 2> node{};
+  UserId node_set = 0;
+  Where where;
+  Where limits_where;  ///< of a second card
+};
+
+struct RawRivet {
+  UserId id = 0;
+  std::array<UserId, 2> node{};
+  double failure_time = 0;
+  Where where;
+};
+
+struct RawConstrainedSet {
+  UserId node_set = 0;
+  std::array<bool, 3> direction{};
+  double failure_time = 0;
+  Where where;
+};
+
 struct RawPrescribedMotion {
   enum class Target { Node, NodeSet, Body };
   Target target = Target::Node;
@@ -305,6 +328,9 @@ struct RawDeck {
   std::vector<RawRigidMerge> rigid_merges;
   std::vector<RawExtraNodes> extra_nodes;
   std::vector<RawNodalBody> nodal_bodies;
+  std::vector<RawWeld> welds;
+  std::vector<RawRivet> rivets;
+  std::vector<RawConstrainedSet> constrained_sets;
   std::vector<RawPrescribedMotion> prescribed_motions;
   std::vector<RawBodyLoad> body_loads;
   std::vector<RawRigidBodyLoad> rigid_body_loads;

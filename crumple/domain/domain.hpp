@@ -48,6 +48,7 @@ struct Domain {
   double added_mass = 0;  ///< by mass scaling [mass]
   std::vector<ContactReport> contacts;
   std::vector<WallReport> walls;
+  std::vector<WeldReport> welds;
   std::vector<RigidBody> rigid_bodies;  ///< in the order of the model
   std::vector<Index> body_of_node;      ///< rigid body of each node, or no_index; empty without bodies
   StageTimes times;

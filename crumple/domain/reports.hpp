@@ -61,6 +61,15 @@ struct WallReport {
   math::Vec3 displacement{};  ///< of a moving wall at time n [length]
 };
 
+/// The force in a spot weld between two nodes.
+struct WeldReport {
+  UserId id = 0;
+  double axial = 0;  ///< tension at time n [force]
+  double shear = 0;  ///< at time n [force]
+  bool broken = false;
+  double failure_time = 0;  ///< if broken [time]
+};
+
 /// The element that governs the step.
 struct ControllingElement {
   const char* kind = "shell";  ///< what the element is called

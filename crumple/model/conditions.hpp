@@ -97,7 +97,7 @@ struct RigidWall {
   std::array<double, 3> edge{};  ///< l: unit vector along a rectangle's or prism's first edge; m = normal x l
   std::array<double, 3> lengths{};  ///< along l, m and against the normal, of a cylinder along it (the
                                     ///< first); 0 is infinite [length]
-  double radius = 0;  ///< of a cylinder or a sphere [length]
+  double radius = 0;                ///< of a cylinder or a sphere [length]
   WallMotion motion{};
   double birth_time = 0;     ///< [time]
   double death_time = 1e20;  ///< [time]

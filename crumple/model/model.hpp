@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/conditions.hpp"
+#include "model/connections.hpp"
 #include "model/control.hpp"
 #include "model/curve.hpp"
 #include "model/material.hpp"
@@ -34,6 +35,9 @@ struct Model {
   std::vector<ShellSet> shell_sets;
   std::vector<SegmentSet> segment_sets;
   std::vector<RigidBody> rigid_bodies;
+  std::vector<SpotWeld> spot_welds;
+  std::vector<Rivet> rivets;
+  std::vector<ConstrainedNodeSet> constrained_node_sets;
   std::vector<FixedNode> fixed_nodes;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodalLoad> nodal_loads;

@@ -36,6 +36,9 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
     : model_(&model),
       domain_(prepared_domain(model, execution)),
       rigid_bodies_(model, domain_),
+      spot_welds_(model, domain_),
+      node_sets_(model, domain_),
+      rivets_(model, domain_),
       nodal_loads_(model, domain_),
       pressure_loads_(model, domain_) {
   for (const model::RigidWall& wall : model.rigid_walls) {

@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "constraints/node_sets.hpp"
 #include "constraints/rigid_bodies.hpp"
 #include "constraints/rigid_wall.hpp"
+#include "constraints/rivets.hpp"
+#include "constraints/spot_welds.hpp"
 #include "contact/single_surface.hpp"
 #include "domain/domain.hpp"
 #include "loads/nodal_loads.hpp"
@@ -53,7 +56,8 @@ class Simulation {
   void choose_step();
   void kick(double interval);
   void accelerate_free_nodes(double interval);
-  void stop_at_walls(double interval);
+  bool has_velocity_constraints() const;
+  void constrain_velocities(double interval);
   void drift();
   void balance();
 
@@ -61,10 +65,13 @@ class Simulation {
   domain::Domain domain_;
   std::vector<contact::SingleSurface> contacts_;
   constraints::RigidBodies rigid_bodies_;
+  constraints::SpotWelds spot_welds_;
+  constraints::NodeSets node_sets_;
+  constraints::Rivets rivets_;
   std::vector<constraints::RigidWall> walls_;
   loads::NodalLoads nodal_loads_;
   loads::PressureLoads pressure_loads_;
-  AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if there are walls
+  AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if anything changes it
   KickEnergy kick_energy_;                      ///< of the last kick, walls included
   double largest_step_ = 0;                     ///< no step exceeds this [time]
   double next_step_ = 0;                        ///< from n to n+1 [time]

@@ -33,7 +33,7 @@ void Simulation::start() {
   compute_forces();
   choose_step();
   const AlignedArray<math::Vec3>& velocity = domain_.nodes.velocity;
-  if (!walls_.empty()) previous_velocity_ = velocity;
+  if (has_velocity_constraints()) previous_velocity_ = velocity;
   domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + rotational_energy(domain_) +
                            constraints::RigidBodies::kinetic_energy(domain_);
   balance();
@@ -85,22 +85,29 @@ void Simulation::choose_step() {
 }
 
 void Simulation::kick(double interval) {
+  spot_welds_.break_overloaded(domain_);
   rigid_bodies_.kick(domain_, interval);
   accelerate_free_nodes(interval);
-  stop_at_walls(interval);
+  constrain_velocities(interval);
   rigid_bodies_.carry_nodes(domain_, interval, next_step_);
 }
 
 void Simulation::accelerate_free_nodes(double interval) {
   const StageTimer timer(domain_.times.integrate);
   const bool output_wants_acceleration = !model_->output.history_nodes.empty();
-  math::Vec3* const previous = walls_.empty() ? nullptr : previous_velocity_.data();
+  math::Vec3* const previous = has_velocity_constraints() ? previous_velocity_.data() : nullptr;
   kick_energy_ = accelerate_nodes(domain_, {interval, previous, output_wants_acceleration});
 }
 
-void Simulation::stop_at_walls(double interval) {
-  if (walls_.empty()) return;
+bool Simulation::has_velocity_constraints() const {
+  return !walls_.empty() || !rivets_.empty() || !node_sets_.empty();
+}
+
+void Simulation::constrain_velocities(double interval) {
+  if (!has_velocity_constraints()) return;
   const StageTimer timer(domain_.times.constraints);
+  node_sets_.constrain(domain_);
+  rivets_.constrain(domain_, next_step_);
   for (constraints::RigidWall& wall : walls_)
     wall.stop_nodes(domain_, previous_velocity_, interval, next_step_);
   kick_energy_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity);

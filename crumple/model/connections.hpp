@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/index.hpp"
+
+namespace crumple::model {
+
+/// Nodes that move as one rigid body until the weld fails (*CONSTRAINED_SPOTWELD,
+/// *CONSTRAINED_GENERALIZED_WELD_SPOT). It fails when (N/S_n)^n + (S/S_s)^m reaches 1 with the tension N
+/// along the line between its two nodes and the shear S across it, when the plastic strain at one of its
+/// nodes exceeds a limit, or at a time.
+struct SpotWeld {
+  UserId id = 0;
+  std::vector<Index> nodes;    ///< at least two
+  double normal_strength = 0;  ///< S_n [force]; 0: tension does not count
+  double shear_strength = 0;   ///< S_s [force]; 0: shear does not count
+  double normal_exponent = 1;  ///< n [-]
+  double shear_exponent = 1;   ///< m [-]
+  double failure_strain = 0;   ///< effective plastic strain; 0 is none
+  double failure_time = 1e20;  ///< [time]
+};
+
+/// A massless link of constant length between two nodes, which may turn (*CONSTRAINED_RIVET).
+struct Rivet {
+  UserId id = 0;
+  std::array<Index, 2> node{no_index, no_index};
+  double failure_time = 1e20;  ///< [time]
+};
+
+/// Nodes whose velocities along some global axes are the same (*CONSTRAINED_NODE_SET).
+struct ConstrainedNodeSet {
+  std::vector<Index> nodes;
+  std::array<bool, 3> direction{};  ///< x, y, z
+  double failure_time = 1e20;       ///< [time]
+};
+
+}  // namespace crumple::model
