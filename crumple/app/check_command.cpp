@@ -29,7 +29,9 @@ void print_steps(std::ostream& out, const timeloop::Simulation& simulation) {
   for (const domain::SolidBlock& block : simulation.domain().solids)
     steps[block.part] = std::min(steps[block.part], elements::stable_step(simulation.domain(), block));
   for (std::size_t part = 0; part < steps.size(); ++part)
-    if (std::isfinite(steps[part]))
+    if (model::is_rigid(model, model.parts[part]))
+      fmt::print(out, "  part {:<8} rigid\n", model.parts[part].id);
+    else if (std::isfinite(steps[part]))
       fmt::print(out, "  part {:<8} {:.4e}\n", model.parts[part].id, model.control.step_scale * steps[part]);
   const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
   const double cycles = std::ceil(model.control.end_time / simulation.next_step());

@@ -35,12 +35,42 @@ const char* name_of(model::WallShape shape) {
   }
 }
 
+/// Directions that are held, as "xyz/yz": along the axes and about them.
+std::string held_words(const domain::RigidBody& body) {
+  const auto axes = [](const std::array<bool, 3>& held) {
+    std::string words;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (held[axis]) words += "xyz"[axis];
+    return words.empty() ? "-" : words;
+  };
+  return axes(body.fixed_translation) + "/" + axes(body.fixed_rotation);
+}
+
+void print_rigid_bodies(std::ostream& out, const domain::Domain& domain) {
+  constexpr std::size_t rows = 20;
+  const auto& bodies = domain.rigid_bodies;
+  if (bodies.empty()) return;
+  fmt::print(out, "  {:>10} {:>8} {:>11}  {:<35} {:<35} held\n", "rigid body", "nodes", "mass",
+             "centre of mass", "principal moments of inertia");
+  const auto three = [](const math::Vec3& v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); };
+  for (std::size_t b = 0; b < std::min(rows, bodies.size()); ++b)
+    fmt::print(out, "  {:>10} {:>8} {:>11.4g}  {:<35} {:<35} {}\n", bodies[b].id, bodies[b].nodes.size(),
+               bodies[b].mass, three(bodies[b].centre), three(bodies[b].principal_inertia),
+               held_words(bodies[b]));
+  if (bodies.size() > rows) fmt::print(out, "  ... and {} more\n", bodies.size() - rows);
+}
+
 void print_conditions(std::ostream& out, const model::Model& model) {
   fmt::print(out, "  nodes held            {}\n", model.fixed_nodes.size());
   fmt::print(out, "  initial velocities    {}\n", model.initial_velocities.size());
   if (!model.nodal_loads.empty()) fmt::print(out, "  nodal loads           {}\n", model.nodal_loads.size());
   if (!model.pressure_loads.empty())
     fmt::print(out, "  pressure loads        {}\n", model.pressure_loads.size());
+  if (!model.body_loads.empty()) fmt::print(out, "  body loads            {}\n", model.body_loads.size());
+  if (!model.rigid_body_loads.empty())
+    fmt::print(out, "  loads on rigid bodies {}\n", model.rigid_body_loads.size());
+  if (!model.prescribed_motions.empty())
+    fmt::print(out, "  prescribed motions    {}\n", model.prescribed_motions.size());
   for (const model::RigidWall& wall : model.rigid_walls)
     fmt::print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
                wall.motion.curve == no_index ? "" : ", moves", counted(wall.nodes.size(), "node"),
@@ -81,6 +111,7 @@ void print_model(std::ostream& out, const model::Model& model, const domain::Dom
              box.lowest[0], box.highest[0], box.lowest[1], box.highest[1], box.lowest[2], box.highest[2]);
   print_conditions(out, model);
   print_parts(out, model, domain);
+  print_rigid_bodies(out, domain);
 }
 
 }  // namespace crumple::app

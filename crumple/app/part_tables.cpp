@@ -59,6 +59,11 @@ ElementWords element_words(const model::Model& model, const model::Part& part) {
   return {elements::shell_kind(section.formulation).name, points_words(section)};
 }
 
+const char* material_words(const model::Model& model, const model::Part& part) {
+  if (model::is_rigid(model, part)) return "rigid";
+  return materials::shell_material_name(model.materials[part.material].law);
+}
+
 /// Words for the forms of solids, in the order of the enumeration.
 constexpr const char* solid_forms[] = {"viscous, standard", "viscous", "viscous, exact volume", "stiffness",
                                        "stiffness, exact volume"};
@@ -74,8 +79,8 @@ void print_make(std::ostream& out, const model::Model& model, const domain::Doma
     const model::Part& part = model.parts[p];
     const ElementWords words = element_words(model, part);
     fmt::print(out, "  {:>8} {:>8}  {:<26} {:<23} {:>12} {:>14} {:>11.4g}  {}\n", part.id, elements[p],
-               words.kind, materials::shell_material_name(model.materials[part.material].law), words.points,
-               thickness_range(model, p), masses.mass(p), part.title);
+               words.kind, material_words(model, part), words.points, thickness_range(model, p),
+               masses.mass(p), part.title);
   }
 }
 
@@ -117,6 +122,7 @@ struct RateWords {
 }  // namespace
 
 std::string hourglass_words(const model::Model& model, const model::Part& part) {
+  if (model::is_rigid(model, part)) return "none";
   using enum model::ShellFormulation;
   if (is_solid(part)) {
     const model::HourglassControl& control = model::hourglass_of(model, part);

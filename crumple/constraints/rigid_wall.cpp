@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "constraints/rigid_motion.hpp"
+
 namespace crumple::constraints {
 
 using math::Vec3;
@@ -53,6 +55,8 @@ RigidWall::RigidWall(const model::Model& model, const model::RigidWall& wall, do
   for (const Index node : wall.nodes) nodes_.push_back(domain.nodes.domain_node[node]);
   std::sort(nodes_.begin(), nodes_.end());
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+  stops_.assign(static_cast<std::size_t>(domain.nodes.count()), 0);
+  for (const Index node : nodes_) stops_[node] = 1;
   if (motion_.is_displacement) domain.walls[report].displacement = displacement_after(domain.clock, {}, 0);
 }
 
@@ -65,11 +69,48 @@ Vec3 RigidWall::displacement_after(const domain::Clock& clock, const Vec3& now, 
 }
 
 template <class Shape>
-RigidWall::Sums RigidWall::stop_at(const Shape& shape, domain::NodeFields& nodes,
-                                   const AlignedArray<Vec3>& previous_velocity, double next_step) const {
+void RigidWall::stop_body_at(const Shape& shape, domain::Domain& domain, Index place, double next_step,
+                             Sums& sums) {
+  domain::RigidBody& body = domain.rigid_bodies[place];
+  const AlignedArray<Vec3>& position = domain.nodes.position;
+  touches_.clear();
+  WallLimit limit;
+  // What stops one node may drive others into the wall: these are looked for again.
+  constexpr int most_searches = 8;
+  for (int search = 0; search < most_searches; ++search) {
+    const std::size_t before = touches_.size();
+    for (const Index i : body.nodes) {
+      if (!stops_[i]) continue;
+      const Vec3 arm = position[i] - body.centre;
+      const Vec3 velocity = velocity_at(body, arm) - velocity_;
+      if (!limit_of(shape, position[i] - displacement_, velocity, next_step, limit)) continue;
+      const auto known =
+          std::find_if(touches_.begin(), touches_.begin() + static_cast<std::ptrdiff_t>(before),
+                       [&](const BodyTouch& touch) { return touch.node == i; });
+      if (known == touches_.begin() + static_cast<std::ptrdiff_t>(before))
+        touches_.push_back({i, arm, limit.normal, limit.slowest, {}});
+    }
+    if (touches_.size() == before) break;
+    stop_body(body, {velocity_, friction_}, touches_);
+  }
+  for (const BodyTouch& touch : touches_) {
+    sums.impulse -= touch.impulse;
+    sums.normal_impulse += dot(touch.impulse, touch.normal);
+    const Vec3 previous = body.previous_velocity + cross(body.previous_spin, touch.arm);
+    sums.energy -= 0.5 * dot(touch.impulse, previous - velocity_);
+    sums.deferred -= 0.5 * dot(touch.impulse, velocity_at(body, touch.arm) - velocity_);
+  }
+}
+
+template <class Shape>
+RigidWall::Sums RigidWall::stop_at(const Shape& shape, domain::Domain& domain,
+                                   const AlignedArray<Vec3>& previous_velocity, double next_step) {
   Sums sums;
+  domain::NodeFields& nodes = domain.nodes;
+  const bool has_bodies = !domain.body_of_node.empty();
   WallLimit limit;
   for (const Index i : nodes_) {
+    if (has_bodies && domain.body_of_node[i] != no_index) continue;
     const Vec3 velocity = nodes.velocity[i] - velocity_;
     if (!limit_of(shape, nodes.position[i] - displacement_, velocity, next_step, limit)) continue;
     Vec3 after = stopped(velocity, limit, friction_);
@@ -81,6 +122,8 @@ RigidWall::Sums RigidWall::stop_at(const Shape& shape, domain::NodeFields& nodes
     sums.energy -= 0.5 * dot(received, previous_velocity[i] - velocity_);
     sums.deferred -= 0.5 * dot(received, after);
   }
+  for (Index body = 0; body < static_cast<Index>(domain.rigid_bodies.size()); ++body)
+    if (domain.rigid_bodies[body].active) stop_body_at(shape, domain, body, next_step, sums);
   return sums;
 }
 
@@ -92,9 +135,8 @@ void RigidWall::stop_nodes(domain::Domain& domain, const AlignedArray<Vec3>& pre
   velocity_ = (1.0 / next_step) * (report.displacement - displacement_);
   Sums sums;
   if (domain.clock.time >= birth_time_ && domain.clock.time <= death_time_)
-    sums = std::visit(
-        [&](const auto& shape) { return stop_at(shape, domain.nodes, previous_velocity, next_step); },
-        surface_);
+    sums = std::visit([&](const auto& shape) { return stop_at(shape, domain, previous_velocity, next_step); },
+                      surface_);
   report.impulse += sums.impulse;
   report.normal_impulse += sums.normal_impulse;
   // An impulse at time n acts on the mean of v(n-1/2) and v(n+1/2); the kinetic energy of time n knows the

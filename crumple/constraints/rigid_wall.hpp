@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "constraints/body_impact.hpp"
 #include "constraints/wall_shapes.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
@@ -11,7 +12,8 @@ namespace crumple::constraints {
 
 /// A surface that stops nodes, at rest or with a prescribed motion: impact is perfectly plastic, the force is
 /// the momentum exchanged (LS-DYNA Theory Manual, "Rigid walls"). Velocity is changed in the integrator,
-/// between the kick and the drift, so that no node ever passes the surface.
+/// between the kick and the drift, so that no node ever passes the surface. Nodes of rigid bodies stop their
+/// bodies (see stop_body()); those of a turning one may pass by what the turn of a step adds to its velocity.
 class RigidWall {
  public:
   /// `report` is the place of this wall in domain.walls. Puts a wall with a displacement
@@ -34,13 +36,17 @@ class RigidWall {
     double deferred = 0;  ///< the half that the one of n+1 shows
   };
   template <class Shape>
-  Sums stop_at(const Shape& shape, domain::NodeFields& nodes,
-               const AlignedArray<math::Vec3>& previous_velocity, double next_step) const;
+  Sums stop_at(const Shape& shape, domain::Domain& domain, const AlignedArray<math::Vec3>& previous_velocity,
+               double next_step);
+  template <class Shape>
+  void stop_body_at(const Shape& shape, domain::Domain& domain, Index body, double next_step, Sums& sums);
   math::Vec3 displacement_after(const domain::Clock& clock, const math::Vec3& now, double next_step) const;
 
   const model::Model* model_;
-  std::vector<Index> nodes_;  ///< domain nodes, ascending
-  WallSurface surface_;       ///< at time zero
+  std::vector<Index> nodes_;        ///< domain nodes, ascending
+  std::vector<char> stops_;         ///< of each domain node, whether it is one of them
+  std::vector<BodyTouch> touches_;  ///< of the body at hand
+  WallSurface surface_;             ///< at time zero
   model::WallMotion motion_;
   double friction_ = 0;
   double birth_time_ = 0;

@@ -119,6 +119,8 @@ void build_connections(Build& build);
 void build_walls(Build& build);
 // build_rigid_bodies.cpp
 void build_rigid_bodies(Build& build);
+/// The rigid body of every node, or no_index.
+std::vector<Index> bodies_of_nodes(const Build& build);
 // build_motions.cpp
 /// Prescribed motions, body loads and loads on rigid bodies.
 void build_motions(Build& build);

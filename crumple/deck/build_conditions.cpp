@@ -8,18 +8,13 @@
 
 #include "base/counted.hpp"
 #include "deck/build.hpp"
+#include "deck/rigid_inertia.hpp"
 
 namespace crumple::deck {
 
 namespace {
 
 using Vector = std::array<double, 3>;
-
-/// TC and RC of *NODE: 1 x, 2 y, 3 z, 4 xy, 5 yz, 6 zx, 7 all.
-std::array<bool, 3> fixed_directions(int code) {
-  return {code == 1 || code == 4 || code == 6 || code == 7, code == 2 || code == 4 || code == 5 || code == 7,
-          code == 3 || code == 5 || code == 6 || code == 7};
-}
 
 std::vector<Index> velocity_nodes(Build& build, const RawVelocity& raw) {
   const Reference reference{raw.id, raw.is_generation ? "ID" : "NSID", raw.where};
@@ -59,6 +54,44 @@ model::InitialVelocity velocity_at(const RawVelocity& raw, Index node, const Vec
   result.velocity[2] += w[0] * r[1] - w[1] * r[0];
   for (std::size_t i = 0; i < 3; ++i) result.angular_velocity[i] += w[i];
   return result;
+}
+
+/// Nodes of rigid bodies are held by holding the body.
+void refuse_rigid_node(Index node, Index body, const Where& where, Build& build) {
+  build.report.unsupported(
+      where, "rigid",
+      fmt::format("node {} belongs to the rigid body {}, and degrees of freedom of its nodes cannot be held; "
+                  "hold the body with CMO, CON1 and CON2 of *MAT_RIGID",
+                  build.model.nodes.id[static_cast<std::size_t>(node)],
+                  build.model.rigid_bodies[static_cast<std::size_t>(body)].id));
+}
+
+/// The nodes with all others of the rigid bodies that have some of them, ascending.
+std::vector<Index> with_whole_bodies(const Build& build, const std::vector<Index>& nodes,
+                                     const std::vector<Index>& body_of_node) {
+  std::vector<Index> all = nodes;
+  std::vector<char> taken(build.model.rigid_bodies.size(), 0);
+  for (const Index node : nodes) {
+    const Index body = body_of_node[static_cast<std::size_t>(node)];
+    if (body == no_index || taken[static_cast<std::size_t>(body)]) continue;
+    taken[static_cast<std::size_t>(body)] = 1;
+    const std::vector<Index>& more = build.model.rigid_bodies[static_cast<std::size_t>(body)].nodes;
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+/// The given velocities of the bodies that have some of the nodes no longer count.
+void replace_given_velocities(Build& build, const std::vector<Index>& nodes,
+                              const std::vector<Index>& body_of_node) {
+  for (const Index node : nodes) {
+    const Index body = body_of_node[static_cast<std::size_t>(node)];
+    if (body == no_index) continue;
+    auto& inertia = build.model.rigid_bodies[static_cast<std::size_t>(body)].inertia;
+    if (inertia) inertia->velocity_from_nodes = true;
+  }
 }
 
 void warn_of_mixed_velocities(Build& build) {
@@ -121,8 +154,13 @@ void build_masses(Build& build) {
 
 void build_fixed_nodes(Build& build) {
   std::map<Index, model::FixedNode> fixed;
+  const std::vector<Index> body_of_node = bodies_of_nodes(build);
   const auto fix = [&](Index node, const std::array<bool, 3>& translation,
-                       const std::array<bool, 3>& rotation) {
+                       const std::array<bool, 3>& rotation, const Where& where) {
+    if (const Index body = body_of_node[static_cast<std::size_t>(node)]; body != no_index) {
+      refuse_rigid_node(node, body, where, build);
+      return;
+    }
     model::FixedNode& entry = fixed[node];
     entry.node = node;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -133,14 +171,14 @@ void build_fixed_nodes(Build& build) {
   for (std::size_t i = 0; i < build.deck.nodes.size(); ++i) {
     const RawNode& raw = build.deck.nodes[i];
     if (raw.translation_code != 0 || raw.rotation_code != 0)
-      fix(static_cast<Index>(i), fixed_directions(raw.translation_code), fixed_directions(raw.rotation_code));
+      fix(static_cast<Index>(i), held_axes(raw.translation_code), held_axes(raw.rotation_code), raw.where);
   }
   for (const RawFixed& raw : build.deck.fixed) {
     if (!raw.is_set) {
       const Index node = build.find(Item::Node, {raw.target, "NID", raw.where});
-      if (node != no_index) fix(node, raw.translation, raw.rotation);
+      if (node != no_index) fix(node, raw.translation, raw.rotation, raw.where);
     } else if (const std::vector<Index>* nodes = set_nodes(build, {raw.target, "NSID", raw.where})) {
-      for (const Index node : *nodes) fix(node, raw.translation, raw.rotation);
+      for (const Index node : *nodes) fix(node, raw.translation, raw.rotation, raw.where);
     }
   }
   for (const auto& [node, entry] : fixed) build.model.fixed_nodes.push_back(entry);
@@ -148,11 +186,15 @@ void build_fixed_nodes(Build& build) {
 
 void build_velocities(Build& build) {
   std::vector<model::InitialVelocity> at_node(build.model.nodes.id.size());
+  const std::vector<Index> body_of_node = bodies_of_nodes(build);
   const auto set = [&](const model::InitialVelocity& velocity) {
     at_node[static_cast<std::size_t>(velocity.node)] = velocity;
   };
   const auto apply = [&](const RawVelocity& raw) {
-    for (const Index node : velocity_nodes(build, raw))
+    std::vector<Index> nodes = velocity_nodes(build, raw);
+    if (raw.of_whole_bodies) nodes = with_whole_bodies(build, nodes, body_of_node);
+    if (raw.replaces_given) replace_given_velocities(build, nodes, body_of_node);
+    for (const Index node : nodes)
       set(velocity_at(raw, node, build.model.nodes.position[static_cast<std::size_t>(node)]));
     if (raw.exempt_set == 0) return;
     if (const std::vector<Index>* exempt = set_nodes(build, {raw.exempt_set, "NSIDEX", raw.where}))

@@ -2,8 +2,6 @@
 // Prescribed motions, body loads, and loads on rigid bodies.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "deck/build.hpp"
 
 namespace crumple::deck {
@@ -58,11 +56,7 @@ void build_rigid_body_load(const RawRigidBodyLoad& raw, Build& build) {
 }  // namespace
 
 void build_motions(Build& build) {
-  std::vector<Index> body_of_node(build.model.nodes.id.size(), no_index);
-  const auto& bodies = build.model.rigid_bodies;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (const Index node : bodies[b].nodes)
-      body_of_node[static_cast<std::size_t>(node)] = static_cast<Index>(b);
+  const std::vector<Index> body_of_node = bodies_of_nodes(build);
   for (const RawPrescribedMotion& raw : build.deck.prescribed_motions)
     build_prescribed_motion(raw, body_of_node, build);
   for (const RawBodyLoad& raw : build.deck.body_loads) {

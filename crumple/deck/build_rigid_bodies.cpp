@@ -202,6 +202,15 @@ void Bodies::finish() {
 
 }  // namespace
 
+std::vector<Index> bodies_of_nodes(const Build& build) {
+  std::vector<Index> body_of_node(build.model.nodes.id.size(), no_index);
+  const auto& bodies = build.model.rigid_bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (const Index node : bodies[b].nodes)
+      body_of_node[static_cast<std::size_t>(node)] = static_cast<Index>(b);
+  return body_of_node;
+}
+
 void build_rigid_bodies(Build& build) {
   Bodies bodies(build);
   bodies.take_parts();

@@ -12,7 +12,6 @@ using namespace row;
 
 constexpr Check fixed_or_free = within(0, 1, "0 is free, 1 fixed");
 constexpr std::string_view global_axes = "only global axes are supported";
-constexpr std::string_view no_rigid_bodies = "there are no rigid bodies";
 constexpr std::string_view no_boxes = "take *SET_NODE_GENERAL with the option BOX instead";
 
 constexpr Field spc_card[] = {
@@ -30,7 +29,8 @@ constexpr Field velocity_card_1[] = {
     reference("NSID"),
     reference("NSIDEX"),
     only("BOXID", {0}, no_boxes),
-    harmless("IRIGID", {0}, no_rigid_bodies),
+    only("IRIGID", {0, -1},
+         "-1 goes before the velocities of *PART_INERTIA, 0 does not; sets of parts are not supported"),
     only("ICID", {0}, global_axes),
 };
 
@@ -52,7 +52,7 @@ constexpr Field generation_card_1[] = {
     real("VX"),
     real("VY"),
     real("VZ"),
-    harmless("IVATN", {0}, no_rigid_bodies),
+    only("IVATN", {0, 1}, "1 is for what is tied to the rigid parts as well, 0 is not"),
     only("ICID", {0}, global_axes),
 };
 
@@ -64,7 +64,7 @@ constexpr Field generation_card_2[] = {
     real("NY"),
     real("NZ"),
     only("PHASE", {0}, "there is no dynamic relaxation before the run"),
-    harmless("IRIGID", {0}, no_rigid_bodies),
+    only("IRIGID", {0, 1}, "1 goes before the velocities of *PART_INERTIA, 0 does not"),
 };
 
 void read_spc(Cards& cards, RawDeck& deck, bool is_set) {
@@ -121,6 +121,7 @@ void read_initial_velocity(Cards& cards, RawDeck& deck) {
   velocity.velocity = {second.real("VX"), second.real("VY"), second.real("VZ")};
   velocity.angular_velocity = {second.real("VXR"), second.real("VYR"), second.real("VZR")};
   velocity.exempt_set = first.integer("NSIDEX");
+  velocity.replaces_given = first.real("IRIGID") == -1;
   if (velocity.exempt_set > 0) {
     const Card third = cards.next(velocity_card_3);
     velocity.exempt_velocity = {third.real("VXE"), third.real("VYE"), third.real("VZE")};
@@ -156,6 +157,8 @@ void read_initial_velocity_generation(Cards& cards, RawDeck& deck) {
       velocity.target = targets[static_cast<std::size_t>(first.integer("STYP") - 1)];
     velocity.velocity = {first.real("VX"), first.real("VY"), first.real("VZ")};
     velocity.is_generation = true;
+    velocity.replaces_given = second.real("IRIGID") == 1;
+    velocity.of_whole_bodies = first.real("IVATN") == 1;
     velocity.where = first.where();
     const double omega = first.real("OMEGA");
     if (omega != 0) take_rotation(second, omega, velocity, cards.report());

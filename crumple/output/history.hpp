@@ -39,6 +39,9 @@ std::unique_ptr<History> make_contact_history(const View& view);
 /// Motion of the nodes of *DATABASE_HISTORY_NODE.
 std::unique_ptr<History> make_node_history();
 
+/// Motion of the rigid bodies, and the forces that hold or move them as prescribed.
+std::unique_ptr<History> make_rigid_body_history();
+
 /// Every history that has something to show in this model.
 std::vector<HistoryEntry> histories_of(const View& view);
 

@@ -39,8 +39,11 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       spot_welds_(model, domain_),
       node_sets_(model, domain_),
       rivets_(model, domain_),
+      prescribed_motions_(model, domain_),
       nodal_loads_(model, domain_),
-      pressure_loads_(model, domain_) {
+      pressure_loads_(model, domain_),
+      body_loads_(model),
+      rigid_body_loads_(model) {
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});
     walls_.emplace_back(model, wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
@@ -63,6 +66,7 @@ std::uint64_t Simulation::state_hash() {
   domain::StateList list;
   domain_.declare(list);
   for (contact::SingleSurface& contact : contacts_) contact.declare(list);
+  prescribed_motions_.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
   return list.hash();
 }

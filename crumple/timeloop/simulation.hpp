@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "constraints/node_sets.hpp"
+#include "constraints/prescribed_motion.hpp"
 #include "constraints/rigid_bodies.hpp"
 #include "constraints/rigid_wall.hpp"
 #include "constraints/rivets.hpp"
 #include "constraints/spot_welds.hpp"
 #include "contact/single_surface.hpp"
 #include "domain/domain.hpp"
+#include "loads/body_loads.hpp"
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
 #include "model/model.hpp"
@@ -56,8 +58,10 @@ class Simulation {
   void choose_step();
   void kick(double interval);
   void accelerate_free_nodes(double interval);
-  bool has_velocity_constraints() const;
-  void constrain_velocities(double interval);
+  bool changes_velocities() const;
+  void join_nodes();
+  void impose_motions(double interval);
+  void stop_at_walls(double interval);
   void drift();
   void balance();
 
@@ -68,10 +72,13 @@ class Simulation {
   constraints::SpotWelds spot_welds_;
   constraints::NodeSets node_sets_;
   constraints::Rivets rivets_;
+  constraints::PrescribedMotions prescribed_motions_;
   std::vector<constraints::RigidWall> walls_;
   loads::NodalLoads nodal_loads_;
   loads::PressureLoads pressure_loads_;
-  AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if anything changes it
+  loads::BodyLoads body_loads_;
+  loads::RigidBodyLoads rigid_body_loads_;
+  AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
   KickEnergy kick_energy_;                      ///< of the last kick, walls included
   double largest_step_ = 0;                     ///< no step exceeds this [time]
   double next_step_ = 0;                        ///< from n to n+1 [time]

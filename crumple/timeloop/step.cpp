@@ -33,7 +33,7 @@ void Simulation::start() {
   compute_forces();
   choose_step();
   const AlignedArray<math::Vec3>& velocity = domain_.nodes.velocity;
-  if (has_velocity_constraints()) previous_velocity_ = velocity;
+  if (changes_velocities()) previous_velocity_ = velocity;
   domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + rotational_energy(domain_) +
                            constraints::RigidBodies::kinetic_energy(domain_);
   balance();
@@ -70,6 +70,8 @@ void Simulation::compute_forces() {
   for (contact::SingleSurface& contact : contacts_) contact.add_forces(domain_);
   pressure_loads_.add_forces(domain_);
   nodal_loads_.add_forces(domain_);
+  body_loads_.add_forces(domain_);
+  rigid_body_loads_.add_forces(domain_);
 }
 
 void Simulation::choose_step() {
@@ -88,26 +90,41 @@ void Simulation::kick(double interval) {
   spot_welds_.break_overloaded(domain_);
   rigid_bodies_.kick(domain_, interval);
   accelerate_free_nodes(interval);
-  constrain_velocities(interval);
+  join_nodes();
+  impose_motions(interval);
+  stop_at_walls(interval);
   rigid_bodies_.carry_nodes(domain_, interval, next_step_);
 }
 
+void Simulation::impose_motions(double interval) {
+  if (prescribed_motions_.empty()) return;
+  const StageTimer timer(domain_.times.constraints);
+  const constraints::KineticChange change = prescribed_motions_.impose(domain_, interval, next_step_);
+  kick_energy_.translational += change.translational;
+  kick_energy_.rotational += change.rotational;
+}
+
 void Simulation::accelerate_free_nodes(double interval) {
+  prescribed_motions_.remember(domain_);
   const StageTimer timer(domain_.times.integrate);
   const bool output_wants_acceleration = !model_->output.history_nodes.empty();
-  math::Vec3* const previous = has_velocity_constraints() ? previous_velocity_.data() : nullptr;
+  math::Vec3* const previous = changes_velocities() ? previous_velocity_.data() : nullptr;
   kick_energy_ = accelerate_nodes(domain_, {interval, previous, output_wants_acceleration});
 }
 
-bool Simulation::has_velocity_constraints() const {
+bool Simulation::changes_velocities() const {
   return !walls_.empty() || !rivets_.empty() || !node_sets_.empty();
 }
 
-void Simulation::constrain_velocities(double interval) {
-  if (!has_velocity_constraints()) return;
+void Simulation::join_nodes() {
   const StageTimer timer(domain_.times.constraints);
   node_sets_.constrain(domain_);
   rivets_.constrain(domain_, next_step_);
+}
+
+void Simulation::stop_at_walls(double interval) {
+  if (!changes_velocities()) return;
+  const StageTimer timer(domain_.times.constraints);
   for (constraints::RigidWall& wall : walls_)
     wall.stop_nodes(domain_, previous_velocity_, interval, next_step_);
   kick_energy_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity);

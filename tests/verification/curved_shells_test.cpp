@@ -36,7 +36,7 @@ double over_accepted(test::ShellBenchmark benchmark, double rate, double duratio
     }
   }
   const model::NodalLoad& load = model.nodal_loads.front();
-  const math::Vec3 along = math::normalised({load.force[0], load.force[1], load.force[2]});
+  const math::Vec3 along = math::normalised(math::Vec3{load.force[0], load.force[1], load.force[2]});
   const double ratio = dot(test::displacement(simulation.domain(), load.node), along) / benchmark.accepted;
   ::testing::Test::RecordProperty("displacement_over_accepted", std::to_string(ratio));
   return ratio;

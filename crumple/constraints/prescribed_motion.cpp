@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "constraints/prescribed_motion.hpp"
+
+#include <string>
+
+#include "base/error.hpp"
+#include "constraints/rigid_motion.hpp"
+
+namespace crumple::constraints {
+
+using domain::Domain;
+using model::PrescribedMotion;
+
+PrescribedMotions::PrescribedMotions(const model::Model& model, const Domain& domain) : model_(&model) {
+  motions_.reserve(model.prescribed_motions.size());
+  for (const PrescribedMotion& given : model.prescribed_motions) {
+    Motion motion{given, given.node == no_index ? no_index : domain.nodes.domain_node[given.node], 0};
+    if (motion.node != no_index && !domain.nodes.is_free(motion.node))
+      throw Error("The motion of node " + std::to_string(model.nodes.id[given.node]) +
+                  " is prescribed, but a rigid body moves it.");
+    motions_.push_back(motion);
+  }
+  deferred_.assign(motions_.size(), 0.0);
+}
+
+void PrescribedMotions::remember(const Domain& domain) {
+  for (Motion& motion : motions_) {
+    if (motion.node == no_index) continue;
+    const auto& velocity = motion.given.rotation ? domain.nodes.angular_velocity : domain.nodes.velocity;
+    motion.before = velocity[motion.node][motion.given.axis];
+  }
+}
+
+/// That of n+1/2. Displacements are met exactly at n+1.
+double PrescribedMotions::velocity(const Motion& motion, double time, double interval,
+                                   double next_step) const {
+  const PrescribedMotion& given = motion.given;
+  const model::Curve& curve = model_->curves[given.curve];
+  const double since = time - given.birth;
+  switch (given.kind) {
+    case PrescribedMotion::Kind::Velocity:
+      return given.scale * curve.at(since + 0.5 * next_step);
+    case PrescribedMotion::Kind::Acceleration:
+      return motion.before + interval * given.scale * curve.at(since);
+    case PrescribedMotion::Kind::Displacement:
+      return given.scale * (curve.at(since + next_step) - curve.at(since)) / next_step;
+  }
+  return 0;
+}
+
+double PrescribedMotions::impose_on_node(Domain& domain, std::size_t place, double target) {
+  const Motion& motion = motions_[place];
+  domain::NodeFields& nodes = domain.nodes;
+  const bool rotation = motion.given.rotation;
+  double& present = (rotation ? nodes.angular_velocity : nodes.velocity)[motion.node][motion.given.axis];
+  const double impulse = (rotation ? nodes.inertia : nodes.mass)[motion.node] * (target - present);
+  present = target;
+  const double work = 0.5 * impulse * motion.before;
+  domain.energy.external_work += work;
+  deferred_[place] = 0.5 * impulse * target;
+  return work;
+}
+
+KineticChange PrescribedMotions::impose(Domain& domain, double interval, double next_step) {
+  const double time = domain.clock.time;
+  KineticChange change;
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    Motion& motion = motions_[i];
+    const PrescribedMotion& given = motion.given;
+    domain.energy.external_work += deferred_[i];
+    deferred_[i] = 0;
+    if (time < given.birth || time >= given.death) continue;
+    if (motion.node != no_index) {
+      (given.rotation ? change.rotational : change.translational) +=
+          impose_on_node(domain, i, velocity(motion, time, interval, next_step));
+      continue;
+    }
+    domain::RigidBody& body = domain.rigid_bodies[given.body];
+    motion.before = (given.rotation ? body.previous_spin : body.previous_velocity)[given.axis];
+    const double target = velocity(motion, time, interval, next_step);
+    if (given.rotation)
+      hold_rotation(body, given.axis, target);
+    else
+      hold_translation(body, given.axis, target);
+  }
+  return change;
+}
+
+void PrescribedMotions::declare(domain::StateList& list) {
+  list.add("prescribed_deferred_work", "energy", domain::Entity::Run, 1, std::span(deferred_));
+}
+
+}  // namespace crumple::constraints

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loads/body_loads.hpp"
+
+#include <algorithm>
+
+#include "base/parallel.hpp"
+
+namespace crumple::loads {
+
+using math::Vec3;
+
+namespace {
+
+constexpr Index piece = 1024;
+
+/// Adds -m a to every node that no rigid body moves; returns the momentum of these nodes.
+Vec3 push_nodes(domain::NodeFields& nodes, const Vec3& acceleration, int threads) {
+  std::vector<Vec3> momenta(static_cast<std::size_t>(pieces(nodes.count(), piece)));
+  parallel_for(pieces(nodes.count(), piece), threads, [&](Index p) {
+    for (Index i = p * piece; i < std::min((p + 1) * piece, nodes.count()); ++i) {
+      if (!nodes.is_free(i)) continue;
+      for (int axis = 0; axis < 3; ++axis) nodes.force[i].force[axis] -= nodes.mass[i] * acceleration[axis];
+      momenta[p] += nodes.mass[i] * nodes.velocity[i];
+    }
+  });
+  Vec3 total;
+  for (const Vec3& momentum : momenta) total += momentum;
+  return total;
+}
+
+}  // namespace
+
+void BodyLoads::add_forces(domain::Domain& domain) {
+  if (model_->body_loads.empty()) return;
+  Vec3 acceleration;
+  for (const model::BodyLoad& load : model_->body_loads)
+    acceleration[load.axis] += load.scale * model_->curves[load.curve].at(domain.clock.time);
+  Vec3 momentum = push_nodes(domain.nodes, acceleration, domain.execution.threads);
+  for (domain::RigidBody& body : domain.rigid_bodies) {
+    if (!body.active) continue;
+    body.force -= body.mass * acceleration;
+    momentum += body.mass * body.velocity;
+  }
+  domain.energy.external_work -= 0.5 * domain.clock.step * dot(previous_ + acceleration, momentum);
+  previous_ = acceleration;
+}
+
+void RigidBodyLoads::add_forces(domain::Domain& domain) {
+  for (std::size_t i = 0; i < previous_.size(); ++i) {
+    const model::RigidBodyLoad& load = model_->rigid_body_loads[i];
+    domain::RigidBody& body = domain.rigid_bodies[load.body];
+    const double factor = model_->curves[load.curve].at(domain.clock.time);
+    const Vec3 force{load.force[0], load.force[1], load.force[2]};
+    const Vec3 moment{load.moment[0], load.moment[1], load.moment[2]};
+    body.force += factor * force;
+    body.moment += factor * moment;
+    const double rate = dot(force, body.velocity) + dot(moment, body.angular_velocity);
+    domain.energy.external_work += 0.5 * domain.clock.step * (previous_[i] + factor) * rate;
+    previous_[i] = factor;
+  }
+}
+
+}  // namespace crumple::loads
