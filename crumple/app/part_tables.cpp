@@ -65,8 +65,9 @@ const char* material_words(const model::Model& model, const model::Part& part) {
 }
 
 /// Words for the forms of solids, in the order of the enumeration.
-constexpr const char* solid_forms[] = {"viscous, standard", "viscous", "viscous, exact volume", "stiffness",
-                                       "stiffness, exact volume"};
+constexpr const char* solid_forms[] = {"viscous, standard",       "viscous",
+                                       "viscous, exact volume",   "stiffness",
+                                       "stiffness, exact volume", "assumed strain"};
 
 void print_make(std::ostream& out, const model::Model& model, const domain::Domain& domain, Index rows) {
   const output::PartMasses masses(output::View{model, domain, 0});
@@ -125,6 +126,9 @@ std::string hourglass_words(const model::Model& model, const model::Part& part) 
   if (model::is_rigid(model, part)) return "none";
   using enum model::ShellFormulation;
   if (is_solid(part)) {
+    using model::SolidFormulation;
+    if (model.solid_sections[part.solid_section].formulation != SolidFormulation::OnePointHexahedron)
+      return "none";
     const model::HourglassControl& control = model::hourglass_of(model, part);
     return fmt::format("{} QM {:.4g}", solid_forms[static_cast<std::size_t>(control.solid_form)],
                        control.coefficient);

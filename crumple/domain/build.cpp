@@ -112,7 +112,16 @@ SolidBlock make_solid_block(const model::Model& model, const NodeFields& nodes, 
   block.formulation = model.solid_sections[model.parts[part].solid_section].formulation;
   block.elements = static_cast<Index>(solids.size());
   block.element = solids;
-  connect(block, nodes, [&](Index solid) { return model.solids[solid].node; });
+  if (model::is_tetrahedral(block.formulation)) {
+    block.corners = 4;
+    connect(block, nodes, [&](Index solid) {
+      const std::array<Index, 8>& node = model.solids[solid].node;
+      return std::array<Index, 4>{node[0], node[1], node[2], node[4]};
+    });
+  } else {
+    block.corners = 8;
+    connect(block, nodes, [&](Index solid) { return model.solids[solid].node; });
+  }
   return block;
 }
 

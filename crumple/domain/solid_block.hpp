@@ -2,23 +2,37 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "domain/element_block.hpp"
 #include "model/section.hpp"
 
 namespace crumple::domain {
 
+/// Where a formulation averages over the elements around a node. Numbers nodes among those of the block.
+struct NodalAverage {
+  std::vector<Index> node;           ///< [element][4] of the block's elements
+  std::vector<Index> first_element;  ///< per node, and one past the last: its run in `element`
+  std::vector<Index> element;        ///< places in the block, ascending for each node
+  std::vector<double> volume;        ///< per element at the middle of the step; 0 once it has failed
+  std::vector<double> volume_rate;   ///< the same [length^3/time]
+  std::vector<double> dilatation;    ///< per node: rate of the volume around it over that volume [1/time]
+};
+
 /// The solids of one part: one formulation and material. Its item "stress" is [point][xx, yy, zz, xy, yz, zx]
-/// in global axes.
+/// in global axes. Hexahedral formulations have eight corners, tetrahedral ones four.
 struct SolidBlock : ElementBlock {
   model::SolidFormulation formulation = model::SolidFormulation::OnePointHexahedron;
+  NodalAverage average;  ///< worked out anew in each cycle; empty if the formulation has none
 
-  SolidBlock() { corners = 8; }
-
-  /// The domain nodes of element `place`.
+  /// The domain nodes of element `place`, as a list for hexahedra: a tetrahedron repeats its third and
+  /// fourth.
   std::array<Index, 8> nodes_of(Index place) const {
     std::array<Index, 8> found{};
-    for (Index k = 0; k < 8; ++k) found[static_cast<std::size_t>(k)] = node_of(place, k);
+    for (std::size_t k = 0; k < 8; ++k) {
+      constexpr std::array<Index, 8> of_tetrahedron{0, 1, 2, 2, 3, 3, 3, 3};
+      found[k] = node_of(place, corners == 4 ? of_tetrahedron[k] : static_cast<Index>(k));
+    }
     return found;
   }
 };

@@ -21,7 +21,11 @@ void for_each_solid_number(Constants& constants, const Visit& visit) {
   visit(constants.exact_volume);
   visit(constants.without_linear_part);
   visit(constants.viscous);
+  visit(constants.assumed_strain);
   visit(constants.hourglass);
+  visit(constants.plane_stress);
+  visit(constants.anticlastic);
+  visit(constants.uniaxial);
   visit(constants.density);
   visit(constants.wave_speed);
   visit(constants.bulk_quadratic);

@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "elements/chunk_task.hpp"
 #include "elements/elements.hpp"
+#include "elements/nodal_average.hpp"
 #include "elements/registry.hpp"
 #include "elements/shell_task.hpp"
 #include "elements/solid_task.hpp"
@@ -68,6 +69,7 @@ void work_off_all(Domain& domain, std::vector<ElementSums>& sums) {
 void add_element_forces(Domain& domain) {
   const std::vector<Chunk>& chunks = domain.assembly.chunks();
   std::vector<ElementSums> sums(chunks.size());
+  average_dilatations(domain);
   if (domain.execution.precision == Precision::Mixed)
     work_off_all<float>(domain, sums);
   else

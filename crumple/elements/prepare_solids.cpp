@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "elements/nodal_average.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
 #include "elements/solid_setup.hpp"
@@ -20,20 +21,30 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
                    SolidConstants<double>& constants) {
   using Form = model::SolidHourglassForm;
   const Form form = control.solid_form;
-  constants.exact_volume = form == Form::ExactVolumeViscous || form == Form::ExactVolumeStiffness;
+  constants.assumed_strain = form == Form::AssumedStrain;
+  constants.exact_volume =
+      form == Form::ExactVolumeViscous || form == Form::ExactVolumeStiffness || constants.assumed_strain;
   constants.without_linear_part = form != Form::StandardViscous;
   constants.viscous = form != Form::FlanaganBelytschkoStiffness && form != Form::ExactVolumeStiffness;
+  if (constants.assumed_strain) {
+    const double nu = elastic.poissons_ratio;
+    constants.hourglass = control.coefficient * elastic.shear_modulus();
+    constants.plane_stress = 1 / (1 - nu);
+    constants.anticlastic = nu / (1 - nu);
+    constants.uniaxial = (1 + nu) / 3;
+    return;
+  }
   const double modulus = elastic.density * constants.wave_speed * constants.wave_speed;
   constants.hourglass = constants.viscous ? 16 * control.coefficient * constants.wave_speed
                                           : 0.5 * control.coefficient * modulus;
 }
 
-void declare_own_items(bool can_fail, SolidBlock& block) {
+void declare_own_items(bool can_fail, const KeptItem& kept, SolidBlock& block) {
   domain::add_item(block, "reference_volume", "length^3", 1);
   domain::add_item(block, "active", "-", 1);
   domain::add_item(block, "step_scale", "-", 1);
   domain::add_item(block, "bulk_viscosity", "stress", 1);
-  domain::add_item(block, "hourglass", "force", 12);
+  if (kept.count > 0) domain::add_item(block, kept.name, kept.unit, kept.count);
   if (can_fail) domain::add_item(block, "energy", "energy", 2);
 }
 
@@ -58,14 +69,16 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
       control.bulk_quadratic > 0 ? control.bulk_quadratic : model.control.bulk_quadratic;
   constants.bulk_linear = control.bulk_linear > 0 ? control.bulk_linear : model.control.bulk_linear;
   set_hourglass(control, elastic, constants);
+  if (block.formulation != model::SolidFormulation::OnePointHexahedron) constants.exact_volume = true;
   block.points = kind.points;
   domain::add_item(block, "stress", "stress", materials::solid_components * block.points);
   constants.history = materials::declare_solid_history(material.law, block);
   constants.own = block.components;
-  declare_own_items(constants.can_fail, block);
+  declare_own_items(constants.can_fail, kind.kept, block);
   block.allocate(domain.execution.precision);
   block.material_constants = materials::solid_material_constants(material);
   block.element_constants = to_numbers(constants);
+  if (kind.averages) prepare_average(block);
   return constants;
 }
 
@@ -77,7 +90,7 @@ struct SolidMass {
 SolidMass prepare_element(const model::Model& model, const domain::Domain& domain, SolidBlock& block,
                           const SolidConstants<double>& constants, Index place) {
   const model::SolidElement& solid = model.solids[block.element[std::min(place, block.elements - 1)]];
-  const SolidSize size = solid_size(domain, block.nodes_of(place), constants.exact_volume);
+  const SolidSize size = solid_size(domain, block, place, constants.exact_volume);
   if (!(size.volume > 0) || !(size.length > 0))
     throw Error(
         "Solid " + std::to_string(solid.id) +
@@ -100,7 +113,8 @@ void prepare_solids(const model::Model& model, domain::Domain& domain) {
     for (Index place = 0; place < block.groups() * lanes; ++place) {
       const SolidMass solid = prepare_element(model, domain, block, constants, place);
       if (place >= block.elements) continue;
-      for (const Index node : block.nodes_of(place)) domain.nodes.mass[node] += 0.125 * solid.mass;
+      for (Index corner = 0; corner < block.corners; ++corner)
+        domain.nodes.mass[block.node_of(place, corner)] += solid.mass / block.corners;
       domain.added_mass += solid.added;
     }
   }

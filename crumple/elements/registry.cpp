@@ -35,7 +35,8 @@ SolidKind find(model::SolidFormulation formulation, FormulationList<Formulations
   int kind = -1;
   const auto try_one = [&]<class Formulation>(Formulation) {
     ++kind;
-    if (Formulation::formulation == formulation) found = {kind, Formulation::name, Formulation::points};
+    if (Formulation::formulation == formulation)
+      found = {kind, Formulation::name, Formulation::points, Formulation::kept, Formulation::averages};
   };
   (try_one(Formulations{}), ...);
   return found;

@@ -3,6 +3,7 @@
 
 #include "elements/kernel_list.hpp"
 #include "elements/solid_kernel_list.hpp"
+#include "elements/solid_task.hpp"
 #include "model/section.hpp"
 
 namespace crumple::elements {
@@ -21,6 +22,8 @@ struct SolidKind {
   int kind = -1;
   const char* name = "";
   int points = 1;
+  KeptItem kept;          ///< of each element from step to step
+  bool averages = false;  ///< dilatation averaged at the nodes before
 };
 
 SolidKind solid_kind(model::SolidFormulation formulation);

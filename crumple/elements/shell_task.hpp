@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "domain/node_fields.hpp"
 #include "domain/shell_block.hpp"
+#include "elements/element_task.hpp"
 #include "materials/shell_material.hpp"
 
 namespace crumple::elements {
@@ -52,17 +52,8 @@ Constants from_numbers(const std::vector<double>& numbers);
 
 /// One chunk of one block.
 template <class Real>
-struct ShellTask {
-  const domain::NodeRecord<Real>* nodes = nullptr;
-  domain::NodeForce* force = nullptr;
-  const Index* node = nullptr;    ///< of the first group
-  const Index* target = nullptr;  ///< of the first group
-  Real* state = nullptr;          ///< of the first group
-  Index components = 0;
-  Index groups = 0;
-  Real step = 0;  ///< from n-1 to n [time]
+struct ShellTask : ElementTask<Real> {
   ShellConstants<Real> constants;
-  const double* material_constants = nullptr;
   materials::MaterialUpdate<Real> material = nullptr;
 };
 

@@ -3,6 +3,8 @@
 
 #include "elements/erode.hpp"
 #include "elements/solid_formulation.hpp"
+#include "elements/solid_patterns.hpp"
+#include "elements/tetrahedron_nodes.hpp"
 
 // As in chunk.hpp every template has the pack among its parameters.
 namespace crumple::elements {
@@ -16,34 +18,47 @@ struct SolidScratch {
   Real* nodes;
 };
 
+/// Rows of what a formulation gathers from the nodes.
+template <class Formulation>
+inline constexpr int node_rows = Formulation::corners == 8 ? solid_row::count : tetrahedron_row::count;
+
+template <class Formulation, class Pack>
+CRUMPLE_INLINE void gather_nodes(const SolidPlace<RealOf<Pack>>& place) {
+  if constexpr (Formulation::corners == 8)
+    gather_solids<Pack>(place.task.nodes, place.node, place.nodes);
+  else
+    gather_tetrahedra<Pack>(place.task.nodes, place.node, place.nodes);
+}
+
 /// A loop over the packs of one tile.
-template <class Pack, class Visit>
+template <class Formulation, class Pack, class Visit>
 CRUMPLE_INLINE void for_each_solid_pack(const SolidTask<RealOf<Pack>>& task, Index first_group, Index groups,
                                         const SolidScratch<RealOf<Pack>>& scratch, const Visit& visit) {
   for (Index group = 0; group < groups; ++group)
     for (Index lane = 0; lane < lanes; lane += width_of<Pack>) {
       const std::ptrdiff_t at = first_group + group;
-      visit(
-          SolidPlace<RealOf<Pack>>{
-              task, task.node + at * 8 * lanes + lane,
-              task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes + lane,
-              scratch.strain + group * lanes + lane, scratch.turn + group * lanes + lane,
-              scratch.rows + group * lanes + lane, scratch.nodes + (group * lanes + lane) * solid_row::count},
-          task.target + at * 8 * lanes + lane);
+      visit(SolidPlace<RealOf<Pack>>{task, task.node + at * Formulation::corners * lanes + lane,
+                                     task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes +
+                                         lane,
+                                     scratch.strain + group * lanes + lane,
+                                     scratch.turn + group * lanes + lane, scratch.rows + group * lanes + lane,
+                                     scratch.nodes + (group * lanes + lane) * node_rows<Formulation>},
+            task.target + at * Formulation::corners * lanes + lane);
     }
 }
 
-/// Puts a cube at rest in the place of failed elements, as rest_failed() does for shells.
-template <class Pack>
+/// Puts a cube, or its corner, at rest in the place of failed elements, as rest_failed() does for shells.
+template <class Formulation, class Pack>
 CRUMPLE_INLINE void rest_failed_solids(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const Pack zero(Real(0));
   auto gone = own_item<Pack>(place, solid_state::active) == zero &&
               own_item<Pack>(place, solid_state::bulk_viscosity) == zero;
-  for (Index c = 0; c < 12; ++c) gone = gone && own_item<Pack>(place, solid_state::hourglass + c) == zero;
+  for (Index c = 0; c < Formulation::kept.count; ++c)
+    gone = gone && own_item<Pack>(place, solid_state::own + c) == zero;
   if (!any<Pack>(gone)) return;
-  for (int row = 0; row < solid_row::count; ++row) {
-    // The first three patterns are the axes of the cube.
+  for (int row = 0; row < node_rows<Formulation>; ++row) {
+    // The first three vectors are the axes of the cube.
     const bool side = row < 9 && row % 4 == 0;
     Real* const at = place.nodes + row * width_of<Pack>;
     store(at, select<Pack>(gone, Pack(side ? Real(1) : Real(0)), load<Pack>(at)));
@@ -75,7 +90,7 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
   alignas(cache_line) Real strain[Formulation::points * materials::solid_components * tile_lanes];
   alignas(cache_line) Real turn[Formulation::points * 9 * tile_lanes];
   alignas(cache_line) Real rows[Formulation::rows * tile_lanes];
-  alignas(cache_line) Real nodes[solid_row::count * tile_lanes];
+  alignas(cache_line) Real nodes[node_rows<Formulation> * tile_lanes];
   const SolidScratch<Real> scratch{strain, turn, rows, nodes};
   LaneSums<Pack> lane_sums;
   sums = {};
@@ -83,29 +98,31 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
   materials::SolidMaterialTask<Real> material = solid_material_task<Pack>(task, scratch);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
-    for_each_solid_pack<Pack>(task, first, groups, scratch,
-                              [](const SolidPlace<Real>& place, const Index* /*target*/) {
-                                gather_solids<Pack>(place.task.nodes, place.node, place.nodes);
-                                if (place.task.constants.can_fail) rest_failed_solids<Pack>(place);
-                              });
-    for_each_solid_pack<Pack>(task, first, groups, scratch,
-                              [](const SolidPlace<Real>& place, const Index* /*target*/) {
-                                Formulation::template strains<Pack>(place);
-                              });
+    for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch,
+                                           [](const SolidPlace<Real>& place, const Index* /*target*/) {
+                                             gather_nodes<Formulation, Pack>(place);
+                                             if (place.task.constants.can_fail)
+                                               rest_failed_solids<Formulation, Pack>(place);
+                                           });
+    for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch,
+                                           [](const SolidPlace<Real>& place, const Index* /*target*/) {
+                                             Formulation::template strains<Pack>(place);
+                                           });
     material.state = task.state + first * material.group_stride;
     material.groups = groups;
     task.material(material);
-    for_each_solid_pack<Pack>(task, first, groups, scratch,
-                              [&](const SolidPlace<Real>& place, const Index* target) {
-                                scatter_solids(task.force, target, Formulation::template forces<Pack>(place));
-                              });
+    for_each_solid_pack<Formulation, Pack>(
+        task, first, groups, scratch, [&](const SolidPlace<Real>& place, const Index* target) {
+          scatter_solids(task.force, target, Formulation::template forces<Pack>(place));
+        });
     for (Index group = 0; group < groups; ++group) {
       lane_sums.add_group(rows + group * lanes);
       if (task.constants.can_fail) {
         Real* const own = material.state + group * material.group_stride + task.constants.own * lanes;
-        erode<Pack>({own + solid_state::active * lanes, own + solid_state::energy * lanes,
-                     rows + group * lanes, rows + solid_scratch::intact * tile_lanes + group * lanes},
-                    sums);
+        erode<Pack>(
+            {own + solid_state::active * lanes, own + (solid_state::own + Formulation::kept.count) * lanes,
+             rows + group * lanes, rows + solid_scratch::intact * tile_lanes + group * lanes},
+            sums);
       }
     }
   }

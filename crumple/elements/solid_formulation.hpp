@@ -4,15 +4,19 @@
 // A formulation of solids is a type with
 //   static constexpr model::SolidFormulation formulation, const char* name
 //   static constexpr int points          integration points
+//   static constexpr int corners         nodes, 8 or 4
 //   static constexpr int rows            numbers per element kept from strains() to forces()
+//   static constexpr KeptItem kept       what it keeps from step to step
+//   static constexpr bool averages       dilatation averaged at the nodes before (nodal_average.hpp)
 //   template <class Pack> static void strains(const SolidPlace<Real>&)
-//   template <class Pack> static SolidForces<Pack> forces(const SolidPlace<Real>&)
+//   template <class Pack> static SolidForces<Pack, corners> forces(const SolidPlace<Real>&)
 // strains() leaves strain increments and rotations of all points, forces() makes nodal forces of the updated
 // stresses. Between the two the material brings the tile up to date (solid_chunk.hpp).
 
 #include "elements/lane_sums.hpp"
-#include "elements/solid_geometry.hpp"
 #include "elements/solid_task.hpp"
+#include "math/pack_vec3.hpp"
+#include "model/section.hpp"
 
 namespace crumple::elements {
 
@@ -33,7 +37,7 @@ inline constexpr int own = material_energy + materials::max_solid_points;
 template <class Real>
 struct SolidPlace {
   const SolidTask<Real>& task;
-  const Index* node;  ///< [8][lanes], from the first element of the pack
+  const Index* node;  ///< [corner][lanes], from the first element of the pack
   Real* state;        ///< [component][lanes]
   Real* strain;       ///< [point][6][tile_lanes]
   Real* turn;         ///< [point][9][tile_lanes], rotation less the unit matrix
@@ -112,23 +116,16 @@ CRUMPLE_INLINE PackMatrix<Pack> step_rotation(const math::PackVec3<Pack>& turn) 
   return {{xx, xy - a.z, zx + a.y}, {xy + a.z, yy, yz - a.x}, {zx - a.y, yz + a.x, zz}};
 }
 
-/// Gradient of a velocity field: row i holds the derivatives of component i.
 template <class Pack>
-CRUMPLE_INLINE PackMatrix<Pack> velocity_gradient(const SolidGeometry<Pack>& g, const SolidPatterns<Pack>& v,
-                                                  bool exact_volume) {
-  using math::multiply_add;
-  const auto row = [&](auto component) {
-    auto sum = component(v.of[0]) * g.gradient[0];
-    sum = multiply_add(component(v.of[1]), g.gradient[1], sum);
-    sum = multiply_add(component(v.of[2]), g.gradient[2], sum);
-    if (exact_volume)
-      for (int p = pattern::hourglass; p < 6; ++p) sum = multiply_add(component(v.of[p]), g.gradient[p], sum);
-    return sum;
-  };
-  const Pack per_volume = Pack(RealOf<Pack>(1)) / g.volume;
-  return {per_volume * row([](const auto& u) { return u.x; }),
-          per_volume * row([](const auto& u) { return u.y; }),
-          per_volume * row([](const auto& u) { return u.z; })};
+CRUMPLE_INLINE Pack trace(const PackMatrix<Pack>& m) {
+  return (m.x.x + m.y.y) + m.z.z;
+}
+/// Takes `number` away from the diagonal.
+template <class Pack>
+CRUMPLE_INLINE void lessen_diagonal(PackMatrix<Pack>& m, const Pack& number) {
+  m.x.x = m.x.x - number;
+  m.y.y = m.y.y - number;
+  m.z.z = m.z.z - number;
 }
 
 /// Leaves the strain increments and the rotation of one point.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/solid_formulation.hpp"
 #include "elements/solid_patterns.hpp"
 
 namespace crumple::elements {
@@ -12,6 +13,11 @@ struct SolidGeometry {
   math::PackVec3<Pack> gradient[6];  ///< for the patterns up to xi eta; the volume does not know the last
   Pack volume;
 };
+
+/// Patterns whose gradient is not zero: at the centre only those of the tangents have one.
+CRUMPLE_INLINE constexpr int patterns_of_gradient(bool exact_volume) {
+  return exact_volume ? 6 : 3;
+}
 
 /// With `exact_volume` the trilinear volume, whose derivatives are the mean gradient over the element
 /// (Flanagan & Belytschko, IJNME 17 (1981) 679-706); else eight times the Jacobian at the centre.
@@ -51,6 +57,25 @@ CRUMPLE_INLINE SolidGeometry<Pack> solid_geometry(const SolidPatterns<Pack>& x, 
   for (int p = 0; p < 6; ++p) thrice = thrice + math::dot(x.of[p], g.gradient[p]);
   g.volume = Pack(Real(1.0 / 3.0)) * thrice;
   return g;
+}
+
+/// Gradient of a velocity field, the mean over the volume or that at the centre: row i holds the derivatives
+/// of component i.
+template <class Pack>
+CRUMPLE_INLINE PackMatrix<Pack> velocity_gradient(const SolidGeometry<Pack>& g, const SolidPatterns<Pack>& v,
+                                                  bool exact_volume) {
+  using math::multiply_add;
+  const auto row = [&](auto component) {
+    auto sum = component(v.of[0]) * g.gradient[0];
+    for (int p = 1; p < 3; ++p) sum = multiply_add(component(v.of[p]), g.gradient[p], sum);
+    if (exact_volume)
+      for (int p = 3; p < 6; ++p) sum = multiply_add(component(v.of[p]), g.gradient[p], sum);
+    return sum;
+  };
+  const Pack per_volume = Pack(RealOf<Pack>(1)) / g.volume;
+  return {per_volume * row([](const auto& u) { return u.x; }),
+          per_volume * row([](const auto& u) { return u.y; }),
+          per_volume * row([](const auto& u) { return u.z; })};
 }
 
 /// Square of the largest area of a face, by its diagonals.

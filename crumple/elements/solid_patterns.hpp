@@ -5,6 +5,7 @@
 
 #include "domain/node_fields.hpp"
 #include "elements/gather.hpp"
+#include "elements/solid_scatter.hpp"
 #include "math/pack_vec3.hpp"
 #include "math/small_vectors.hpp"
 
@@ -150,11 +151,21 @@ CRUMPLE_INLINE SolidPatterns<Pack> gathered_patterns(const RealOf<Pack>* rows) {
   return found;
 }
 
-/// Forces at the nodes from those conjugate to the patterns' coefficients.
 template <class Pack>
-struct SolidForces {
-  math::PackVec3<Pack> of[8];
-};
+CRUMPLE_INLINE SolidPatterns<Pack> gathered_velocities(const RealOf<Pack>* rows) {
+  return gathered_patterns<Pack>(rows + solid_row::velocity * width_of<Pack>);
+}
+/// Positions at the middle of the step from those at its end.
+template <class Pack>
+CRUMPLE_INLINE SolidPatterns<Pack> middle_positions(const SolidPatterns<Pack>& end,
+                                                    const SolidPatterns<Pack>& velocity, RealOf<Pack> step) {
+  const Pack back(-(RealOf<Pack>(0.5) * step));
+  SolidPatterns<Pack> middle;
+  for (int p = 0; p < pattern::count; ++p) middle.of[p] = math::multiply_add(back, velocity.of[p], end.of[p]);
+  return middle;
+}
+
+/// Forces at the nodes from those conjugate to the patterns' coefficients.
 template <class Pack>
 CRUMPLE_INLINE SolidForces<Pack> nodal_forces(const SolidPatterns<Pack>& conjugate) {
   using Vec = math::PackVec3<Pack>;
@@ -179,43 +190,6 @@ CRUMPLE_INLINE SolidForces<Pack> nodal_forces(const SolidPatterns<Pack>& conjuga
     nodal.of[k + 4] = level[k] + lift;
   }
   return nodal;
-}
-
-CRUMPLE_INLINE void subtract_force(domain::NodeForce& sum, const math::Float4& v) {
-  math::write(sum.force, math::read<math::Double4>(sum.force) - math::to_double(v));
-}
-CRUMPLE_INLINE void subtract_force(domain::NodeForce& sum, const math::Double4& v) {
-  math::write(sum.force, math::read<math::Double4>(sum.force) - v);
-}
-
-/// Subtracts internal forces from the sums at the nodes as scatter() does for shells; `target` is [8][lanes].
-template <class Pack>
-CRUMPLE_INLINE void scatter_solids(domain::NodeForce* sums, const Index* target,
-                                   const SolidForces<Pack>& internal) {
-  using Real = RealOf<Pack>;
-  using Item = std::conditional_t<std::is_same_v<Real, float>, math::Float4, math::Double4>;
-  constexpr int width = width_of<Pack>;
-  alignas(cache_line) Real rows[8][3][width];
-  for (int k = 0; k < 8; ++k) {
-    store(rows[k][0], internal.of[k].x);
-    store(rows[k][1], internal.of[k].y);
-    store(rows[k][2], internal.of[k].z);
-  }
-  if constexpr (width >= 4) {
-    for (int lane = 0; lane < width; lane += 4) {
-      math::Four<Item> items[8];
-      for (int k = 0; k < 8; ++k)
-        items[k] = math::transposed(math::read<Item>(&rows[k][0][lane]), math::read<Item>(&rows[k][1][lane]),
-                                    math::read<Item>(&rows[k][2][lane]), Item{});
-      for (int i = 0; i < 4; ++i)
-        for (int k = 0; k < 8; ++k) subtract_force(sums[target[k * lanes + lane + i]], items[k].row[i]);
-    }
-  } else {
-    for (int lane = 0; lane < width; ++lane)
-      for (int k = 0; k < 8; ++k)
-        for (int axis = 0; axis < 3; ++axis)
-          sums[target[k * lanes + lane]].force[axis] -= static_cast<double>(rows[k][axis][lane]);
-  }
 }
 
 }  // namespace crumple::elements

@@ -12,11 +12,13 @@ namespace crumple::elements {
 SolidPatterns<double> patterns_of(const std::array<math::Vec3, 8>& node);
 
 struct SolidSize {
-  double volume = 0;  ///< [length^3]
-  double length = 0;  ///< volume over the largest face: what a wave must cross in one step [length]
+  double volume = 0;  ///< [length^3]; not above zero if the element is inside out at one of its points
+  double length = 0;  ///< what a wave must cross in one step [length]
 };
 
-/// Of the present positions of an element's nodes. `exact_volume` as in solid_geometry().
-SolidSize solid_size(const domain::Domain& domain, const std::array<Index, 8>& node, bool exact_volume);
+/// Of the present positions of an element's nodes, as its formulation sees it. `exact_volume` as in
+/// solid_geometry().
+SolidSize solid_size(const domain::Domain& domain, const domain::SolidBlock& block, Index place,
+                     bool exact_volume);
 
 }  // namespace crumple::elements

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "domain/node_fields.hpp"
+#include "elements/element_task.hpp"
 #include "elements/shell_task.hpp"
 #include "materials/solid_material.hpp"
 
@@ -21,7 +21,11 @@ struct SolidConstants {
   bool exact_volume = false;        ///< mean gradients over the volume in the place of those at the centre
   bool without_linear_part = true;  ///< hourglass control spares linear velocity fields that are no patterns
   bool viscous = true;              ///< hourglass form: viscous, else stiffness
-  Real hourglass = 0;               ///< see SolidHourglass
+  bool assumed_strain = false;      ///< stiffness form in the element's own axes, see assumed_strain.hpp
+  Real hourglass = 0;               ///< see hourglass_modulus(); with assumed strains QM mu
+  Real plane_stress = 0;            ///< 1 / (1 - nu), for assumed strains [-]
+  Real anticlastic = 0;             ///< nu / (1 - nu), the same [-]
+  Real uniaxial = 0;                ///< (1 + nu) / 3, the same [-]
   Real density = 0;                 ///< at time zero [mass/volume]
   Real wave_speed = 0;              ///< of longitudinal waves without lateral strain [length/time]
   Real bulk_quadratic = 0;          ///< Q1 [-]
@@ -34,23 +38,21 @@ inline constexpr Index reference_volume = 0;  ///< at time zero
 inline constexpr Index active = 1;            ///< 1, or 0: no force, no energy, no limit on the step
 inline constexpr Index step_scale = 2;        ///< on the stable step: mass scaling
 inline constexpr Index bulk_viscosity = 3;    ///< pressure that resists compression
-inline constexpr Index hourglass = 4;  ///< generalised hourglass forces, one vector for each of four modes
-inline constexpr Index energy = 16;    ///< internal and hourglass energy of the element, if it can fail
+inline constexpr Index own = 4;               ///< what the formulation keeps, see KeptItem
 }  // namespace solid_state
+
+/// What a formulation of solids keeps of an element from step to step, beside the stress. Behind it stand the
+/// internal and the hourglass energy of the element, if it can fail.
+struct KeptItem {
+  const char* name = "";
+  const char* unit = "";
+  Index count = 0;
+};
 
 /// One chunk of one block.
 template <class Real>
-struct SolidTask {
-  const domain::NodeRecord<Real>* nodes = nullptr;
-  domain::NodeForce* force = nullptr;
-  const Index* node = nullptr;    ///< of the first group
-  const Index* target = nullptr;  ///< of the first group
-  Real* state = nullptr;          ///< of the first group
-  Index components = 0;
-  Index groups = 0;
-  Real step = 0;  ///< from n-1 to n [time]
+struct SolidTask : ElementTask<Real> {
   SolidConstants<Real> constants;
-  const double* material_constants = nullptr;
   materials::SolidMaterialUpdate<Real> material = nullptr;
 };
 

@@ -34,6 +34,9 @@ struct SolidElement {
   std::array<Index, 8> node{};
 };
 
+/// True if a solid has the four nodes of a tetrahedron in the order above: entries 0, 1, 2 and 4.
+bool is_tetrahedron(const SolidElement& solid);
+
 /// Place of the entry that the next one around the element repeats, or -1: the element is a triangle, in
 /// decks one that repeats its third node (2).
 int repeated_entry(const std::array<Index, 4>& node);

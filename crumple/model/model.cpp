@@ -11,6 +11,13 @@ int repeated_entry(const std::array<Index, 4>& node) {
   return -1;
 }
 
+bool is_tetrahedron(const SolidElement& solid) {
+  const std::array<Index, 8>& n = solid.node;
+  const bool repeats = n[3] == n[2] && n[5] == n[4] && n[6] == n[4] && n[7] == n[4];
+  return repeats && n[0] != n[1] && n[0] != n[2] && n[0] != n[4] && n[1] != n[2] && n[1] != n[4] &&
+         n[2] != n[4];
+}
+
 std::array<double, 4> shell_thickness(const Model& model, const ShellElement& shell) {
   const bool own = shell.thickness[0] > 0;
   std::array<double, 4> t =
@@ -74,8 +81,14 @@ void check_parts(const Model& model, std::vector<std::string>& found) {
 void check_solids(const Model& model, std::vector<std::string>& found) {
   for (const SolidElement& solid : model.solids) {
     const std::string name = "Solid " + std::to_string(solid.id);
-    if (!within(solid.part, model.parts.size()) || model.parts[solid.part].solid_section == no_index)
+    if (!within(solid.part, model.parts.size()) || model.parts[solid.part].solid_section == no_index) {
       found.push_back(name + " has no part with a section of solids.");
+      continue;
+    }
+    const bool for_tetrahedra =
+        is_tetrahedral(model.solid_sections[model.parts[solid.part].solid_section].formulation);
+    if (for_tetrahedra && !is_tetrahedron(solid))
+      found.push_back(name + " is no tetrahedron, but the formulation of its section is for these only.");
     for (const Index node : solid.node)
       if (!within(node, model.nodes.id.size()))
         found.push_back(name + " refers to a node that does not exist.");

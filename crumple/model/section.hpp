@@ -36,8 +36,17 @@ struct ShellSection {
 };
 
 enum class SolidFormulation {
-  OnePointHexahedron,  ///< uniform strain, Flanagan & Belytschko 1981
+  OnePointHexahedron,        ///< uniform strain, Flanagan & Belytschko 1981
+  SelectiveHexahedron,       ///< 2 x 2 x 2 points with the mean dilatation, Hughes 1980
+  Tetrahedron,               ///< one point, constant stress
+  NodalPressureTetrahedron,  ///< with the dilatation averaged at the nodes, Bonet & Burton 1998
 };
+
+/// True for those that compute elements of four nodes.
+constexpr bool is_tetrahedral(SolidFormulation formulation) {
+  return formulation == SolidFormulation::Tetrahedron ||
+         formulation == SolidFormulation::NodalPressureTetrahedron;
+}
 
 struct SolidSection {
   UserId id = 0;
@@ -50,7 +59,7 @@ enum class HourglassForm {
   Stiffness,  ///< LS-DYNA's IHQ 4, 5 for shells
 };
 
-/// Of solids with one point, in the order of LS-DYNA's IHQ 1 to 5; its default for explicit runs is the
+/// Of hexahedra with one point, in the order of LS-DYNA's IHQ 1 to 6; its default for explicit runs is the
 /// second.
 enum class SolidHourglassForm {
   StandardViscous,            ///< against the patterns alone, Hallquist 1982
@@ -58,6 +67,7 @@ enum class SolidHourglassForm {
   ExactVolumeViscous,         ///< the same with the mean gradient in the place of that at the centre
   FlanaganBelytschkoStiffness,
   ExactVolumeStiffness,
+  AssumedStrain,  ///< stiffness of the material in the element's own axes, Belytschko & Bindeman 1993
 };
 
 struct HourglassControl {

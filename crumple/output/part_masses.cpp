@@ -38,8 +38,9 @@ PartMasses::PartMasses(const View& view) {
     const domain::StateItem* const volume = block.find("reference_volume");
     if (volume == nullptr) continue;
     for (Index place = 0; place < block.elements; ++place)
-      for (const Index node : block.nodes_of(place))
-        by_node[block.part][node] += 0.125 * density * block.state(place, volume->first);
+      for (Index corner = 0; corner < block.corners; ++corner)
+        by_node[block.part][block.node_of(place, corner)] +=
+            density * block.state(place, volume->first) / block.corners;
   }
   for (const auto& nodes : by_node) shares_.emplace_back(nodes.begin(), nodes.end());
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "domain/node_fields.hpp"
+
+namespace crumple::elements {
+
+/// One chunk of one block, but for what is different for shells and solids.
+template <class Real>
+struct ElementTask {
+  const domain::NodeRecord<Real>* nodes = nullptr;
+  domain::NodeForce* force = nullptr;
+  const Index* node = nullptr;    ///< of the first group
+  const Index* target = nullptr;  ///< of the first group
+  Real* state = nullptr;          ///< of the first group
+  Index components = 0;
+  Index groups = 0;
+  Real step = 0;  ///< from n-1 to n [time]
+  const double* material_constants = nullptr;
+};
+
+}  // namespace crumple::elements
