@@ -133,6 +133,18 @@ bool find_section(const RawPart& raw, model::Part& part, Build& build) {
   return true;
 }
 
+/// Shells have no hourglass form 6.
+void warn_of_assumed_strain(const RawPart& raw, const model::Part& part, Build& build) {
+  if (part.section == no_index ||
+      model::hourglass_of(build.model, part).solid_form != model::SolidHourglassForm::AssumedStrain)
+    return;
+  build.report.warning(
+      raw.where, "hourglass",
+      fmt::format("part {} of shells is under hourglass control IHQ 6, which is for solids; its shells take "
+                  "the stiffness form, IHQ 4",
+                  raw.id));
+}
+
 }  // namespace
 
 Index find_part_of(Build& build, ElementKind kind, const Reference& reference) {
@@ -183,6 +195,7 @@ void build_parts(Build& build) {
                              fmt::format("part {} is left out with its elements", raw.id));
       continue;
     }
+    warn_of_assumed_strain(raw, part, build);
     build.enter(Item::Part, {raw.id, "PID", raw.where}, build.model.parts.size());
     build.model.parts.push_back(std::move(part));
   }

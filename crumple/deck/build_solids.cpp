@@ -102,6 +102,21 @@ bool check_repetitions(const model::SolidElement& solid, const Where& where, Rep
   return false;
 }
 
+/// A solid of a section that is for tetrahedra. True if it is one, or may have four or eight nodes.
+bool check_formulation(const model::SolidElement& solid, const Where& where, Build& build) {
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(solid.part)];
+  const model::SolidSection& section =
+      build.model.solid_sections[static_cast<std::size_t>(part.solid_section)];
+  if (!model::is_tetrahedral(section.formulation) || model::is_tetrahedron(solid)) return true;
+  build.report.error(
+      where, "formulation",
+      fmt::format("solid {} is no tetrahedron, but section {} of its part has a formulation for tetrahedra, "
+                  "ELFORM 10 or 13; expected N1, N2, N3, N4, N4, N4, N4, N4; put other solids into a part "
+                  "of their own",
+                  solid.id, section.id));
+  return false;
+}
+
 /// Volume that is not above zero, or corners turned inside out.
 void check_shape(const model::SolidElement& solid, const Where& where, Build& build) {
   Corners x;
@@ -153,7 +168,8 @@ void build_solids(Build& build) {
     }
     build.enter(Item::Solid, {raw.id, "EID", raw.where}, solids.size());
     if (complete) unfold_tetrahedron(solid.node);
-    if (complete && check_repetitions(solid, raw.nodes_where, build.report)) {
+    if (complete && check_repetitions(solid, raw.nodes_where, build.report) &&
+        check_formulation(solid, raw.nodes_where, build)) {
       check_shape(solid, raw.nodes_where, build);
       ++build.solids_of_part[static_cast<std::size_t>(solid.part)];
     }

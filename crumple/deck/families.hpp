@@ -140,9 +140,9 @@ void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);
 
 /// Which forms of hourglass control there are, and what instead of the others.
 inline constexpr std::string_view hourglass_forms =
-    "1-3 are viscous, 4-5 stiffness, 0 is 1 for shells and 2 for solids; the warping stiffness that 8 adds "
-    "to "
-    "ELFORM 16 is always there, take 0; 6, 7, 9 and 10 are for solids and not supported, take 5";
+    "1-3 are viscous, 4-5 stiffness, 6 assumed strain of solids, 0 is 1 for shells and 2 for solids; the "
+    "warping stiffness that 8 adds to ELFORM 16 is always there, take 0; 7, 9 and 10 are for solids and not "
+    "supported, take 6";
 /// What HGID's and CONTROL_HOURGLASS' form number means for shells.
 model::HourglassForm hourglass_form(std::int64_t number);
 /// What it means for solids.

@@ -50,7 +50,7 @@ constexpr Field section_thickness_card[] = {
 
 constexpr Field hourglass_card[] = {
     id("HGID"),
-    only("IHQ", {0, 1, 2, 3, 4, 5}, hourglass_forms),
+    only("IHQ", {0, 1, 2, 3, 4, 5, 6}, hourglass_forms),
     real_or_default("QM", 0.1, not_negative),
     unused("IBQ"),                // LS-DYNA does not use it either: solids always have bulk viscosity
     real("Q1", 0, not_negative),  // default CONTROL_BULK_VISCOSITY's
@@ -92,10 +92,13 @@ model::ShellFormulation shell_formulation(std::int64_t number) {
 }
 
 void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report) {
-  // LS-DYNA Keyword User's Manual, *HOURGLASS and *CONTROL_HOURGLASS.
-  constexpr double largest = 0.15;
+  // LS-DYNA Keyword User's Manual, *HOURGLASS and *CONTROL_HOURGLASS. With IHQ 6 one is the whole stiffness
+  // of the material.
+  const bool assumed_strain = card.good("IHQ") && card.real("IHQ") == 6;
+  const double largest = assumed_strain ? 1 : 0.15;
   if (card.good(field) && card.real(field) > largest)
-    report.field_warning(card.where(), {field, std::string(card.text(field)), "a coefficient up to 0.15",
+    report.field_warning(card.where(), {field, std::string(card.text(field)),
+                                        assumed_strain ? "a coefficient up to 1" : "a coefficient up to 0.15",
                                         "it is used, and the run may become unstable", "coefficient"});
 }
 
@@ -114,6 +117,8 @@ model::SolidHourglassForm solid_hourglass_form(std::int64_t number) {
       return FlanaganBelytschkoStiffness;
     case 5:
       return ExactVolumeStiffness;
+    case 6:
+      return AssumedStrain;
     default:
       return FlanaganBelytschkoViscous;
   }

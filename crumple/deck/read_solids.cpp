@@ -57,33 +57,34 @@ struct NamedForm {
   std::string_view instead;
 };
 
-constexpr std::string_view take_hexahedron = "take 1, with IHQ 4 or 5 against hourglassing";
-constexpr std::string_view take_degenerate =
-    "take 1, which computes tetrahedra as hexahedra with equal nodes";
+constexpr std::string_view take_hexahedron = "take 2, or 1 with hourglass control";
+constexpr std::string_view take_tetrahedron = "take 13, or 10, with four nodes";
+constexpr std::string_view take_wedge = "take 1 or 2, which compute wedges as hexahedra with equal nodes";
 constexpr std::string_view no_substitute = "there is nothing like it here";
 
 constexpr NamedForm forms[] = {
     {1, model::SolidFormulation::OnePointHexahedron, "the hexahedron with one point", ""},
     {-2, {}, "the fully integrated hexahedron for poor aspect ratios, accurate form", take_hexahedron},
     {-1, {}, "the fully integrated hexahedron for poor aspect ratios, efficient form", take_hexahedron},
-    {2, {}, "the selectively reduced hexahedron", take_hexahedron},
+    {2, model::SolidFormulation::SelectiveHexahedron, "the selectively reduced hexahedron", ""},
     {3, {}, "the hexahedron with rotations at its nodes", take_hexahedron},
-    {4, {}, "the tetrahedron with rotations at its nodes", take_degenerate},
+    {4, {}, "the tetrahedron with rotations at its nodes", take_tetrahedron},
     {5, {}, "the ALE hexahedron", "take 1, the mesh then moves with the material"},
     {6, {}, "the Eulerian hexahedron", no_substitute},
     {7, {}, "the ambient Eulerian hexahedron", no_substitute},
     {9, {}, "the one-point hexahedron for crushed foams", take_hexahedron},
-    {10, {}, "the tetrahedron with one point", take_degenerate},
+    {10, model::SolidFormulation::Tetrahedron, "the tetrahedron with one point", ""},
     {11, {}, "the multi-material ALE hexahedron", no_substitute},
     {12, {}, "the multi-material ALE hexahedron with void", no_substitute},
-    {13, {}, "the tetrahedron with averaged nodal pressure", take_degenerate},
-    {15, {}, "the wedge with two points", "take 1, which computes wedges as hexahedra with equal nodes"},
-    {16, {}, "the ten-node tetrahedron", take_degenerate},
-    {17, {}, "the composite ten-node tetrahedron", take_degenerate},
+    {13, model::SolidFormulation::NodalPressureTetrahedron, "the tetrahedron with averaged nodal pressure",
+     ""},
+    {15, {}, "the wedge with two points", take_wedge},
+    {16, {}, "the ten-node tetrahedron", take_tetrahedron},
+    {17, {}, "the composite ten-node tetrahedron", take_tetrahedron},
     {18, {}, "the hexahedron for linear statics", take_hexahedron},
     {19, {}, "the cohesive element", no_substitute},
     {20, {}, "the cohesive element with offsets for shells", no_substitute},
-    {115, {}, "the wedge with one point", "take 1, which computes wedges as hexahedra with equal nodes"},
+    {115, {}, "the wedge with one point", take_wedge},
 };
 
 /// The formulation of ELFORM; another than the supported ones is reported.
@@ -97,7 +98,7 @@ model::SolidFormulation formulation_of(const Card& card, Report& report) {
   std::string supported;
   for (const NamedForm& row : forms)
     if (row.formulation)
-      supported += fmt::format("{}{} ({})", supported.empty() ? "" : " or ", row.number, row.name);
+      supported += fmt::format("{}{} ({})", supported.empty() ? "" : ", ", row.number, row.name);
   const std::string hint = form == std::end(forms)
                                ? std::string(take_hexahedron)
                                : fmt::format("{} is {}; {}", number, form->name, form->instead);

@@ -160,22 +160,37 @@ TEST(Solid, BesideShellsWithSectionsOfBothKinds) {
   EXPECT_EQ(model.shells[0].part, 1);
 }
 
+TEST(SolidSection, EveryFormulation) {
+  const auto read = [](const std::string& number) {
+    SolidDeck deck;
+    deck.section = "*SECTION_SOLID\n1," + number + "\n";
+    deck.shells =
+        "*ELEMENT_SOLID\n      21       1       1       2       3       5       5       5       5       5\n";
+    return read_clean(deck.text()).solid_sections.at(0).formulation;
+  };
+  using enum model::SolidFormulation;
+  EXPECT_EQ(read("1"), OnePointHexahedron);
+  EXPECT_EQ(read("2"), SelectiveHexahedron);
+  EXPECT_EQ(read("10"), Tetrahedron);
+  EXPECT_EQ(read("13"), NodalPressureTetrahedron);
+}
+
 TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
   const auto message = [](const std::string& number) {
     SolidDeck deck;
     deck.section = "*SECTION_SOLID\n1," + number + "\n";
     return listed(read_deck_text(deck.text()).diagnostics);
   };
-  EXPECT_EQ(message("10"),
-            "deck.k:20: error: *SECTION_SOLID card 1 field ELFORM: read \"10\", expected 1 (the hexahedron "
-            "with one "
-            "point); 10 is the tetrahedron with one point; take 1, which computes tetrahedra as hexahedra "
-            "with equal "
-            "nodes\n");
+  EXPECT_EQ(
+      message("16"),
+      "deck.k:20: error: *SECTION_SOLID card 1 field ELFORM: read \"16\", expected 1 (the hexahedron with "
+      "one point), 2 (the selectively reduced hexahedron), 10 (the tetrahedron with one point), 13 (the "
+      "tetrahedron with averaged nodal pressure); 16 is the ten-node tetrahedron; take 13, or 10, with "
+      "four nodes\n");
   EXPECT_NE(message("77").find("read \"77\", expected 1"), std::string::npos);
   EXPECT_EQ(message("0").find("error"), std::string::npos);
   SolidDeck deck;
-  deck.section = "*SECTION_SOLID\n1,2\n";
+  deck.section = "*SECTION_SOLID\n1,3\n";
   ReadOptions options;
   options.allow_unsupported = true;
   const ReadResult result = read_deck_text(deck.text(), options);
@@ -187,10 +202,13 @@ TEST(SolidHourglass, FormsAndCoefficients) {
   SolidDeck deck;
   deck.part = "*PART\nblock\n1,1,1,0,4\n";
   deck.more = "*CONTROL_HOURGLASS\n5,0.05\n";
-  const std::array forms = {
-      SolidHourglassForm::FlanaganBelytschkoViscous,   SolidHourglassForm::StandardViscous,
-      SolidHourglassForm::FlanaganBelytschkoViscous,   SolidHourglassForm::ExactVolumeViscous,
-      SolidHourglassForm::FlanaganBelytschkoStiffness, SolidHourglassForm::ExactVolumeStiffness};
+  const std::array forms = {SolidHourglassForm::FlanaganBelytschkoViscous,
+                            SolidHourglassForm::StandardViscous,
+                            SolidHourglassForm::FlanaganBelytschkoViscous,
+                            SolidHourglassForm::ExactVolumeViscous,
+                            SolidHourglassForm::FlanaganBelytschkoStiffness,
+                            SolidHourglassForm::ExactVolumeStiffness,
+                            SolidHourglassForm::AssumedStrain};
   for (std::size_t i = 0; i < forms.size(); ++i)
     deck.more += "*HOURGLASS\n" + std::to_string(i + 1) + "," + std::to_string(i) + ",0.03,0,2.0,0.2\n";
   const model::Model model = read_clean(deck.text());
@@ -201,6 +219,20 @@ TEST(SolidHourglass, FormsAndCoefficients) {
   EXPECT_EQ(model::hourglass_of(model, model.parts[0]).coefficient, 0.03);
   EXPECT_EQ(model::bulk_viscosity_of(model, model.parts[0]).quadratic, 2.0);
   EXPECT_EQ(model::bulk_viscosity_of(model, model.parts[0]).linear, 0.2);
+}
+
+TEST(SolidHourglass, AssumedStrainMayHaveTheWholeStiffnessAndIsNotForShells) {
+  EXPECT_TRUE(solid_messages("1,1,1,2,3,4,5,6,7,8\n", "*CONTROL_HOURGLASS\n6,1.0\n").empty());
+  EXPECT_EQ(solid_messages("1,1,1,2,3,4,5,6,7,8\n", "*CONTROL_HOURGLASS\n6,1.5\n").size(), 1U);
+  SmallDeck shells;
+  shells.more = "*CONTROL_HOURGLASS\n6,0.1\n";
+  const ReadResult result = read_deck_text(shells.text());
+  EXPECT_EQ(result.model->control.hourglass.form, model::HourglassForm::Stiffness);
+  EXPECT_NE(listed(result.diagnostics)
+                .find("part 1 of shells is under hourglass control IHQ 6, which is for "
+                      "solids; its shells take the stiffness form, IHQ 4"),
+            std::string::npos)
+      << listed(result.diagnostics);
 }
 
 TEST(SolidHourglass, DefaultIsFlanaganBelytschkoViscous) {

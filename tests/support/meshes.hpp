@@ -5,6 +5,8 @@
 
 #include <array>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "model/model.hpp"
 
@@ -95,6 +97,40 @@ inline Index add_box(model::Model& model, Index part, Index nx, Index ny, Index 
                                          above + row + 1, above + row}});
       }
   return first;
+}
+
+/// Makes six tetrahedra of each hexahedron, around its diagonal from node 1 to node 7 (H.W. Kuhn 1960): those
+/// of neighbours in a box fit together.
+inline void split_into_tetrahedra(model::Model& model) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> others = {
+      {{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}}};
+  std::vector<model::SolidElement> split;
+  split.reserve(6 * model.solids.size());
+  for (const model::SolidElement& solid : model.solids)
+    for (const auto& other : others) {
+      const Index first = solid.node[0];
+      const Index second = solid.node[other[0]];
+      const Index third = solid.node[other[1]];
+      const Index top = solid.node[6];
+      split.push_back({.id = static_cast<UserId>(split.size()) + 1,
+                       .part = solid.part,
+                       .node = {first, second, third, third, top, top, top, top}});
+    }
+  model.solids = std::move(split);
+}
+
+/// Makes two wedges of each hexahedron.
+inline void split_into_wedges(model::Model& model) {
+  std::vector<model::SolidElement> split;
+  split.reserve(2 * model.solids.size());
+  for (const model::SolidElement& solid : model.solids) {
+    const std::array<Index, 8>& n = solid.node;
+    const std::array<Index, 8> wedges[2] = {{n[0], n[1], n[2], n[3], n[4], n[4], n[7], n[7]},
+                                            {n[1], n[5], n[6], n[2], n[4], n[4], n[7], n[7]}};
+    for (const std::array<Index, 8>& wedge : wedges)
+      split.push_back({.id = static_cast<UserId>(split.size()) + 1, .part = solid.part, .node = wedge});
+  }
+  model.solids = std::move(split);
 }
 
 }  // namespace crumple::test
