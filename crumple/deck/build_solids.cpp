@@ -168,9 +168,8 @@ void build_solids(Build& build) {
     }
     build.enter(Item::Solid, {raw.id, "EID", raw.where}, solids.size());
     if (complete) unfold_tetrahedron(solid.node);
-    if (complete && check_repetitions(solid, raw.nodes_where, build.report) &&
-        check_formulation(solid, raw.nodes_where, build)) {
-      check_shape(solid, raw.nodes_where, build);
+    if (complete && check_repetitions(solid, raw.nodes_where, build.report)) {
+      if (check_formulation(solid, raw.nodes_where, build)) check_shape(solid, raw.nodes_where, build);
       ++build.solids_of_part[static_cast<std::size_t>(solid.part)];
     }
     solids.push_back(solid);
