@@ -257,6 +257,7 @@ RigidBodies::RigidBodies(const model::Model& model, Domain& domain)
     if (!given.parts.empty()) body.part = given.parts.front();
     body.fixed_translation = given.fixed_translation;
     body.fixed_rotation = given.fixed_rotation;
+    body.has_given_inertia = given.inertia.has_value();
     if (given.inertia) take_given_inertia(*given.inertia, in_domain(given.added_nodes), domain, body);
     add_body(domain, std::move(body));
   }

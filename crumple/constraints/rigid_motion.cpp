@@ -160,7 +160,7 @@ void turn_over_step(RigidBody& body, double step) {
     const Vec3 mean = mean_momentum(math::transposed_product(axes, body.angular_momentum), inverse, step);
     half = 0.5 * step * (axes * by_axis(inverse, mean));
   }
-  body.next_turn = math::normalised(math::cayley_rotation(half) * body.turn);
+  body.next_turn = math::unit_quaternion(math::cayley_rotation(half) * body.turn);
   body.angular_velocity = (2 / step) * half;
 }
 

@@ -150,6 +150,8 @@ void Bodies::take_nodal_bodies() {
     model::RigidBody body;
     body.id = raw.id;
     body.title = raw.title;
+    body.fixed_translation = raw.held.fixed_translation;
+    body.fixed_rotation = raw.held.fixed_rotation;
     body.nodes = build_.model.node_sets[static_cast<std::size_t>(set)].nodes;
     if (raw.inertia) take_inertia(*raw.inertia, body);
     if (body.nodes.empty()) {

@@ -115,6 +115,8 @@ void read_constrained_extra_nodes_node(Cards& cards, RawDeck& deck);
 void read_constrained_extra_nodes_set(Cards& cards, RawDeck& deck);
 void read_constrained_nodal_rigid_body(Cards& cards, RawDeck& deck);
 void read_constrained_nodal_rigid_body_inertia(Cards& cards, RawDeck& deck);
+void read_constrained_nodal_rigid_body_spc(Cards& cards, RawDeck& deck);
+void read_constrained_nodal_rigid_body_spc_inertia(Cards& cards, RawDeck& deck);
 
 // read_motions.cpp
 void read_boundary_prescribed_motion_node(Cards& cards, RawDeck& deck);

@@ -99,6 +99,8 @@ constexpr Keyword table[] = {
     {"CONSTRAINED_EXTRA_NODES_SET", read_constrained_extra_nodes_set},
     {"CONSTRAINED_NODAL_RIGID_BODY", read_constrained_nodal_rigid_body, title},
     {"CONSTRAINED_NODAL_RIGID_BODY_INERTIA", read_constrained_nodal_rigid_body_inertia, title},
+    {"CONSTRAINED_NODAL_RIGID_BODY_SPC", read_constrained_nodal_rigid_body_spc, title},
+    {"CONSTRAINED_NODAL_RIGID_BODY_SPC_INERTIA", read_constrained_nodal_rigid_body_spc_inertia, title},
     {"INITIAL_VELOCITY", read_initial_velocity},
     {"INITIAL_VELOCITY_NODE", read_initial_velocity_node},
     {"INITIAL_VELOCITY_GENERATION", read_initial_velocity_generation},

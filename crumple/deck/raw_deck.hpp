@@ -238,6 +238,7 @@ struct RawNodalBody {
   UserId id = 0;
   std::string title;
   UserId node_set = 0;
+  model::RigidMaterial held{};
   std::optional<RawInertia> inertia{};
   Where where;
 };

@@ -29,8 +29,8 @@ constexpr Field velocity_card_1[] = {
     reference("NSID"),
     reference("NSIDEX"),
     only("BOXID", {0}, no_boxes),
-    only("IRIGID", {0, -1},
-         "-1 goes before the velocities of *PART_INERTIA, 0 does not; sets of parts are not supported"),
+    only("IRIGID", {0, -1, -2},
+         "-1 and -2 go before the velocities of *PART_INERTIA, 0 does not; sets of parts are not supported"),
     only("ICID", {0}, global_axes),
 };
 
@@ -121,7 +121,7 @@ void read_initial_velocity(Cards& cards, RawDeck& deck) {
   velocity.velocity = {second.real("VX"), second.real("VY"), second.real("VZ")};
   velocity.angular_velocity = {second.real("VXR"), second.real("VYR"), second.real("VZR")};
   velocity.exempt_set = first.integer("NSIDEX");
-  velocity.replaces_given = first.real("IRIGID") == -1;
+  velocity.replaces_given = first.real("IRIGID") < 0;
   if (velocity.exempt_set > 0) {
     const Card third = cards.next(velocity_card_3);
     velocity.exempt_velocity = {third.real("VXE"), third.real("VYE"), third.real("VZE")};

@@ -67,7 +67,22 @@ void read_extra_nodes(Cards& cards, RawDeck& deck, bool is_set) {
   }
 }
 
-void read_nodal_bodies(Cards& cards, RawDeck& deck, bool with_inertia) {
+/// What a card with CMO, CON1 and CON2 holds.
+model::RigidMaterial held_of(const Card& card) {
+  model::RigidMaterial held;
+  if (card.real("CMO") != 1) return held;
+  held.fixed_translation = held_axes(card.integer("CON1"));
+  held.fixed_rotation = held_axes(card.integer("CON2"));
+  return held;
+}
+
+/// Which cards the options of a nodal rigid body add, in this order.
+struct NodalBodyOptions {
+  bool constraints = false;  ///< SPC
+  bool inertia = false;      ///< INERTIA
+};
+
+void read_nodal_bodies(Cards& cards, RawDeck& deck, const NodalBodyOptions& options) {
   while (cards.more()) {
     RawNodalBody body;
     body.title = cards.heading().title;
@@ -75,7 +90,8 @@ void read_nodal_bodies(Cards& cards, RawDeck& deck, bool with_inertia) {
     body.id = card.integer("PID");
     body.node_set = card.integer("NSID") != 0 ? card.integer("NSID") : body.id;
     body.where = card.where();
-    if (with_inertia) body.inertia = read_inertia(cards);
+    if (options.constraints) body.held = held_of(cards.next(constraint_card));
+    if (options.inertia) body.inertia = read_inertia(cards);
     if (card.good("PID") && card.good("NSID")) deck.nodal_bodies.push_back(std::move(body));
   }
 }
@@ -95,11 +111,7 @@ void read_mat_rigid(Cards& cards, RawDeck& deck) {
     cards.next(output_axes_card);
     RawMaterial raw = material_of(heading, card);
     raw.material.law = model::Elastic{card.real("E"), card.real("PR")};
-    raw.material.rigid.emplace();
-    if (constraint.real("CMO") == 1) {
-      raw.material.rigid->fixed_translation = held_axes(constraint.integer("CON1"));
-      raw.material.rigid->fixed_rotation = held_axes(constraint.integer("CON2"));
-    }
+    raw.material.rigid = held_of(constraint);
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
 }
@@ -121,11 +133,19 @@ void read_constrained_extra_nodes_set(Cards& cards, RawDeck& deck) {
 }
 
 void read_constrained_nodal_rigid_body(Cards& cards, RawDeck& deck) {
-  read_nodal_bodies(cards, deck, false);
+  read_nodal_bodies(cards, deck, {});
 }
 
 void read_constrained_nodal_rigid_body_inertia(Cards& cards, RawDeck& deck) {
-  read_nodal_bodies(cards, deck, true);
+  read_nodal_bodies(cards, deck, {.constraints = false, .inertia = true});
+}
+
+void read_constrained_nodal_rigid_body_spc(Cards& cards, RawDeck& deck) {
+  read_nodal_bodies(cards, deck, {.constraints = true, .inertia = false});
+}
+
+void read_constrained_nodal_rigid_body_spc_inertia(Cards& cards, RawDeck& deck) {
+  read_nodal_bodies(cards, deck, {.constraints = true, .inertia = true});
 }
 
 }  // namespace crumple::deck

@@ -14,12 +14,13 @@ namespace crumple::domain {
 /// n + 1/2 once the momenta have been kicked.
 struct RigidBody {
   UserId id = 0;
-  Index part = no_index;         ///< the leading part; no_index for a group of nodes
-  bool active = true;            ///< false: its nodes are free again
-  std::vector<Index> nodes;      ///< domain nodes, ascending
-  std::vector<math::Vec3> arm;   ///< of each node from the centre, in the body's axes [length]
-  double mass = 0;               ///< [mass]
-  math::Vec3 principal_inertia;  ///< about the body's axes [mass * length^2]
+  Index part = no_index;           ///< the leading part; no_index for a group of nodes
+  bool has_given_inertia = false;  ///< its mass is not that of its elements
+  bool active = true;              ///< false: its nodes are free again
+  std::vector<Index> nodes;        ///< domain nodes, ascending
+  std::vector<math::Vec3> arm;     ///< of each node from the centre, in the body's axes [length]
+  double mass = 0;                 ///< [mass]
+  math::Vec3 principal_inertia;    ///< about the body's axes [mass * length^2]
   std::array<bool, 3> fixed_translation{};
   std::array<bool, 3> fixed_rotation{};
 

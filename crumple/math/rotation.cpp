@@ -48,10 +48,12 @@ Quaternion quaternion_of(const Matrix3& columns) {
   // The largest of the four squares is taken as divisor (S.W. Shepperd, J. Guidance and Control 1, 1978).
   const double trace = a.x + b.y + c.z;
   const double largest = std::max({trace, a.x, b.y, c.z});
-  if (trace >= largest) return normalised(Quaternion{1 + trace, {b.z - c.y, c.x - a.z, a.y - b.x}});
-  if (a.x >= largest) return normalised(Quaternion{b.z - c.y, {1 + 2 * a.x - trace, b.x + a.y, c.x + a.z}});
-  if (b.y >= largest) return normalised(Quaternion{c.x - a.z, {b.x + a.y, 1 + 2 * b.y - trace, c.y + b.z}});
-  return normalised(Quaternion{a.y - b.x, {c.x + a.z, c.y + b.z, 1 + 2 * c.z - trace}});
+  if (trace >= largest) return unit_quaternion(Quaternion{1 + trace, {b.z - c.y, c.x - a.z, a.y - b.x}});
+  if (a.x >= largest)
+    return unit_quaternion(Quaternion{b.z - c.y, {1 + 2 * a.x - trace, b.x + a.y, c.x + a.z}});
+  if (b.y >= largest)
+    return unit_quaternion(Quaternion{c.x - a.z, {b.x + a.y, 1 + 2 * b.y - trace, c.y + b.z}});
+  return unit_quaternion(Quaternion{a.y - b.x, {c.x + a.z, c.y + b.z, 1 + 2 * c.z - trace}});
 }
 
 PrincipalAxes principal_axes(const Matrix3& tensor) {

@@ -20,7 +20,8 @@ inline Quaternion operator*(const Quaternion& second, const Quaternion& first) {
           second.w * first.v + first.w * second.v + cross(second.v, first.v)};
 }
 
-inline Quaternion normalised(const Quaternion& q) {
+/// The same rotation with a length of one.
+inline Quaternion unit_quaternion(const Quaternion& q) {
   const double inverse = 1.0 / std::sqrt(q.w * q.w + dot(q.v, q.v));
   return {inverse * q.w, inverse * q.v};
 }
@@ -28,7 +29,7 @@ inline Quaternion normalised(const Quaternion& q) {
 /// The rotation about `c` whose half angle has the tangent |c| (Cayley's transform of 2 c). Without any
 /// function but the root, so that it has the same bits everywhere.
 inline Quaternion cayley_rotation(const Vec3& c) {
-  return normalised(Quaternion{1.0, c});
+  return unit_quaternion(Quaternion{1.0, c});
 }
 
 /// A matrix of three rows and columns, held by columns.

@@ -98,6 +98,20 @@ TEST(RigidBodies, NodesOfASetAreABody) {
   EXPECT_TRUE(model.rigid_bodies[0].parts.empty());
 }
 
+TEST(RigidBodies, NodalBodyWithConstraintsAndInertia) {
+  const model::Model model = read_with(
+      "*SET_NODE_LIST\n         7\n         1         4\n"
+      "*CONSTRAINED_NODAL_RIGID_BODY_SPC_INERTIA\n         7\n"
+      "       1.0         6         1\n"
+      "       1.0       2.0       3.0       4.0\n"
+      "       5.0       0.0       0.0       6.0       0.0       7.0\n\n");
+  const model::RigidBody& body = model.rigid_bodies.at(0);
+  EXPECT_EQ(body.fixed_translation, (Axes{true, false, true}));
+  EXPECT_EQ(body.fixed_rotation, (Axes{true, false, false}));
+  EXPECT_EQ(body.inertia->mass, 4);
+  EXPECT_EQ(body.nodes, (std::vector<Index>{0, 3})) << "the set has the body's number";
+}
+
 TEST(RigidBodies, MergedPartsAreOne) {
   SmallDeck deck = rigid_deck();
   deck.part =
