@@ -93,8 +93,11 @@ void take_given_inertia(const model::RigidInertia& given, const std::vector<Inde
                         RigidBody& body) {
   NodeFields& nodes = domain.nodes;
   const MassSum extra = sum_masses(nodes, added);
+  const Vec3 spin = given.velocity_from_nodes ? spin_of(body, body.turn, body.angular_momentum)
+                                              : to_vec3(given.angular_velocity);
   const Vec3 centre = to_vec3(given.centre);
   const double nodal = sum_masses(nodes, body.nodes).mass;
+  const Vec3 former_centre = body.centre;
   body.mass = given.mass + extra.mass;
   body.centre = (1 / body.mass) * (given.mass * centre + extra.first);
   const auto& t = given.tensor;
@@ -106,10 +109,10 @@ void take_given_inertia(const model::RigidInertia& given, const std::vector<Inde
   // What the nodes have together is what contact and walls see of the body.
   if (nodal > 0)
     for (const Index node : body.nodes) nodes.mass[node] *= body.mass / nodal;
-  if (given.velocity_from_nodes) return;
-  body.velocity = to_vec3(given.velocity);
-  body.spin = to_vec3(given.angular_velocity);
-  body.angular_momentum = inertia_tensor(body, body.turn) * body.spin;
+  // The motion of the nodes is kept, not their momenta.
+  body.velocity = given.velocity_from_nodes ? body.velocity + cross(spin, body.centre - former_centre)
+                                            : to_vec3(given.velocity);
+  body.angular_momentum = inertia_tensor(body, body.turn) * spin;
 }
 
 /// Sums of nodal forces about the centre.
@@ -147,7 +150,9 @@ void begin_step(Domain& domain, RigidBody& body) {
   const Vec3 spin = spin_of(body, body.turn, body.angular_momentum);
   if (any(body.held_rotation)) {
     const Vec3 momentum = inertia_tensor(body, body.turn) * spin;
-    domain.energy.external_work += 0.5 * (dot(spin, momentum) - dot(body.spin, body.angular_momentum));
+    // Axes that only are fixed do no work.
+    if (norm(body.prescribed_spin) > 0)
+      domain.energy.external_work += 0.5 * (dot(spin, momentum) - dot(body.spin, body.angular_momentum));
     body.angular_momentum = momentum;
   }
   body.previous_spin = body.spin = spin;

@@ -4,11 +4,21 @@
 // Rigid bodies made in code, shared by the tests of all folders.
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
 #include <vector>
 
 #include "support/meshes.hpp"
 
 namespace crumple::test {
+
+/// A number for the list of a test's properties.
+inline std::string figure(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
 
 /// Nodes of the elements of a part, ascending.
 inline std::vector<Index> nodes_of_part(const model::Model& model, Index part) {

@@ -42,14 +42,16 @@ TEST(RigidBody, ConstantForceGivesAParabola) {
   EXPECT_NEAR(moved.x, 0.5 * 1.5 / block_mass * time * time, 1e-10 * moved.x);
   EXPECT_NEAR(moved.z, -0.5 * 0.5 / block_mass * time * time, 1e-10 * moved.x);
   EXPECT_NEAR(domain.energy.external_work, dot(Vec3{1.5, 0, -0.5}, moved), 1e-9 * domain.energy.kinetic);
-  EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-10 * domain.energy.kinetic);
+  // The kinetic energy of time zero is not in product form: 1/8 F^2 dt^2 / M, once.
+  const double at_start = 2.5 * domain.clock.step * domain.clock.step / block_mass / 8;
+  EXPECT_NEAR(std::fabs(domain.energy.imbalance()), at_start, 1e-3 * at_start);
 }
 
 TEST(RigidBody, ConstantMomentAboutAPrincipalAxisTurnsItByAParabola) {
   model::Model model = block();
   const Index curve = test::add_constant_curve(model, 1.0);
   model.rigid_body_loads.push_back({.body = 0, .force = {}, .moment = {0, 0, 0.3}, .curve = curve});
-  model.control.end_time = 3;
+  model.control.end_time = 4.2;
   timeloop::Simulation simulation(model, test::execution());
   const domain::RigidBody& body = simulation.domain().rigid_bodies[0];
   // Masses lumped at nodes h apart: a bar's m l^2 / 12 becomes m (l^2 + 2 h^2) / 12.
@@ -61,7 +63,7 @@ TEST(RigidBody, ConstantMomentAboutAPrincipalAxisTurnsItByAParabola) {
   const Vec3 arm = domain.nodes.position[corner] - body.centre;
   const Vec3 exact{-10 * std::cos(angle) + 5 * std::sin(angle), -10 * std::sin(angle) - 5 * std::cos(angle),
                    -5};
-  std::printf("moment: %.4f rad, error of a corner %.2e\n", angle, norm(arm - exact));
+  RecordProperty("error_of_a_corner", test::figure(norm(arm - exact)));
   EXPECT_GT(angle, 3);
   EXPECT_LT(norm(arm - exact), 1e-5);
   EXPECT_NEAR(domain.energy.kinetic, 0.3 * angle, 1e-5 * domain.energy.kinetic);
@@ -90,7 +92,7 @@ TEST(RigidBody, NodalLoadGivesItsImpulseAndItsMoment) {
   EXPECT_NEAR(body.mass * body.velocity.y, impulse, 1e-12);
   EXPECT_NEAR(body.mass * norm(Vec3{body.velocity.x, 0, body.velocity.z}), 0, 1e-14);
   EXPECT_LT(norm(body.angular_momentum - angular), 1e-12 * norm(angular));
-  EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-6 * domain.energy.kinetic);
+  EXPECT_LT(std::fabs(domain.energy.imbalance()), 2e-6 * domain.energy.kinetic);
 }
 
 /// A bar of steel without lateral contraction, 100 x 4 x 4 mm, that a rigid block at its end pulls from t = 0
@@ -129,6 +131,7 @@ TEST(RigidBody, PrescribedVelocityPullsABarWithTheForceOfItsWave) {
   double sum = 0;
   double time = 0;
   const domain::Domain& domain = simulation.domain();
+  const double centre = domain.rigid_bodies[0].centre.x;
   test::run(simulation, [&](const domain::Domain& now) {
     if (now.clock.time < 0.4 * there || now.clock.time > 1.8 * there) return;
     sum += now.clock.step * now.rigid_bodies[0].reaction.x;
@@ -137,14 +140,15 @@ TEST(RigidBody, PrescribedVelocityPullsABarWithTheForceOfItsWave) {
   // Until the wave is back: impedance times velocity (J.D. Achenbach, Wave Propagation in Elastic
   // Solids, 1.3).
   const double force = density * bar.wave_speed * velocity * bar.area;
-  std::printf("pulled bar: mean reaction / impedance force %.5f, imbalance / work %.2e\n", sum / time / force,
-              domain.energy.imbalance() / domain.energy.external_work);
-  EXPECT_NEAR(sum / time, force, 0.01 * force);
+  RecordProperty("reaction_over_exact", test::figure(sum / time / force));
+  RecordProperty("imbalance_over_work",
+                 test::figure(domain.energy.imbalance() / domain.energy.external_work));
+  EXPECT_NEAR(sum / time, force, 1e-3 * force);
   const double start = 0.5 * domain.rigid_bodies[0].mass * velocity * velocity;  // to set the block going
   EXPECT_NEAR(domain.energy.external_work, force * velocity * domain.clock.time + start,
               0.02 * domain.energy.external_work);
   EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-4 * domain.energy.external_work);
-  EXPECT_NEAR(domain.rigid_bodies[0].centre.x, 101.92 + velocity * domain.clock.time, 1e-9);
+  EXPECT_NEAR(domain.rigid_bodies[0].centre.x, centre + velocity * domain.clock.time, 1e-9);
 }
 
 TEST(RigidBody, PrescribedDisplacementIsMetAtEveryStep) {
@@ -196,8 +200,8 @@ TEST(RigidBody, PrescribedMotionOfNodesBalances) {
   test::run(simulation);
   const domain::Domain& domain = simulation.domain();
   EXPECT_NEAR(test::displacement(domain, 0).x, -0.5 * 20 * domain.clock.time * domain.clock.time, 1e-10);
-  std::printf("accelerated end: imbalance / work %.2e\n",
-              domain.energy.imbalance() / domain.energy.external_work);
+  RecordProperty("imbalance_over_work",
+                 test::figure(domain.energy.imbalance() / domain.energy.external_work));
   EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-4 * domain.energy.external_work);
 }
 
@@ -235,7 +239,7 @@ TEST(RigidBody, FallsWithWhatIsDeformable) {
   const domain::Domain& domain = simulation.domain();
   const double fall = -0.5 * gravity * domain.clock.time * domain.clock.time;
   for (const Index node : {0, 30, 50, 60}) EXPECT_NEAR(test::displacement(domain, node).z, fall, 1e-10);
-  EXPECT_NEAR(domain.energy.external_work, domain.energy.kinetic, 1e-9 * domain.energy.kinetic);
+  EXPECT_NEAR(domain.energy.external_work, domain.energy.kinetic, 1e-6 * domain.energy.kinetic);
 }
 
 /// A tilted block that flies at a wall.
@@ -274,8 +278,9 @@ TEST_P(ThrownBlock, WallTakesItsMomentumAndNothingPasses) {
     gain = std::max(gain, now.energy.kinetic - energy);
     energy = now.energy.kinetic;
   });
-  std::printf("thrown block, friction %.1f: lowest node %.2e mm, momentum %.2e, kinetic energy left %.4f\n",
-              GetParam(), lowest, worst, domain.energy.kinetic / domain.energy.initial_total);
+  RecordProperty("lowest_node", test::figure(lowest));
+  RecordProperty("momentum", test::figure(worst));
+  RecordProperty("energy_left", test::figure(domain.energy.kinetic / domain.energy.initial_total));
   EXPECT_LT(worst, 1e-12);
   EXPECT_GT(lowest, -1e-3);
   EXPECT_GT(domain.walls[0].impulse.z, -2 * norm(start));
@@ -324,12 +329,10 @@ TEST(RigidBody, SharedNodesBelongToTheBodyAndTheEnergyBalances) {
   const Vec3 start = test::momentum(domain);
   test::run(simulation);
   EXPECT_LT(norm(test::momentum(domain) - start), 1e-6 * norm(start));
-  std::printf("half rigid plate: error %.2e of what was absorbed, hourglass/internal %.2e\n",
-              domain.energy.error(), domain.energy.hourglass / domain.energy.internal);
-  EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-3 * domain.energy.internal);
-  const auto inertia_free = [&](const domain::ElementBlock* block) { return block->rigid; };
+  RecordProperty("error", test::figure(domain.energy.error()));
+  EXPECT_LT(domain.energy.error(), 1e-4);
   EXPECT_TRUE(std::any_of(domain.shells.begin(), domain.shells.end(),
-                          [&](const auto& block) { return inertia_free(&block); }));
+                          [](const domain::ShellBlock& block) { return block.rigid; }));
 }
 
 TEST(RigidBody, ReleasedNodesGoOnAsTheyWere) {
@@ -393,6 +396,27 @@ TEST(RigidBody, GivenInertiaGoesBeforeThatOfTheNodes) {
   double mass = 0;
   for (const double nodal : simulation.domain().nodes.mass) mass += nodal;
   EXPECT_NEAR(mass, 2, 1e-12);
+}
+
+TEST(RigidBody, GivenInertiaMayMoveAsItsNodesDo) {
+  model::Model model = block();
+  model::RigidInertia inertia;
+  inertia.mass = 2;
+  inertia.centre = {1, 2, 3};
+  inertia.tensor = {5, 1, 0, 6, 0, 7};
+  inertia.velocity = {4, 0, 0};
+  inertia.velocity_from_nodes = true;
+  model.rigid_bodies[0].inertia = inertia;
+  const Vec3 spin{0.1, -0.2, 0.3};
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    const auto& x = model.nodes.position[i];
+    const Vec3 v = Vec3{0, 5, 0} + cross(spin, Vec3{x[0], x[1], x[2]});
+    model.initial_velocities.push_back({.node = i, .velocity = {v.x, v.y, v.z}});
+  }
+  timeloop::Simulation simulation(model, test::execution());
+  const domain::RigidBody& body = simulation.domain().rigid_bodies[0];
+  EXPECT_LT(norm(body.spin - spin), 1e-14);
+  EXPECT_LT(norm(body.velocity - (Vec3{0, 5, 0} + cross(spin, Vec3{1, 2, 3}))), 1e-13);
 }
 
 }  // namespace
