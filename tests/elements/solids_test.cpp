@@ -349,5 +349,57 @@ TEST(Solids, StableStepIsSafeWithinAMesh) {
   }
 }
 
+TEST(Solids, HaveTheMassOfTheirVolumeAndGrowHeavierForTheStepAskedFor) {
+  for (const SolidCase& of : solid_cases) {
+    model::Model model = solid_cube(of, 2, 0.1);
+    model.control.bulk_linear = model.control.bulk_quadratic = 0;
+    const auto mass_of = [](const Driven& body) {
+      double sum = 0;
+      for (Index i = 0; i < body.domain.nodes.count(); ++i) sum += body.domain.nodes.mass[i];
+      return sum;
+    };
+    Driven body(model, {Precision::Double, available_isas().back(), 1});
+    // At the centre the volume is not quite that of the trilinear map.
+    const bool exact = !of.one_point_hexahedron() || of.form == model::SolidHourglassForm::AssumedStrain;
+    EXPECT_NEAR(mass_of(body), 64 * density, (exact ? 1e-12 : 0.01) * 64 * density) << of.name;
+    const double step = stable_step(body.domain, body.domain.solids[0]);
+    body.update(0);
+    EXPECT_NEAR(body.domain.clock.element_limit, step, 1e-12 * step) << of.name;
+    model.control.mass_scaling_step = -2 * step;
+    Driven heavier(model, {Precision::Double, available_isas().back(), 1});
+    EXPECT_GT(heavier.domain.added_mass, 0);
+    EXPECT_NEAR(mass_of(heavier), mass_of(body) + heavier.domain.added_mass, 1e-12 * mass_of(body))
+        << of.name;
+    heavier.update(0);
+    EXPECT_NEAR(heavier.domain.clock.element_limit, 2 * step, 1e-12 * step) << of.name;
+  }
+}
+
+/// A body that is compressed evenly at the rate d: rho l (Q1 l d^2 + Q2 c d), l the third root of the volume,
+/// and a shorter step; nothing when it expands.
+TEST(Solids, BulkViscosityResistsCompressionAlone) {
+  const double nu = poissons_ratio;
+  const double speed = std::sqrt(youngs_modulus * (1 - nu) / (density * (1 + nu) * (1 - 2 * nu)));
+  for (const SolidCase& of : solid_cases)
+    for (const double rate : {3000.0, -3000.0}) {
+      Driven body(solid_cube(of, 2, 0), {Precision::Double, available_isas().back(), 1});
+      body.update(0);
+      const double limit = body.domain.clock.element_limit;
+      const double step = 1e-9;
+      body.step(
+          step, [&](const Vec3& x) { return (1 - rate / 3 * step) * x; }, no_turn);
+      const domain::SolidBlock& block = body.domain.solids[0];
+      const double volume = block.state(0, block.find("reference_volume")->first);
+      const double length = std::cbrt(volume);
+      const double expected = rate < 0 ? 0 : density * length * rate * (1.5 * length * rate + 0.06 * speed);
+      EXPECT_NEAR(block.state(0, block.find("bulk_viscosity")->first), expected, 1e-4 * expected) << of.name;
+      if (rate > 0) {
+        EXPECT_LT(body.domain.clock.element_limit, 0.95 * limit) << of.name;
+      } else {
+        EXPECT_NEAR(body.domain.clock.element_limit, limit, 1e-4 * limit) << of.name;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace crumple::elements::testing
