@@ -34,7 +34,7 @@ bool wanted(const std::string& name, const std::vector<std::string>& words) {
 
 void measure(const std::string& name, const app::ShellBenchmark& benchmark, double seconds) {
   try {
-    const app::ShellTimes times = app::measure_shells(benchmark, seconds);
+    const app::CycleTimes times = app::measure_shells(benchmark, seconds);
     fmt::print("{:<62} {:8.2f} {:8.2f} {:8.2f} {:8.2f}\n", name, times.wall, times.processor, times.elements,
                times.integrate);
   } catch (const std::exception& refused) {

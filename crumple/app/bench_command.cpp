@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/shell_benchmark.hpp"
+#include "app/solid_benchmark.hpp"
 #include "base/stopwatch.hpp"
 
 namespace crumple::app {
@@ -30,6 +31,22 @@ void print_shells(std::ostream& out, const NamedFormulation& formulation, const 
     for (const Index side : {small_side, large_side}) {
       const ShellBenchmark benchmark{side, formulation.formulation, law.law, 3, {precision, isa, threads}};
       fmt::print(out, " {:>12.1f}", measure_shells(benchmark, seconds).wall);
+      out.flush();
+    }
+  fmt::print(out, "\n");
+}
+
+/// One line: mixed and double, small and large.
+void print_solids(std::ostream& out, const NamedSolid& solid, Isa isa, int threads) {
+  constexpr Index small_block = 10;
+  constexpr Index large_block = 46;
+  constexpr double seconds = 0.4;
+  fmt::print(out, "  {:<30} {:>7}", solid.name, threads);
+  for (const Precision precision : {Precision::Mixed, Precision::Double})
+    for (const Index side : {small_block, large_block}) {
+      const Index hexahedra = model::is_tetrahedral(solid.formulation) ? side * 55 / 100 : side;
+      fmt::print(out, " {:>12.1f}",
+                 measure_solids({hexahedra, solid, {precision, isa, threads}}, seconds).wall);
       out.flush();
     }
   fmt::print(out, "\n");
@@ -96,6 +113,9 @@ ExitCode bench_machine(const Options& options, const Console& console) {
   if (most_threads > 1) thread_counts.push_back(most_threads);
   for (const NamedFormulation& formulation : benchmark_formulations())
     for (const int threads : thread_counts) print_shells(out, formulation, *plastic, isa, threads);
+  fmt::print(out, "\nThe same of solids [ns per element and cycle]\n");
+  for (const NamedSolid& solid : benchmark_solids())
+    for (const int threads : thread_counts) print_solids(out, solid, isa, threads);
   fmt::print(out, "\nContact search, two sheets of 100k segments [ns per segment]\n  {:<30} {:>7} {:>12}\n",
              "method", "threads", "time");
   for (const cellsearch::Method method : cellsearch::methods()) {

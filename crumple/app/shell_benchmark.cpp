@@ -5,12 +5,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <ctime>
 
-#include "base/stopwatch.hpp"
 #include "elements/registry.hpp"
 #include "materials/shell_material.hpp"
-#include "timeloop/simulation.hpp"
 
 namespace crumple::app {
 
@@ -22,13 +19,6 @@ constexpr double strain_per_cycle = 2e-5;
 constexpr double elastic_strain_per_cycle = 2e-8;
 constexpr double yield_strain = 250.0 / 210000;
 static_assert(cycles_to_yield * strain_per_cycle > 1.5 * yield_strain);
-constexpr long most_cycles = 4000;  ///< keeps the strain below a tenth
-
-double processor_seconds() {
-  std::timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// A sheet of n^2 shells: four-node ones in as many rows as columns, or pairs of triangles in half the rows.
 model::Model sheet(const ShellBenchmark& benchmark) {
@@ -145,30 +135,8 @@ model::Model shell_benchmark_model(const ShellBenchmark& benchmark) {
   return model;
 }
 
-ShellTimes measure_shells(const ShellBenchmark& benchmark, double seconds) {
-  const model::Model model = shell_benchmark_model(benchmark);
-  timeloop::Simulation simulation(model, benchmark.execution);
-  simulation.start();
-  const double shells = static_cast<double>(model.shells.size());
-  // Two milliseconds are short beside what the scheduler gives in one piece, long beside reading the clock.
-  const long batch = std::max(1L, static_cast<long>(1e5 / shells));
-  for (int cycle = 0; cycle < cycles_to_yield; ++cycle) simulation.step();
-
-  const Stopwatch total;
-  const domain::StageTimes& stages = simulation.domain().times;
-  ShellTimes best{1e30, 1e30, 1e30, 1e30};
-  for (long cycle = 0; cycle < most_cycles && (cycle < 3 || total.seconds() < seconds); cycle += batch) {
-    const domain::StageTimes before = stages;
-    const double processor = processor_seconds();
-    const Stopwatch watch;
-    for (long i = 0; i < batch; ++i) simulation.step();
-    const double per_cycle = 1e9 / (shells * static_cast<double>(batch));
-    best.wall = std::min(best.wall, per_cycle * watch.seconds());
-    best.processor = std::min(best.processor, per_cycle * (processor_seconds() - processor));
-    best.elements = std::min(best.elements, per_cycle * (stages.elements - before.elements));
-    best.integrate = std::min(best.integrate, per_cycle * (stages.integrate - before.integrate));
-  }
-  return best;
+CycleTimes measure_shells(const ShellBenchmark& benchmark, double seconds) {
+  return measure_cycles(shell_benchmark_model(benchmark), benchmark.execution, seconds);
 }
 
 }  // namespace crumple::app

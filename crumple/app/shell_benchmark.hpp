@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "domain/domain.hpp"
-#include "model/model.hpp"
+#include "app/cycle_times.hpp"
 
 namespace crumple::app {
 
@@ -19,14 +18,6 @@ struct ShellBenchmark {
   model::ConstitutiveLaw law;
   int thickness_points = 3;
   domain::Execution execution;
-};
-
-/// Times per element-cycle, the smallest of many short batches [ns].
-struct ShellTimes {
-  double wall = 0;
-  double processor = 0;  ///< processor time of all threads
-  double elements = 0;   ///< wall time of the element stage
-  double integrate = 0;  ///< wall time of the nodes' motion
 };
 
 /// A constitutive law with the constants of a plain steel [N, mm, s].
@@ -45,9 +36,8 @@ std::vector<NamedFormulation> benchmark_formulations();
 
 /// The sheet with its initial velocities. Where it is to yield it does so after cycles_to_yield steps.
 model::Model shell_benchmark_model(const ShellBenchmark& benchmark);
-inline constexpr int cycles_to_yield = 90;
 
 /// Runs whole time steps for about `seconds`. Throws Error if the formulation refuses the material.
-ShellTimes measure_shells(const ShellBenchmark& benchmark, double seconds);
+CycleTimes measure_shells(const ShellBenchmark& benchmark, double seconds);
 
 }  // namespace crumple::app
