@@ -11,7 +11,7 @@ namespace crumple::domain {
 
 /// A run of groups of one block that one thread works off in order. Never depends on the thread count.
 struct Chunk {
-  Index block = 0;  ///< place in the list that Assembly::build was given: shells first, then solids
+  Index block = 0;  ///< place in the list that Assembly::build was given: the order of Domain::blocks()
   Index first_group = 0;
   Index last_group = 0;  ///< one past the last
 };

@@ -43,8 +43,10 @@ void place_nodes(const model::Model& model, Domain& domain) {
 }
 
 void set_conditions(const model::Model& model, NodeFields& nodes) {
-  for (const model::LumpedMass& lumped : model.lumped_masses)
+  for (const model::LumpedMass& lumped : model.lumped_masses) {
     nodes.mass[nodes.domain_node[lumped.node]] += lumped.mass;
+    nodes.inertia[nodes.domain_node[lumped.node]] += lumped.inertia;
+  }
   for (const model::InitialVelocity& initial : model.initial_velocities) {
     const Index node = nodes.domain_node[initial.node];
     nodes.velocity[node] = to_vec3(initial.velocity);
@@ -125,6 +127,28 @@ SolidBlock make_solid_block(const model::Model& model, const NodeFields& nodes, 
   return block;
 }
 
+BeamBlock make_beam_block(const model::Model& model, const NodeFields& nodes, Index part,
+                          const std::vector<Index>& beams) {
+  BeamBlock block;
+  block.part = part;
+  block.formulation = model.beam_sections[model.parts[part].beam_section].formulation;
+  block.elements = static_cast<Index>(beams.size());
+  block.element = beams;
+  connect(block, nodes, [&](Index beam) { return model.beams[beam].node; });
+  return block;
+}
+
+DiscreteBlock make_discrete_block(const model::Model& model, const NodeFields& nodes, Index part,
+                                  const std::vector<Index>& discretes) {
+  DiscreteBlock block;
+  block.part = part;
+  block.torsional = model.discrete_sections[model.parts[part].discrete_section].torsional;
+  block.elements = static_cast<Index>(discretes.size());
+  block.element = discretes;
+  connect(block, nodes, [&](Index discrete) { return model.discretes[discrete].node; });
+  return block;
+}
+
 /// A block of a part's quadrilaterals and one of its triangles, which have a formulation of their own.
 void add_blocks(const model::Model& model, Index part, std::vector<Index> shells, Domain& domain) {
   const auto triangles = std::stable_partition(
@@ -150,6 +174,12 @@ Domain build(const model::Model& model, const Execution& execution) {
   for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
     if (const auto& solids = numbering.solids_by_part[part]; !solids.empty())
       domain.solids.push_back(make_solid_block(model, domain.nodes, part, solids));
+  for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part) {
+    if (const auto& beams = numbering.beams_by_part[part]; !beams.empty())
+      domain.beams.push_back(make_beam_block(model, domain.nodes, part, beams));
+    if (const auto& discretes = numbering.discretes_by_part[part]; !discretes.empty())
+      domain.discretes.push_back(make_discrete_block(model, domain.nodes, part, discretes));
+  }
   domain.assembly.build(domain.blocks(), domain.nodes.count());
   domain.nodes.force.resize(static_cast<std::size_t>(domain.nodes.count()) + domain.assembly.slots());
   domain.nodes.publish_all();

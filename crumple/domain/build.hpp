@@ -6,7 +6,7 @@
 
 namespace crumple::domain {
 
-/// Turns a model into a domain: nodes and shells renumbered for locality, fields at their initial values,
+/// Turns a model into a domain: nodes and elements renumbered for locality, fields at their initial values,
 /// lumped masses and fixed degrees of freedom in place, one block per part that has shells with its
 /// connectivity and assembly. State, constants, masses and inertias of the elements are left to the element
 /// layer. Throws Error listing the faults if model::faults finds any.

@@ -45,6 +45,8 @@ std::vector<ElementBlock*> Domain::blocks() {
   std::vector<ElementBlock*> all;
   for (ShellBlock& block : shells) all.push_back(&block);
   for (SolidBlock& block : solids) all.push_back(&block);
+  for (BeamBlock& block : beams) all.push_back(&block);
+  for (DiscreteBlock& block : discretes) all.push_back(&block);
   return all;
 }
 
@@ -52,6 +54,8 @@ std::vector<const ElementBlock*> Domain::blocks() const {
   std::vector<const ElementBlock*> all;
   for (const ShellBlock& block : shells) all.push_back(&block);
   for (const SolidBlock& block : solids) all.push_back(&block);
+  for (const BeamBlock& block : beams) all.push_back(&block);
+  for (const DiscreteBlock& block : discretes) all.push_back(&block);
   return all;
 }
 
@@ -69,6 +73,10 @@ void Domain::declare(StateList& list) {
   }
   for (SolidBlock& block : solids)
     declare_block("solid_state_" + std::to_string(block.part), Entity::Solid, block, list);
+  for (BeamBlock& block : beams)
+    declare_block("beam_state_" + std::to_string(block.part), Entity::Beam, block, list);
+  for (DiscreteBlock& block : discretes)
+    declare_block("discrete_state_" + std::to_string(block.part), Entity::Discrete, block, list);
   for (WallReport& wall : walls) {
     list.add("wall_impulse", "force*time", Entity::Wall, 3, std::span(&wall.impulse, 1));
     list.add("wall_energy", "energy", Entity::Wall, 1, std::span(&wall.energy, 1));

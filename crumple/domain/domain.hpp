@@ -6,6 +6,7 @@
 #include "base/isa.hpp"
 #include "base/precision.hpp"
 #include "domain/assembly.hpp"
+#include "domain/beam_block.hpp"
 #include "domain/energy_ledger.hpp"
 #include "domain/node_fields.hpp"
 #include "domain/reports.hpp"
@@ -41,6 +42,8 @@ struct Domain {
   NodeFields nodes;
   std::vector<ShellBlock> shells;
   std::vector<SolidBlock> solids;
+  std::vector<BeamBlock> beams;
+  std::vector<DiscreteBlock> discretes;
   Assembly assembly;
   AlignedArray<Vec3> contact_force;  ///< on the nodes at time n, normal and friction [force]
   Clock clock;
@@ -53,7 +56,7 @@ struct Domain {
   std::vector<Index> body_of_node;      ///< rigid body of each node, or no_index; empty without bodies
   StageTimes times;
 
-  /// All blocks, shells first: the order that Chunk::block counts in.
+  /// All blocks, shells, solids, beams, discrete elements: the order that Chunk::block counts in.
   std::vector<ElementBlock*> blocks();
   std::vector<const ElementBlock*> blocks() const;
 

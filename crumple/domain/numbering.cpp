@@ -78,6 +78,8 @@ Numbering number_for_locality(const model::Model& model) {
   const Bounds bounds = bounds_of(model.nodes);
   numbering.shells_by_part = by_part(model, model.shells, bounds);
   numbering.solids_by_part = by_part(model, model.solids, bounds);
+  numbering.beams_by_part = by_part(model, model.beams, bounds);
+  numbering.discretes_by_part = by_part(model, model.discretes, bounds);
 
   numbering.domain_node.assign(model.nodes.position.size(), no_index);
   const auto number = [&](Index node) {
@@ -85,12 +87,15 @@ Numbering number_for_locality(const model::Model& model) {
     numbering.domain_node[node] = static_cast<Index>(numbering.model_node.size());
     numbering.model_node.push_back(node);
   };
-  for (const auto& part : numbering.shells_by_part)
-    for (const Index shell : part)
-      for (const Index node : model.shells[shell].node) number(node);
-  for (const auto& part : numbering.solids_by_part)
-    for (const Index solid : part)
-      for (const Index node : model.solids[solid].node) number(node);
+  const auto number_elements = [&](const auto& parts, const auto& elements) {
+    for (const auto& part : parts)
+      for (const Index element : part)
+        for (const Index node : elements[element].node) number(node);
+  };
+  number_elements(numbering.shells_by_part, model.shells);
+  number_elements(numbering.solids_by_part, model.solids);
+  number_elements(numbering.beams_by_part, model.beams);
+  number_elements(numbering.discretes_by_part, model.discretes);
   for (Index node = 0; node < model.nodes.count(); ++node) number(node);
   return numbering;
 }

@@ -12,8 +12,10 @@ namespace crumple::domain {
 struct Numbering {
   std::vector<std::vector<Index>> shells_by_part;  ///< model shell indices along a space-filling curve
   std::vector<std::vector<Index>> solids_by_part;  ///< the same of the solids
-  std::vector<Index> model_node;                   ///< model index of a domain node
-  std::vector<Index> domain_node;                  ///< domain index of a model node
+  std::vector<std::vector<Index>> beams_by_part;
+  std::vector<std::vector<Index>> discretes_by_part;
+  std::vector<Index> model_node;   ///< model index of a domain node
+  std::vector<Index> domain_node;  ///< domain index of a model node
 };
 
 /// Orders the elements of each part along the Morton curve of their centroids (G.M. Morton, 1966) and the

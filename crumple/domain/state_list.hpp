@@ -11,7 +11,7 @@
 
 namespace crumple::domain {
 
-enum class Entity { Node, Shell, Solid, Contact, Wall, RigidBody, Run };
+enum class Entity { Node, Shell, Solid, Beam, Discrete, Contact, Wall, RigidBody, Run };
 
 /// One array that changes during a run: what hash, restart, output and transfer to other memories go by.
 struct StateArray {

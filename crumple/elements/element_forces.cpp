@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "elements/beam_kernel_list.hpp"
 #include "elements/chunk_task.hpp"
+#include "elements/discrete_elements.hpp"
 #include "elements/elements.hpp"
 #include "elements/nodal_average.hpp"
 #include "elements/registry.hpp"
@@ -25,14 +27,22 @@ class Pass {
       shells_.push_back(from_numbers<ShellConstants<Real>>(block.element_constants));
     for (const domain::SolidBlock& block : domain.solids)
       solids_.push_back(from_numbers<SolidConstants<Real>>(block.element_constants));
+    for (const domain::BeamBlock& block : domain.beams)
+      beams_.push_back(beam_constants(block.element_constants));
   }
 
   void work_off(const Chunk& chunk, ElementSums& sums) const {
     const auto solid = chunk.block - static_cast<Index>(shells_.size());
+    const auto beam = solid - static_cast<Index>(solids_.size());
+    const auto discrete = beam - static_cast<Index>(beams_.size());
     if (solid < 0)
       work_off_shells(domain_.shells[chunk.block], chunk, shells_[chunk.block], sums);
-    else
+    else if (beam < 0)
       work_off_solids(domain_.solids[solid], chunk, solids_[solid], sums);
+    else if (discrete < 0)
+      work_off_beams(domain_.beams[beam], chunk, beams_[beam], sums);
+    else
+      add_discrete_forces(domain_, domain_.discretes[discrete], chunk, sums);
   }
 
  private:
@@ -50,10 +60,26 @@ class Pass {
     task.material = materials::solid_material_update<Real>(domain_.execution.isa, constants.material);
     solid_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
   }
+  void work_off_beams(domain::BeamBlock& block, const Chunk& chunk, const BeamConstants& constants,
+                      ElementSums& sums) const {
+    const std::size_t first = static_cast<std::size_t>(chunk.first_group) * lanes;
+    const BeamTask task{.position = domain_.nodes.position.data(),
+                        .angular_velocity = domain_.nodes.angular_velocity.data(),
+                        .force = domain_.nodes.force.data(),
+                        .node = block.node.data() + first * 2,
+                        .target = block.target.data() + first * 2,
+                        .state = block.double_state.data() + first * block.components,
+                        .components = block.components,
+                        .groups = chunk.last_group - chunk.first_group,
+                        .step = domain_.clock.step,
+                        .constants = constants};
+    beam_kernel(domain_.execution.isa, block.formulation)(task, sums);
+  }
 
   Domain& domain_;
   std::vector<ShellConstants<Real>> shells_;
   std::vector<SolidConstants<Real>> solids_;
+  std::vector<BeamConstants> beams_;
 };
 
 template <class Real>

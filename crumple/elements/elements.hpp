@@ -24,6 +24,8 @@ domain::ControllingElement controlling_element(const model::Model& model, const 
 /// Smallest stable step of a block's elements at the current geometry, at rest and without TSSFAC [time].
 double stable_step(const domain::Domain& domain, const domain::ShellBlock& block);
 double stable_step(const domain::Domain& domain, const domain::SolidBlock& block);
+double stable_step(const domain::Domain& domain, const domain::BeamBlock& block);
+double stable_step(const domain::Domain& domain, const domain::DiscreteBlock& block);
 
 /// Present volume of a solid as its forces see it; not above zero if it has turned inside out [length^3].
 double solid_volume(const domain::Domain& domain, const domain::SolidBlock& block, Index place);

@@ -27,7 +27,8 @@ namespace {
 void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) {
   for (const domain::ElementBlock* block : domain.blocks()) {
     const model::Part& part = model.parts[block->part];
-    if (!block->rigid && materials::has_stiffness(model.materials[part.material].law)) return;
+    const bool spring = part.material == no_index;
+    if (!block->rigid && (spring || materials::has_stiffness(model.materials[part.material].law))) return;
   }
   const auto look = [&](const auto& block) {
     if (block.rigid)
@@ -43,6 +44,8 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   prepare_shells(model, domain);
   prepare_solids(model, domain);
   limit_by_rigid_elements(model, domain);
+  prepare_beams(model, domain);
+  prepare_discretes(model, domain);
 }
 
 }  // namespace crumple::elements

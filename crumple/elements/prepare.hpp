@@ -9,6 +9,9 @@ namespace crumple::elements {
 /// prepare_elements() for the blocks of one kind.
 void prepare_shells(const model::Model& model, domain::Domain& domain);
 void prepare_solids(const model::Model& model, domain::Domain& domain);
+void prepare_beams(const model::Model& model, domain::Domain& domain);
+/// After all others: the step of springs depends on the masses of the nodes.
+void prepare_discretes(const model::Model& model, domain::Domain& domain);
 
 /// Factor on the mass that DT2MS asks for, given the stable step without it.
 double mass_factor(double mass_scaling_step, double step);

@@ -2,6 +2,8 @@
 // Stable steps outside of the cycle, for reports.
 #include <algorithm>
 
+#include "elements/beam_task.hpp"
+#include "elements/discrete_elements.hpp"
 #include "elements/elements.hpp"
 #include "elements/shell_geometry.hpp"
 #include "elements/shell_setup.hpp"
@@ -38,6 +40,22 @@ void for_each_step(const Domain& domain, const domain::SolidBlock& block, const 
 /// Longer than any step.
 constexpr double no_limit = 1e30;
 
+template <class Visit>
+void for_each_step(const Domain& domain, const domain::BeamBlock& block, const Visit& visit) {
+  for (Index place = 0; place < block.elements; ++place) {
+    if (block.state(place, beam_state::active) == 0) continue;
+    const auto [first, second] = block.nodes_of(place);
+    const double length = norm(domain.nodes.position[second] - domain.nodes.position[first]);
+    const double shorter = std::min(1.0, length / block.state(place, beam_state::reference_length));
+    visit(place, block.state(place, beam_state::stable_step) * shorter);
+  }
+}
+template <class Visit>
+void for_each_step(const Domain& /*domain*/, const domain::DiscreteBlock& block, const Visit& visit) {
+  for (Index place = 0; place < block.elements; ++place)
+    visit(place, block.state(place, discrete_state::stable_step));
+}
+
 template <class Block>
 double shortest_step(const Domain& domain, const Block& block) {
   double shortest = no_limit;
@@ -51,6 +69,12 @@ double stable_step(const Domain& domain, const domain::ShellBlock& block) {
   return shortest_step(domain, block);
 }
 double stable_step(const Domain& domain, const domain::SolidBlock& block) {
+  return shortest_step(domain, block);
+}
+double stable_step(const Domain& domain, const domain::BeamBlock& block) {
+  return shortest_step(domain, block);
+}
+double stable_step(const Domain& domain, const domain::DiscreteBlock& block) {
   return shortest_step(domain, block);
 }
 
@@ -72,6 +96,9 @@ domain::ControllingElement controlling_element(const model::Model& model, const 
   };
   for (const domain::ShellBlock& block : domain.shells) look(block, "shell", model.shells);
   for (const domain::SolidBlock& block : domain.solids) look(block, "solid", model.solids);
+  for (const domain::BeamBlock& block : domain.beams) look(block, "beam", model.beams);
+  for (const domain::DiscreteBlock& block : domain.discretes)
+    look(block, "discrete element", model.discretes);
   return found;
 }
 

@@ -127,9 +127,17 @@ struct NullMaterial {
   double poissons_ratio = 0;  ///< nu of the contact stiffness [-]
 };
 
+/// Elastic beams whose ends yield under axial force and moments (*MAT_RESULTANT_PLASTICITY).
+struct ResultantPlasticity {
+  double youngs_modulus = 0;   ///< E [stress]
+  double poissons_ratio = 0;   ///< nu [-]
+  double yield_stress = 0;     ///< [stress]
+  double tangent_modulus = 0;  ///< slope of the uniaxial stress over total strain [stress]
+};
+
 /// The constitutive law and its constants. A new law is one more alternative here.
 using ConstitutiveLaw = std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity,
-                                     JohnsonCook, OrthotropicElastic, NullMaterial>;
+                                     JohnsonCook, OrthotropicElastic, NullMaterial, ResultantPlasticity>;
 
 /// What the parts of a rigid material may not do, in global axes (CMO = 1 of *MAT_RIGID).
 struct RigidMaterial {

@@ -37,6 +37,29 @@ struct SolidElement {
 /// True if a solid has the four nodes of a tetrahedron in the order above: entries 0, 1, 2 and 4.
 bool is_tetrahedron(const SolidElement& solid);
 
+/// A beam or truss between two nodes. Its axis s lies in the plane of both and the orientation node, or of
+/// the axis and the orientation vector.
+struct BeamElement {
+  UserId id = 0;
+  Index part = no_index;
+  std::array<Index, 2> node{no_index, no_index};
+  Index orientation_node = no_index;    ///< no_index: the vector below, or if that is zero any direction
+  std::array<double, 3> orientation{};  ///< of any length; zero is none
+};
+
+/// A spring or damper between two nodes, or between a node and a fixed point.
+struct DiscreteElement {
+  UserId id = 0;
+  Index part = no_index;
+  std::array<Index, 2> node{no_index, no_index};  ///< equal where the second end is held, see `grounded`
+  bool grounded = false;                          ///< the second end does not move
+  std::array<double, 3> axis{};  ///< unit vector along which it acts; zero: from the first node to the second
+  double scale = 1;              ///< on the force [-]
+  double offset = 0;             ///< deformation at time zero [length or rad]
+};
+
+enum class ElementKind { Shell, Solid, Beam, Discrete };
+
 /// Place of the entry that the next one around the element repeats, or -1: the element is a triangle, in
 /// decks one that repeats its third node (2).
 int repeated_entry(const std::array<Index, 4>& node);
@@ -44,17 +67,26 @@ int repeated_entry(const std::array<Index, 4>& node);
 struct Part {
   UserId id = 0;
   std::string title;
-  Index section = no_index;        ///< in Model::shell_sections; no_index for a part of solids
-  Index solid_section = no_index;  ///< in Model::solid_sections; no_index for a part of shells
-  Index material = no_index;       ///< in Model::materials
-  Index hourglass = no_index;      ///< in Model::hourglass_controls; no_index takes Model::control.hourglass
+  // One of four, the others are no_index: a part has elements of one kind.
+  Index section = no_index;           ///< in Model::shell_sections
+  Index solid_section = no_index;     ///< in Model::solid_sections
+  Index beam_section = no_index;      ///< in Model::beam_sections
+  Index discrete_section = no_index;  ///< in Model::discrete_sections
+  Index material = no_index;          ///< in Model::materials; no_index for a part of springs
+  Index spring_material = no_index;   ///< in Model::spring_materials, for a part of springs
+  Index hourglass = no_index;  ///< in Model::hourglass_controls; no_index takes Model::control.hourglass
 };
 
-/// A mass at a node, without extent (*ELEMENT_MASS).
+/// The kind of elements that a part's section is for.
+ElementKind kind_of(const Part& part);
+
+/// A mass at a node, without extent (*ELEMENT_MASS) or with the same rotary inertia about all axes
+/// (*ELEMENT_INERTIA).
 struct LumpedMass {
   UserId id = 0;
   Index node = no_index;
-  double mass = 0;  ///< [mass]
+  double mass = 0;     ///< [mass]
+  double inertia = 0;  ///< [mass * length^2]
 };
 
 struct NodeSet {

@@ -18,6 +18,18 @@ bool is_tetrahedron(const SolidElement& solid) {
          n[2] != n[4];
 }
 
+ElementKind kind_of(const Part& part) {
+  if (part.solid_section != no_index) return ElementKind::Solid;
+  if (part.beam_section != no_index) return ElementKind::Beam;
+  return part.discrete_section != no_index ? ElementKind::Discrete : ElementKind::Shell;
+}
+
+const char* name_of(const SpringLaw& law) {
+  static constexpr const char* names[] = {"spring", "damper", "elastoplastic spring", "nonlinear spring",
+                                          "nonlinear damper"};
+  return names[law.index()];
+}
+
 std::array<double, 4> shell_thickness(const Model& model, const ShellElement& shell) {
   const bool own = shell.thickness[0] > 0;
   std::array<double, 4> t =
@@ -68,10 +80,15 @@ void check_nodes(const Model& model, std::vector<std::string>& found) {
 void check_parts(const Model& model, std::vector<std::string>& found) {
   for (const Part& part : model.parts) {
     const std::string name = "Part " + std::to_string(part.id);
-    if (within(part.section, model.shell_sections.size()) ==
-        within(part.solid_section, model.solid_sections.size()))
-      found.push_back(name + " needs either a section of shells or one of solids.");
-    if (!within(part.material, model.materials.size())) found.push_back(name + " has no material.");
+    const bool discrete = within(part.discrete_section, model.discrete_sections.size());
+    const int sections = int(within(part.section, model.shell_sections.size())) +
+                         int(within(part.solid_section, model.solid_sections.size())) +
+                         int(within(part.beam_section, model.beam_sections.size())) + int(discrete);
+    if (sections != 1)
+      found.push_back(name + " needs one section, of shells, solids, beams or discrete elements.");
+    if (discrete ? !within(part.spring_material, model.spring_materials.size())
+                 : !within(part.material, model.materials.size()))
+      found.push_back(name + " has no material.");
   }
   for (const Material& material : model.materials)
     if (!(material.density > 0))
@@ -90,6 +107,20 @@ void check_solids(const Model& model, std::vector<std::string>& found) {
     if (for_tetrahedra && !is_tetrahedron(solid))
       found.push_back(name + " is no tetrahedron, but the formulation of its section is for these only.");
     for (const Index node : solid.node)
+      if (!within(node, model.nodes.id.size()))
+        found.push_back(name + " refers to a node that does not exist.");
+  }
+}
+
+/// Elements between two nodes.
+template <class Elements>
+void check_lines(const Model& model, const Elements& elements, ElementKind kind, const std::string& what,
+                 std::vector<std::string>& found) {
+  for (const auto& element : elements) {
+    const std::string name = what + " " + std::to_string(element.id);
+    if (!within(element.part, model.parts.size()) || kind_of(model.parts[element.part]) != kind)
+      found.push_back(name + " has no part with a section for it.");
+    for (const Index node : element.node)
       if (!within(node, model.nodes.id.size()))
         found.push_back(name + " refers to a node that does not exist.");
   }
@@ -154,6 +185,8 @@ std::vector<std::string> faults(const Model& model) {
   if (found.empty()) check_shells(model, found);
   if (found.empty()) check_solids(model, found);
   if (found.empty()) check_rigid_bodies(model, found);
+  if (found.empty()) check_lines(model, model.beams, ElementKind::Beam, "Beam", found);
+  if (found.empty()) check_lines(model, model.discretes, ElementKind::Discrete, "Discrete element", found);
   return found;
 }
 

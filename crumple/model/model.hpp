@@ -12,6 +12,7 @@
 #include "model/mesh.hpp"
 #include "model/rigid_body.hpp"
 #include "model/section.hpp"
+#include "model/spring.hpp"
 
 namespace crumple::model {
 
@@ -23,10 +24,15 @@ struct Model {
   Nodes nodes;
   std::vector<ShellElement> shells;
   std::vector<SolidElement> solids;
+  std::vector<BeamElement> beams;
+  std::vector<DiscreteElement> discretes;
   std::vector<Part> parts;
   std::vector<ShellSection> shell_sections;
   std::vector<SolidSection> solid_sections;
+  std::vector<BeamSection> beam_sections;
+  std::vector<DiscreteSection> discrete_sections;
   std::vector<Material> materials;
+  std::vector<SpringMaterial> spring_materials;
   std::vector<HourglassControl> hourglass_controls;
   std::vector<LumpedMass> lumped_masses;
   std::vector<Curve> curves;

@@ -54,6 +54,29 @@ struct SolidSection {
   SolidFormulation formulation = SolidFormulation::OnePointHexahedron;
 };
 
+enum class BeamFormulation {
+  Truss,             ///< axial force alone
+  BelytschkoSchwer,  ///< resultants in axes that move with the beam, Belytschko, Schwer & Klein 1977
+};
+
+/// A cross section of a beam. Of a truss only the area counts.
+struct BeamSection {
+  UserId id = 0;
+  std::string title;
+  BeamFormulation formulation = BeamFormulation::BelytschkoSchwer;
+  double area = 0;        ///< [length^2]
+  double inertia_s = 0;   ///< second moment of area about s: bending in the plane of r and t [length^4]
+  double inertia_t = 0;   ///< about t: bending in the plane of r and s [length^4]
+  double torsion = 0;     ///< torsional constant J [length^4]
+  double shear_area = 0;  ///< [length^2]; zero: no transverse shear
+};
+
+struct DiscreteSection {
+  UserId id = 0;
+  std::string title;
+  bool torsional = false;  ///< turns about its axis, moments; else lengthens, forces
+};
+
 enum class HourglassForm {
   Viscous,    ///< LS-DYNA's IHQ 1, 2, 3 for shells
   Stiffness,  ///< LS-DYNA's IHQ 4, 5 for shells

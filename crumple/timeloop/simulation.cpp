@@ -16,7 +16,7 @@ void require_stiffness(const model::Model& model) {
   const auto stiff = [&](const model::ShellElement& shell) {
     return materials::has_stiffness(model.materials[model.parts[shell.part].material].law);
   };
-  if (model.solids.empty() && !model.shells.empty() &&
+  if (model.solids.empty() && model.beams.empty() && model.discretes.empty() && !model.shells.empty() &&
       std::none_of(model.shells.begin(), model.shells.end(), stiff))
     throw Error(
         "No element of the model has any stiffness (all materials are null): there is no time step to take.");

@@ -41,6 +41,8 @@ std::string owner_of(const model::Model& model, const domain::Domain& domain, In
   };
   look(domain.shells, "shell", model.shells);
   look(domain.solids, "solid", model.solids);
+  look(domain.beams, "beam", model.beams);
+  look(domain.discretes, "discrete element", model.discretes);
   return found;
 }
 

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "base/error.hpp"
+#include "elements/beam_task.hpp"
+#include "elements/prepare.hpp"
+
+namespace crumple::elements {
+namespace {
+
+using domain::BeamBlock;
+using math::Vec3;
+
+void take_elastic(double young, double poisson, const model::BeamSection& section, BeamConstants& c) {
+  const double shear_modulus = young / (2 * (1 + poisson));
+  c.area = section.area;
+  c.youngs_modulus = young;
+  c.bending_s = young * section.inertia_s;
+  c.bending_t = young * section.inertia_t;
+  c.twisting = shear_modulus * section.torsion;
+  c.shear_stiffness = shear_modulus * section.shear_area;
+}
+
+void take_plastic(const model::PlasticKinematic& law, BeamConstants& c) {
+  const double young = law.youngs_modulus;
+  const double modulus = young * law.tangent_modulus / (young - law.tangent_modulus);
+  c.plastic = 1;
+  c.yield_stress = law.yield_stress;
+  c.isotropic = law.isotropic_fraction * modulus;
+  c.kinematic = (1 - law.isotropic_fraction) * modulus;
+  c.rate = law.cowper_symonds_rate;
+  if (c.rate > 0) c.rate_exponent = 1 / law.cowper_symonds_exponent;
+  c.failure_strain = law.failure_strain;
+}
+
+BeamConstants constants_of(const model::Model& model, const BeamBlock& block) {
+  const model::Part& part = model.parts[block.part];
+  const model::BeamSection& section = model.beam_sections[part.beam_section];
+  const model::ConstitutiveLaw& law = model.materials[part.material].law;
+  const bool truss = block.formulation == model::BeamFormulation::Truss;
+  BeamConstants c;
+  if (const auto* elastic = std::get_if<model::Elastic>(&law)) {
+    take_elastic(elastic->youngs_modulus, elastic->poissons_ratio, section, c);
+  } else {
+    const auto* plastic = std::get_if<model::PlasticKinematic>(&law);
+    require(truss && plastic != nullptr, part, "its material cannot be used with these beams");
+    require(!plastic->viscoplastic, part, "VP = 1 of its material cannot be used with trusses");
+    take_elastic(plastic->youngs_modulus, plastic->poissons_ratio, section, c);
+    take_plastic(*plastic, c);
+  }
+  return c;
+}
+
+void declare_items(BeamBlock& block) {
+  domain::add_item(block, "active", "-", 1);
+  domain::add_item(block, "stable_step", "time", 1);
+  domain::add_item(block, "reference_length", "length", 1);
+  if (block.formulation == model::BeamFormulation::Truss) {
+    domain::add_item(block, "length", "length", 1);
+    domain::add_item(block, "stress", "stress", 1);
+    domain::add_item(block, "plastic_strain", "-", 1);
+    domain::add_item(block, "back_stress", "stress", 1);
+    domain::add_item(block, "energy", "energy", 2);
+  } else {
+    domain::add_item(block, "axes", "-", 12);
+    domain::add_item(block, "deformation", "length and rad", 6);
+    domain::add_item(block, "resultant", "force and moment", 6);
+  }
+}
+
+Vec3 vector_of(const std::array<double, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// The direction s of a beam along `r`: towards the orientation node or along the orientation vector, across
+/// the beam; without either any direction.
+Vec3 direction_s(const model::Model& model, const model::BeamElement& beam, const Vec3& r) {
+  Vec3 towards = vector_of(beam.orientation);
+  if (beam.orientation_node != no_index)
+    towards = vector_of(model.nodes.position[beam.orientation_node]) -
+              vector_of(model.nodes.position[beam.node[0]]);
+  Vec3 s = towards - dot(towards, r) * r;
+  constexpr double parallel = 1e-6;
+  if (norm(s) > parallel * norm(towards)) return normalised(s);
+  if (norm(towards) > 0)
+    throw Error("Beam " + std::to_string(beam.id) + " is parallel to what gives its orientation.");
+  // The axis that is least along the beam.
+  int least = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (std::fabs(r[axis]) < std::fabs(r[least])) least = axis;
+  towards = {};
+  towards[least] = 1;
+  return normalised(towards - dot(towards, r) * r);
+}
+
+/// What a beam adds to each of its nodes.
+struct BeamMass {
+  double mass = 0;     ///< [mass]
+  double inertia = 0;  ///< [mass length^2]
+};
+
+/// Half the beam as a rod of its length and cross section (Belytschko & Tsay 1982, as LS-DYNA's theory manual
+/// has it).
+BeamMass nodal_mass(double density, double length, const model::BeamSection& section, bool truss) {
+  const double mass = 0.5 * density * section.area * length;
+  if (truss) return {mass, 0};
+  // A section that twists more stiffly than it bends needs more.
+  const double bending = std::max(section.inertia_s, section.inertia_t);
+  return {mass,
+          0.5 * density * length * std::max(bending, 0.5 * section.torsion) + mass * length * length / 12};
+}
+
+/// 2 / the highest frequency of the free element. Bending: both ends turn alike against the chord, or
+/// opposite to each other.
+double stable_step_of(const BeamConstants& c, const BeamMass& nodal, double length) {
+  const double axial = 2 * c.youngs_modulus * c.area / (length * nodal.mass);
+  double highest = axial;
+  if (nodal.inertia > 0) {
+    const double per_inertia = 1 / nodal.inertia;
+    for (const double bending : {c.bending_s, c.bending_t}) {
+      const double shear = c.shear_stiffness > 0 ? 12 * bending / (c.shear_stiffness * length * length) : 0.0;
+      const double chord = 2 / (nodal.mass * length * length);
+      highest = std::max(highest, 12 * bending / (length * (1 + shear)) * (0.5 * per_inertia + chord));
+      highest = std::max(highest, 2 * bending / length * per_inertia);
+    }
+    highest = std::max(highest, 2 * c.twisting / length * per_inertia);
+  }
+  return 2 / std::sqrt(highest);
+}
+
+void set_axes(BeamBlock& block, Index place, const Vec3& r, const Vec3& s) {
+  for (int end = 0; end < 2; ++end)
+    for (int axis = 0; axis < 3; ++axis) {
+      const Index item = resultant_state::axes + 6 * end + axis;
+      block.set_state(place, item, r[axis]);
+      block.set_state(place, item + 3, s[axis]);
+    }
+}
+
+void prepare_element(const model::Model& model, domain::Domain& domain, BeamBlock& block,
+                     const BeamConstants& c, Index place) {
+  const model::BeamElement& beam = model.beams[block.element[std::min(place, block.elements - 1)]];
+  const model::Part& part = model.parts[block.part];
+  const std::array<Index, 2> node = block.nodes_of(place);
+  const Vec3 span = domain.nodes.position[node[1]] - domain.nodes.position[node[0]];
+  const double length = norm(span);
+  if (!(length > 0)) throw Error("Beam " + std::to_string(beam.id) + " has no length.");
+  const bool truss = block.formulation == model::BeamFormulation::Truss;
+  const BeamMass nodal = nodal_mass(model.materials[part.material].density, length,
+                                    model.beam_sections[part.beam_section], truss);
+  const double step = stable_step_of(c, nodal, length);
+  const double factor = mass_factor(model.control.mass_scaling_step, step);
+  block.set_state(place, beam_state::active, place < block.elements ? 1 : 0);
+  block.set_state(place, beam_state::stable_step, step * std::sqrt(factor));
+  block.set_state(place, beam_state::reference_length, length);
+  if (truss) {
+    block.set_state(place, truss_state::length, length);
+  } else {
+    const Vec3 r = normalised(span);
+    set_axes(block, place, r, direction_s(model, beam, r));
+  }
+  if (place >= block.elements) return;
+  for (const Index end : node) {
+    domain.nodes.mass[end] += factor * nodal.mass;
+    domain.nodes.inertia[end] += factor * nodal.inertia;
+  }
+  domain.added_mass += 2 * (factor - 1) * nodal.mass;
+}
+
+}  // namespace
+
+void prepare_beams(const model::Model& model, domain::Domain& domain) {
+  for (BeamBlock& block : domain.beams) {
+    const BeamConstants constants = constants_of(model, block);
+    declare_items(block);
+    block.allocate(Precision::Double);
+    block.element_constants = to_numbers(constants);
+    for (Index place = 0; place < block.groups() * lanes; ++place)
+      prepare_element(model, domain, block, constants, place);
+  }
+}
+
+}  // namespace crumple::elements
