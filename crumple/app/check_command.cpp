@@ -28,6 +28,10 @@ void print_steps(std::ostream& out, const timeloop::Simulation& simulation) {
     steps[block.part] = std::min(steps[block.part], elements::stable_step(simulation.domain(), block));
   for (const domain::SolidBlock& block : simulation.domain().solids)
     steps[block.part] = std::min(steps[block.part], elements::stable_step(simulation.domain(), block));
+  for (const domain::BeamBlock& block : simulation.domain().beams)
+    steps[block.part] = std::min(steps[block.part], elements::stable_step(simulation.domain(), block));
+  for (const domain::DiscreteBlock& block : simulation.domain().discretes)
+    steps[block.part] = std::min(steps[block.part], elements::stable_step(simulation.domain(), block));
   for (std::size_t part = 0; part < steps.size(); ++part)
     if (model::is_rigid(model, model.parts[part]))
       fmt::print(out, "  part {:<8} rigid\n", model.parts[part].id);

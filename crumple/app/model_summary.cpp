@@ -105,6 +105,8 @@ void print_model(std::ostream& out, const model::Model& model, const domain::Dom
   fmt::print(out, "  shells                {} ({} of them {})\n", model.shells.size(), triangles,
              triangles == 1 ? "a triangle" : "triangles");
   if (!model.solids.empty()) fmt::print(out, "  solids                {}\n", model.solids.size());
+  if (!model.beams.empty()) fmt::print(out, "  beams                 {}\n", model.beams.size());
+  if (!model.discretes.empty()) fmt::print(out, "  discrete elements     {}\n", model.discretes.size());
   fmt::print(out, "  mass                  {:.6g}, of it lumped {:.6g} at {}, added {:.4g}\n", mass,
              lumped_mass(model), counted(model.lumped_masses.size(), "node"), domain.added_mass);
   fmt::print(out, "  box                   x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/counted.hpp"
+#include "elements/beam_kernel_list.hpp"
 #include "elements/registry.hpp"
 #include "materials/shell_material.hpp"
 #include "output/part_masses.hpp"
@@ -55,12 +56,23 @@ ElementWords element_words(const model::Model& model, const model::Part& part) {
         elements::solid_kind(model.solid_sections[part.solid_section].formulation);
     return {kind.name, std::to_string(kind.points)};
   }
+  if (const model::ElementKind kind = model::kind_of(part); kind == model::ElementKind::Beam)
+    return {elements::beam_name(model.beam_sections[part.beam_section].formulation), "-"};
+  else if (kind == model::ElementKind::Discrete)
+    return {model.discrete_sections[part.discrete_section].torsional ? "discrete, torsional" : "discrete",
+            "-"};
   const model::ShellSection& section = model.shell_sections[part.section];
   return {elements::shell_kind(section.formulation).name, points_words(section)};
 }
 
+bool is_shell(const model::Part& part) {
+  return model::kind_of(part) == model::ElementKind::Shell;
+}
+
 const char* material_words(const model::Model& model, const model::Part& part) {
   if (model::is_rigid(model, part)) return "rigid";
+  if (part.spring_material != no_index)
+    return model::name_of(model.spring_materials[part.spring_material].law);
   return materials::shell_material_name(model.materials[part.material].law);
 }
 
@@ -74,6 +86,8 @@ void print_make(std::ostream& out, const model::Model& model, const domain::Doma
   std::vector<Index> elements(model.parts.size());
   for (const model::ShellElement& shell : model.shells) ++elements[shell.part];
   for (const model::SolidElement& solid : model.solids) ++elements[solid.part];
+  for (const model::BeamElement& beam : model.beams) ++elements[beam.part];
+  for (const model::DiscreteElement& discrete : model.discretes) ++elements[discrete.part];
   fmt::print(out, "  {:>8} {:>8}  {:<29} {:<27} {:>12} {:>14} {:>11}  title\n", "part", "elements", "element",
              "material", "points", "thickness", "mass");
   for (Index p = 0; p < rows; ++p) {
@@ -90,9 +104,9 @@ void print_options(std::ostream& out, const model::Model& model, Index rows) {
   for (Index p = 0; p < rows; ++p) {
     const model::Part& part = model.parts[p];
     const std::string place =
-        is_solid(part) ? "-" : fmt::format("{:.4g}", model.shell_sections[part.section].node_place);
+        !is_shell(part) ? "-" : fmt::format("{:.4g}", model.shell_sections[part.section].node_place);
     fmt::print(out, "  {:>8} {:>8}  {:<29} {}\n", part.id, place, hourglass_words(model, part),
-               rate_words(model.materials[part.material].law));
+               part.material == no_index ? "-" : rate_words(model.materials[part.material].law));
   }
 }
 
@@ -133,6 +147,7 @@ std::string hourglass_words(const model::Model& model, const model::Part& part) 
     return fmt::format("{} QM {:.4g}", solid_forms[static_cast<std::size_t>(control.solid_form)],
                        control.coefficient);
   }
+  if (!is_shell(part)) return "none";
   const model::ShellFormulation formulation = model.shell_sections[part.section].formulation;
   if (formulation == FullyIntegrated || formulation == Triangle) return "none";
   if (!materials::has_stiffness(model.materials[part.material].law)) return "none";

@@ -36,6 +36,9 @@ const ItemWords& words(Item item) {
       {"box", "*DEFINE_BOX", "*DEFINE_BOX_", ""},
       {"rigid body", "a part of *MAT_RIGID or *CONSTRAINED_NODAL_RIGID_BODY", "*CONSTRAINED_NODAL_RIGID_",
        ""},
+      {"beam", "*ELEMENT_BEAM", "*ELEMENT_BEAM_", ""},
+      {"discrete element", "*ELEMENT_DISCRETE", "*ELEMENT_DISCRETE_", ""},
+      {"orientation", "*DEFINE_SD_ORIENTATION", "*DEFINE_SD_ORIENTATION_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -77,11 +80,13 @@ Index Build::find(Item item, const Reference& reference) {
   const Index index = find_quietly(item, reference.id);
   if (index != no_index) return index;
   const ItemWords& word = words(item);
-  FieldFault fault{reference.field,
-                   std::to_string(reference.id),
-                   fmt::format("the id of {} {}", word.name.starts_with('h') ? "an" : "a", word.name),
-                   {},
-                   "reference"};
+  FieldFault fault{
+      reference.field,
+      std::to_string(reference.id),
+      fmt::format("the id of {} {}", word.name.starts_with('h') || word.name.starts_with('o') ? "an" : "a",
+                  word.name),
+      {},
+      "reference"};
   if (item == Item::Part && is_dropped(reference.id)) {
     // As an error it would only repeat the one at the part.
     fault.hint = fmt::format("part {} is left out, see the message there", reference.id);
@@ -110,6 +115,8 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_parts(build);
   build_shells(build);
   build_solids(build);
+  build_beams(build);
+  build_discretes(build);
   check_empty_parts(build);
   build_sets(build);
   build_masses(build);

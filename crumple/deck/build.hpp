@@ -34,6 +34,9 @@ enum class Item {
   SegmentSet,
   Box,
   RigidBody,
+  Beam,
+  Discrete,
+  Orientation,
   Count,  ///< how many there are
 };
 
@@ -54,6 +57,7 @@ class Build {
   model::Model model;
   std::vector<std::int32_t> shells_of_part;  ///< number of shells, by index of the part
   std::vector<std::int32_t> solids_of_part;  ///< number of solids, by index of the part
+  std::vector<std::int32_t> lines_of_part;   ///< number of beams or discrete elements, by index of the part
 
   /// Enters the id of an item that gets this index. An id that is there already is reported.
   void enter(Item item, const Reference& reference, std::size_t index);
@@ -92,14 +96,16 @@ void build_parts(Build& build);
 void build_shells(Build& build);
 void check_empty_parts(Build& build);
 
-/// Kinds of elements that have sections of their own.
-enum class ElementKind { Shell, Solid };
+using model::ElementKind;
 
 /// Index of the part that an element names. Where there is none, or its section is for another kind of
 /// elements, says so and returns no_index.
 Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
 // build_solids.cpp
 void build_solids(Build& build);
+// build_lines.cpp
+void build_beams(Build& build);
+void build_discretes(Build& build);
 // build_sets.cpp
 void build_sets(Build& build);
 /// Whether a point is in a box; its sides belong to it.

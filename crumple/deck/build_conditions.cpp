@@ -132,6 +132,8 @@ std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& 
   };
   for (const model::ShellElement& shell : build.model.shells) take(shell);
   for (const model::SolidElement& solid : build.model.solids) take(solid);
+  for (const model::BeamElement& beam : build.model.beams) take(beam);
+  for (const model::DiscreteElement& discrete : build.model.discretes) take(discrete);
   std::vector<Index> nodes;
   for (std::size_t i = 0; i < taken.size(); ++i)
     if (taken[i]) nodes.push_back(static_cast<Index>(i));
@@ -144,10 +146,11 @@ void build_masses(Build& build) {
                 static_cast<std::size_t>(&raw - build.deck.masses.data()));
     if (!raw.is_set) {
       const Index node = build.find(Item::Node, {raw.target, "NID", raw.where});
-      if (node != no_index) build.model.lumped_masses.push_back({raw.id, node, raw.mass});
+      if (node != no_index) build.model.lumped_masses.push_back({raw.id, node, raw.mass, raw.inertia});
     } else if (const std::vector<Index>* nodes = set_nodes(build, {raw.target, "NSID", raw.where})) {
       // Every node of the set gets the whole mass, as in LS-DYNA.
-      for (const Index node : *nodes) build.model.lumped_masses.push_back({raw.id, node, raw.mass});
+      for (const Index node : *nodes)
+        build.model.lumped_masses.push_back({raw.id, node, raw.mass, raw.inertia});
     }
   }
 }

@@ -46,14 +46,15 @@ void refuse_solids(Build& build, const RawContact& raw, const std::vector<Index>
       takes_part[static_cast<std::size_t>(part)] = 0;
   }
   for (const Index part : named) takes_part[static_cast<std::size_t>(part)] = 1;
-  for (std::size_t part = 0; part < takes_part.size(); ++part)
-    if (takes_part[part] && build.solids_of_part[part] > 0)
+  for (std::size_t part = 0; part < takes_part.size(); ++part) {
+    const bool of_beams = model::kind_of(build.model.parts[part]) == ElementKind::Beam;
+    if (takes_part[part] && (build.solids_of_part[part] > 0 || of_beams))
       build.report.unsupported(
-          raw.where, "solids",
-          fmt::format(
-              "part {} consists of solids, which contact does not know yet; take it out of the contact, or "
-              "run with --allow-unsupported to do without its contact",
-              build.model.parts[part].id));
+          raw.where, of_beams ? "beams" : "solids",
+          fmt::format("part {} consists of {}, which contact does not know yet; take it out of the contact, "
+                      "or run with --allow-unsupported to do without its contact",
+                      build.model.parts[part].id, of_beams ? "beams" : "solids"));
+  }
 }
 
 }  // namespace

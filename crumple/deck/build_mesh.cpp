@@ -119,17 +119,74 @@ void report_thickness(const model::ShellElement& shell, Build& build, std::vecto
        "thickness"});
 }
 
+/// A section by its kind, for messages.
+struct SectionPlace {
+  std::string_view elements;
+  UserId id;
+  const Where& where;
+};
+SectionPlace place_of_section(const model::Part& part, const Build& build) {
+  const auto place = [](std::string_view elements, const auto& raws, Index index) {
+    const auto& raw = raws[static_cast<std::size_t>(index)];
+    return SectionPlace{elements, raw.section.id, raw.where};
+  };
+  switch (model::kind_of(part)) {
+    case ElementKind::Solid:
+      return place("solids", build.deck.solid_sections, part.solid_section);
+    case ElementKind::Beam:
+      return place("beams", build.deck.beam_sections, part.beam_section);
+    case ElementKind::Discrete:
+      return place("discrete elements", build.deck.discrete_sections, part.discrete_section);
+    default:
+      return place("shells", build.deck.sections, part.section);
+  }
+}
+
+std::string_view words_of(ElementKind kind) {
+  static constexpr std::string_view words[] = {"shells", "solids", "beams", "discrete elements"};
+  return words[static_cast<std::size_t>(kind)];
+}
+
+/// The material of a part by its id: springs and dampers have their own, which are entered behind the others.
+/// False if there is none, or one of the other kind, which has been reported.
+bool find_material(const RawPart& raw, model::Part& part, Build& build) {
+  if (raw.material == 0) return false;
+  const Index index = build.find(Item::Material, {raw.material, "MID", raw.where});
+  if (index == no_index) return false;
+  const auto others = static_cast<Index>(build.model.materials.size());
+  const bool is_spring = index >= others;
+  const bool needs_spring = model::kind_of(part) == ElementKind::Discrete;
+  if (is_spring != needs_spring) {
+    build.report.field_error(
+        raw.where, {"MID", std::to_string(raw.material),
+                    needs_spring ? "a material of springs or dampers" : "a material with a density",
+                    needs_spring ? "the section is *SECTION_DISCRETE; take *MAT_SPRING_ or *MAT_DAMPER_"
+                                 : "materials of springs and dampers go with *SECTION_DISCRETE only",
+                    "kind"});
+    return false;
+  }
+  (is_spring ? part.spring_material : part.material) = is_spring ? index - others : index;
+  return true;
+}
+
 /// The section of a part by its id; false if there is none, which has been reported.
 bool find_section(const RawPart& raw, model::Part& part, Build& build) {
   if (raw.section == 0) return false;
   const Index index = build.find(Item::Section, {raw.section, "SECID", raw.where});
   if (index == no_index) return false;
-  // Sections of solids are entered behind those of shells.
-  const auto shells = static_cast<Index>(build.model.shell_sections.size());
+  // Entered behind each other: those of shells, solids, beams, discrete elements.
+  const model::Model& model = build.model;
+  const auto shells = static_cast<Index>(model.shell_sections.size());
+  const auto solids = shells + static_cast<Index>(model.solid_sections.size());
+  const auto beams = solids + static_cast<Index>(model.beam_sections.size());
   if (index < shells)
     part.section = index;
-  else
+  else if (index < solids)
     part.solid_section = index - shells;
+  else if (index < beams)
+    part.beam_section = index - solids;
+  else
+    part.discrete_section = index - beams;
   return true;
 }
 
@@ -151,19 +208,14 @@ Index find_part_of(Build& build, ElementKind kind, const Reference& reference) {
   const Index index = build.find(Item::Part, reference);
   if (index == no_index) return no_index;
   const model::Part& part = build.model.parts[static_cast<std::size_t>(index)];
-  const bool of_solids = part.solid_section != no_index;
-  if (of_solids == (kind == ElementKind::Solid)) return index;
-  const std::size_t section = static_cast<std::size_t>(of_solids ? part.solid_section : part.section);
-  const UserId section_id =
-      of_solids ? build.model.solid_sections[section].id : build.model.shell_sections[section].id;
-  const Where& place =
-      of_solids ? build.deck.solid_sections[section].where : build.deck.sections[section].where;
+  if (model::kind_of(part) == kind) return index;
+  const SectionPlace section = place_of_section(part, build);
   build.report.field_error(
       reference.where,
       {reference.field, std::to_string(reference.id),
-       fmt::format("a part with a section of {}", of_solids ? "shells" : "solids"),
+       fmt::format("a part with a section of {}", words_of(kind)),
        fmt::format("section {} of part {} is one of {} ({}); give the elements a part of their own",
-                   section_id, part.id, of_solids ? "solids" : "shells", build.report.place(place)),
+                   section.id, part.id, section.elements, build.report.place(section.where)),
        "kind"});
   return no_index;
 }
@@ -185,10 +237,9 @@ void build_parts(Build& build) {
     part.id = raw.id;
     part.title = raw.title;
     const bool has_section = find_section(raw, part, build);
-    part.material =
-        raw.material == 0 ? no_index : build.find(Item::Material, {raw.material, "MID", raw.where});
+    const bool has_material = find_material(raw, part, build);
     if (raw.hourglass != 0) part.hourglass = build.find(Item::Hourglass, {raw.hourglass, "HGID", raw.where});
-    if (!has_section || part.material == no_index) {
+    if (!has_section || !has_material) {
       build.drop_part(raw.id);
       if (build.report.allow_unsupported())
         build.report.warning(raw.where, "dropped",
@@ -206,6 +257,7 @@ void build_shells(Build& build) {
   std::vector<model::ShellElement>& shells = build.model.shells;
   shells.reserve(build.deck.shells.size());
   build.shells_of_part.assign(build.model.parts.size(), 0);
+  build.lines_of_part.assign(build.model.parts.size(), 0);
   std::vector<char> without_thickness(build.model.shell_sections.size(), 0);
   for (const RawShell& raw : build.deck.shells) {
     if (build.is_dropped(raw.part)) continue;
@@ -245,7 +297,7 @@ void check_empty_parts(Build& build) {
     const Index index = build.find_quietly(Item::Part, raw.id);
     if (index == no_index) continue;
     const auto part = static_cast<std::size_t>(index);
-    if (build.shells_of_part[part] == 0 && build.solids_of_part[part] == 0)
+    if (build.shells_of_part[part] == 0 && build.solids_of_part[part] == 0 && build.lines_of_part[part] == 0)
       build.report.warning(raw.where, "empty", fmt::format("part {} has no elements", raw.id));
   }
 }

@@ -2,6 +2,8 @@
 // Sections, materials, hourglass controls and curves.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "base/counted.hpp"
@@ -149,22 +151,56 @@ void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law,
     }
 }
 
-/// One table of ids for all kinds of sections, in the order of the deck; those of solids have the indices
-/// behind those of shells.
+/// One table of ids for all kinds of sections, in the order of the deck; the indices of shells, solids, beams
+/// and discrete elements follow each other.
 void enter_sections(Build& build) {
+  struct Entry {
+    Reference reference;
+    std::size_t index = 0;
+  };
   const RawDeck& deck = build.deck;
-  std::size_t shell = 0;
-  std::size_t solid = 0;
-  while (shell + solid < deck.section_count()) {
-    const bool is_shell =
-        solid == deck.solid_sections.size() ||
-        (shell < deck.sections.size() && deck.sections[shell].order < deck.solid_sections[solid].order);
-    if (is_shell) {
-      const RawSection& raw = deck.sections[shell];
-      build.enter(Item::Section, {raw.section.id, "SECID", raw.where}, shell++);
-    } else {
-      const RawSolidSection& raw = deck.solid_sections[solid];
-      build.enter(Item::Section, {raw.section.id, "SECID", raw.where}, deck.sections.size() + solid++);
+  std::vector<Entry> entries(deck.section_count());
+  std::size_t index = 0;
+  const auto take = [&](const auto& raws) {
+    for (const auto& raw : raws) entries[raw.order] = {{raw.section.id, "SECID", raw.where}, index++};
+  };
+  take(deck.sections);
+  take(deck.solid_sections);
+  take(deck.beam_sections);
+  take(deck.discrete_sections);
+  for (const Entry& entry : entries) build.enter(Item::Section, entry.reference, entry.index);
+}
+
+/// A curve of a spring or damper: it must have both signs and go through the origin.
+Index spring_curve(const RawSpringMaterial& raw, UserId id, std::string_view field, Build& build) {
+  if (id == 0) return no_index;
+  const Index index = build.find(Item::Curve, {id, field, raw.where});
+  if (index == no_index) return no_index;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  constexpr double small = 1e-9;
+  const bool both = curve.abscissa.front() < 0 && curve.abscissa.back() > 0;
+  const double most = std::max(std::fabs(curve.ordinate.front()), std::fabs(curve.ordinate.back()));
+  if (!both || std::fabs(curve.at(0)) > small * most)
+    build.report.field_error(raw.where,
+                             {field, std::to_string(id), "a curve from below zero to above through (0, 0)",
+                              "it holds for both directions, the negative one first", "curve"});
+  return index;
+}
+
+/// Materials of springs and dampers, behind the others.
+void build_spring_materials(Build& build) {
+  model::Model& model = build.model;
+  for (const RawSpringMaterial& raw : build.deck.spring_materials) {
+    build.enter(Item::Material, {raw.material.id, "MID", raw.where},
+                model.materials.size() + model.spring_materials.size());
+    model.spring_materials.push_back(raw.material);
+    model::SpringLaw& law = model.spring_materials.back().law;
+    if (auto* spring = std::get_if<model::NonlinearSpring>(&law)) {
+      spring->curve = spring_curve(raw, raw.curve, raw.curve_field, build);
+      if (raw.rate_curve != 0)
+        spring->rate_curve = build.find(Item::Curve, {raw.rate_curve, raw.rate_field, raw.where});
+    } else if (auto* damper = std::get_if<model::NonlinearDamper>(&law)) {
+      damper->curve = spring_curve(raw, raw.curve, raw.curve_field, build);
     }
   }
 }
@@ -192,6 +228,8 @@ void build_properties(Build& build) {
       section.thickness_rule = model::ThicknessRule::Lobatto;
   }
   for (const RawSolidSection& raw : deck.solid_sections) model.solid_sections.push_back(raw.section);
+  for (const RawBeamSection& raw : deck.beam_sections) model.beam_sections.push_back(raw.section);
+  for (const RawDiscreteSection& raw : deck.discrete_sections) model.discrete_sections.push_back(raw.section);
   enter_sections(build);
   for (const RawHourglass& raw : deck.hourglasses) {
     build.enter(Item::Hourglass, {raw.id, "HGID", raw.where}, model.hourglass_controls.size());
@@ -205,6 +243,7 @@ void build_properties(Build& build) {
       take_factors(raw, *law, build);
     }
   }
+  build_spring_materials(build);
 }
 
 }  // namespace crumple::deck

@@ -68,6 +68,8 @@ class Cards {
   bool has_line() const { return next_ < block_->lines.size(); }
   /// A line that is not blank is left.
   bool more() const;
+  /// The next line as it stands; empty if there is none.
+  std::string_view peek() const { return has_line() ? block_->lines[next_].text : std::string_view(); }
   /// The next line as a card. A blank line has all defaults; a missing one is an error.
   Card next(Layout layout);
   /// The next line that is not blank. Call only where more() holds.

@@ -21,6 +21,22 @@ void read_element_mass_node_set(Cards& cards, RawDeck& deck);
 void read_element_solid(Cards& cards, RawDeck& deck);
 void read_section_solid(Cards& cards, RawDeck& deck);
 
+// read_beams.cpp
+void read_element_beam(Cards& cards, RawDeck& deck);
+void read_element_beam_orientation(Cards& cards, RawDeck& deck);
+void read_section_beam(Cards& cards, RawDeck& deck);
+
+// read_discretes.cpp
+void read_element_discrete(Cards& cards, RawDeck& deck);
+void read_element_inertia(Cards& cards, RawDeck& deck);
+void read_section_discrete(Cards& cards, RawDeck& deck);
+void read_define_sd_orientation(Cards& cards, RawDeck& deck);
+void read_mat_spring_elastic(Cards& cards, RawDeck& deck);
+void read_mat_damper_viscous(Cards& cards, RawDeck& deck);
+void read_mat_spring_elastoplastic(Cards& cards, RawDeck& deck);
+void read_mat_spring_nonlinear_elastic(Cards& cards, RawDeck& deck);
+void read_mat_damper_nonlinear_viscous(Cards& cards, RawDeck& deck);
+
 // read_parts.cpp
 void read_part(Cards& cards, RawDeck& deck);
 void read_part_inertia(Cards& cards, RawDeck& deck);

@@ -22,6 +22,10 @@ constexpr Keyword table[] = {
     {"ELEMENT_SHELL_THICKNESS", read_element_shell_thickness},
     {"ELEMENT_SHELL_BETA", read_element_shell_thickness},
     {"ELEMENT_SOLID", read_element_solid},
+    {"ELEMENT_BEAM", read_element_beam},
+    {"ELEMENT_BEAM_ORIENTATION", read_element_beam_orientation},
+    {"ELEMENT_DISCRETE", read_element_discrete},
+    {"ELEMENT_INERTIA", read_element_inertia},
     {"ELEMENT_MASS", read_element_mass},
     {"ELEMENT_MASS_NODE_SET", read_element_mass_node_set},
 
@@ -29,6 +33,8 @@ constexpr Keyword table[] = {
     {"PART_INERTIA", read_part_inertia},
     {"SECTION_SHELL", read_section_shell, title},
     {"SECTION_SOLID", read_section_solid, title},
+    {"SECTION_BEAM", read_section_beam, title},
+    {"SECTION_DISCRETE", read_section_discrete, title},
     {"HOURGLASS", read_hourglass, title},
 
     {"MAT_ELASTIC", read_mat_elastic, title},
@@ -50,6 +56,18 @@ constexpr Keyword table[] = {
     {"MAT_RIGID", read_mat_rigid, title},
     {"MAT_020", read_mat_rigid, title},
 
+    {"MAT_SPRING_ELASTIC", read_mat_spring_elastic, title},
+    {"MAT_S01", read_mat_spring_elastic, title},
+    {"MAT_DAMPER_VISCOUS", read_mat_damper_viscous, title},
+    {"MAT_S02", read_mat_damper_viscous, title},
+    {"MAT_SPRING_ELASTOPLASTIC", read_mat_spring_elastoplastic, title},
+    {"MAT_S03", read_mat_spring_elastoplastic, title},
+    {"MAT_SPRING_NONLINEAR_ELASTIC", read_mat_spring_nonlinear_elastic, title},
+    {"MAT_S04", read_mat_spring_nonlinear_elastic, title},
+    {"MAT_DAMPER_NONLINEAR_VISCOUS", read_mat_damper_nonlinear_viscous, title},
+    {"MAT_S05", read_mat_damper_nonlinear_viscous, title},
+
+    {"DEFINE_SD_ORIENTATION", read_define_sd_orientation, title},
     {"DEFINE_CURVE", read_define_curve, title},
     {"DEFINE_TABLE", read_define_table, title},
     {"DEFINE_TABLE_2D", read_define_table_2d, title},
@@ -169,7 +187,6 @@ constexpr IgnoredRow ignored[] = {
     {"CONTROL_REQUIRE_REVISION", false, "it is about LS-DYNA's versions"},
     {"DEFINE_BOX_", true, is_definition},
     {"DEFINE_COORDINATE_", true, is_definition},
-    {"DEFINE_SD_ORIENTATION", false, is_definition},
     {"DEFINE_TABLE", true, is_definition},
     {"DEFINE_VECTOR", true, is_definition},
     {"SET_BEAM", true, is_definition},
@@ -248,7 +265,7 @@ std::string related_keywords(std::string_view name) {
     for (const Keyword& keyword : table) {
       const bool related =
           keyword.name == stem || (keyword.name.starts_with(stem) && keyword.name[stem.size()] == '_');
-      const bool has_number = keyword.name.starts_with("MAT_0");
+      const bool has_number = keyword.name.starts_with("MAT_0") || keyword.name.starts_with("MAT_S0");
       if (related && !has_number) names += fmt::format("{}*{}", names.empty() ? "" : ", ", keyword.name);
     }
     if (!names.empty()) return names;

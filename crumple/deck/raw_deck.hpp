@@ -42,12 +42,39 @@ struct RawSolid {
   Where nodes_where;  ///< of the card with the nodes
 };
 
+struct RawBeam {
+  UserId id = 0;
+  UserId part = 0;
+  std::array<UserId, 2> node{};
+  UserId orientation_node = 0;
+  std::array<double, 3> orientation{};
+  Where where;
+};
+
+struct RawDiscrete {
+  UserId id = 0;
+  UserId part = 0;
+  std::array<UserId, 2> node{};  ///< the second is zero if that end is held
+  UserId orientation = 0;        ///< VID
+  double scale = 1;
+  double offset = 0;
+  Where where;
+};
+
+/// A direction in which springs and dampers act.
+struct RawOrientation {
+  UserId id = 0;
+  std::array<double, 3> vector{};  ///< not zero
+  Where where;
+};
+
 struct RawMass {
   UserId id = 0;
   UserId target = 0;  ///< a node, or a node set
   bool is_set = false;
   double mass = 0;
   Where where;
+  double inertia = 0;
 };
 
 /// Mass properties of a rigid part, or of a nodal rigid body.
@@ -78,6 +105,27 @@ struct RawSection {
 struct RawSolidSection {
   model::SolidSection section;
   std::size_t order = 0;  ///< among all sections of the deck
+  Where where;
+};
+
+struct RawBeamSection {
+  model::BeamSection section;
+  std::size_t order = 0;  ///< among all sections of the deck
+  Where where;
+};
+
+struct RawDiscreteSection {
+  model::DiscreteSection section;
+  std::size_t order = 0;  ///< among all sections of the deck
+  Where where;
+};
+
+struct RawSpringMaterial {
+  model::SpringMaterial material;
+  UserId curve = 0;
+  UserId rate_curve = 0;
+  std::string_view curve_field;
+  std::string_view rate_field;
   Where where;
 };
 
@@ -302,17 +350,25 @@ struct UnsupportedDefinition {
 };
 
 struct RawDeck {
-  std::size_t section_count() const { return sections.size() + solid_sections.size(); }
+  std::size_t section_count() const {
+    return sections.size() + solid_sections.size() + beam_sections.size() + discrete_sections.size();
+  }
 
   std::string title;
   std::vector<RawNode> nodes;
   std::vector<RawShell> shells;
   std::vector<RawSolid> solids;
+  std::vector<RawBeam> beams;
+  std::vector<RawDiscrete> discretes;
   std::vector<RawMass> masses;
   std::vector<RawPart> parts;
   std::vector<RawSection> sections;
   std::vector<RawSolidSection> solid_sections;
+  std::vector<RawBeamSection> beam_sections;
+  std::vector<RawDiscreteSection> discrete_sections;
   std::vector<RawMaterial> materials;
+  std::vector<RawSpringMaterial> spring_materials;
+  std::vector<RawOrientation> orientations;
   std::vector<RawHourglass> hourglasses;
   std::vector<RawCurve> curves;
   std::vector<RawTable> tables;

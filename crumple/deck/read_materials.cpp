@@ -16,8 +16,8 @@ constexpr Field elastic_card[] = {
     real("RO", 0, above_zero),
     real("E", 0, above_zero),
     real("PR", 0, poisson),
-    unused("DA"),  // damping of beams
-    unused("DB"),
+    only("DA", {0}, "damping of beams is not supported"),
+    only("DB", {0}, "damping of beams is not supported"),
     only("K", {0}, "fluids are not supported"),
 };
 

@@ -123,10 +123,12 @@ void Reading::check_whole(const model::Model& model) {
   if (!deck_.termination)
     report_.error(whole, "termination", "*CONTROL_TERMINATION is missing; add it with the end time ENDTIM");
   if (deck_.nodes.empty()) report_.error(whole, "nodes", "the deck has no nodes; add *NODE");
-  if (deck_.shells.empty() && deck_.solids.empty() && !deck_.nodes.empty())
+  if (deck_.shells.empty() && deck_.solids.empty() && deck_.beams.empty() && deck_.discretes.empty() &&
+      !deck_.nodes.empty())
     report_.error(whole, "elements",
                   "the deck has no elements that are supported; add *ELEMENT_SHELL or *ELEMENT_SOLID");
-  else if (model.shells.empty() && model.solids.empty() && !report_.has_errors())
+  else if (model.shells.empty() && model.solids.empty() && model.beams.empty() && model.discretes.empty() &&
+           !report_.has_errors())
     report_.error(whole, "elements", "no element is left of the deck; see the messages about parts");
 }
 

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "output/atomic_file.hpp"
+#include "output/line_results.hpp"
 #include "output/shell_results.hpp"
 #include "output/solid_results.hpp"
 
@@ -17,12 +18,19 @@ namespace crumple::output {
 
 namespace {
 
+constexpr std::uint8_t vtk_vertex = 1;
+constexpr std::uint8_t vtk_line = 3;
 constexpr std::uint8_t vtk_triangle = 5;
 constexpr std::uint8_t vtk_quad = 9;
 constexpr std::uint8_t vtk_tetrahedron = 10;
 constexpr std::uint8_t vtk_hexahedron = 12;
 constexpr std::uint8_t vtk_wedge = 13;
 constexpr std::uint8_t vtk_pyramid = 14;
+
+/// In the order of Resultant.
+constexpr const char* resultant_names[] = {"axial_force",     "shear_s",        "shear_t",
+                                           "torsion",         "first_moment_s", "first_moment_t",
+                                           "second_moment_s", "second_moment_t"};
 
 /// User ids as 32-bit numbers, or as 64-bit ones if any does not fit.
 VtuArray make_id_array(VtuPacker& packer, const std::string& name, const std::vector<UserId>& ids) {
@@ -83,6 +91,10 @@ ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, c
   note_places(view.domain.shells, place_);
   solid_place_.resize(view.model.solids.size());
   note_places(view.domain.solids, solid_place_);
+  beam_place_.resize(view.model.beams.size());
+  note_places(view.domain.beams, beam_place_);
+  discrete_place_.resize(view.model.discretes.size());
+  note_places(view.domain.discretes, discrete_place_);
   pack_constant_arrays(view);
 }
 
@@ -119,6 +131,19 @@ void ParaviewSeries::pack_constant_arrays(const View& view) {
     elements.push_back(solid.id);
     parts.push_back(view.model.parts[solid.part].id);
   }
+  const auto add_lines = [&](const auto& lines) {
+    for (const auto& line : lines) {
+      // A spring that is held at its second end is a point.
+      const bool point = line.node[0] == line.node[1];
+      connectivity.insert(connectivity.end(), line.node.begin(), line.node.begin() + (point ? 1 : 2));
+      offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
+      types.push_back(point ? vtk_vertex : vtk_line);
+      elements.push_back(line.id);
+      parts.push_back(view.model.parts[line.part].id);
+    }
+  };
+  add_lines(view.model.beams);
+  add_lines(view.model.discretes);
   topology_.push_back(packer_.array<std::int32_t>("connectivity", 1, connectivity));
   topology_.push_back(packer_.array<std::int32_t>("offsets", 1, offsets));
   topology_.push_back(packer_.array<std::uint8_t>("types", 1, types));
@@ -146,18 +171,27 @@ std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
   std::vector<ShellResults> shells;
   for (const domain::ShellBlock& block : view.domain.shells) shells.emplace_back(view.model, block);
   const std::vector<SolidResults> solids(view.domain.solids.begin(), view.domain.solids.end());
-  // Shells first, then solids, as in the topology.
-  const auto make = [&]<class Number>(const std::string& name, Number /*type*/, auto of_shell,
-                                      auto of_solid) {
+  std::vector<LineResults> beams;
+  for (const domain::BeamBlock& block : view.domain.beams) beams.emplace_back(view.model, block);
+  const std::vector<LineResults> discretes(view.domain.discretes.begin(), view.domain.discretes.end());
+  // In the order of the topology.
+  const auto make = [&]<class Number>(const std::string& name, Number /*type*/, auto of_shell, auto of_solid,
+                                      auto of_line) {
     std::vector<Number> values;
-    values.reserve(place_.size() + solid_place_.size());
-    for (const auto& [block, place] : place_)
-      values.push_back(static_cast<Number>(of_shell(shells[block], place)));
-    for (const auto& [block, place] : solid_place_)
-      values.push_back(static_cast<Number>(of_solid(solids[block], place)));
+    values.reserve(cell_count());
+    const auto add = [&](const auto& places, const auto& results, const auto& value) {
+      for (const auto& [block, place] : places)
+        values.push_back(static_cast<Number>(value(results[block], place)));
+    };
+    add(place_, shells, of_shell);
+    add(solid_place_, solids, of_solid);
+    add(beam_place_, beams, of_line);
+    add(discrete_place_, discretes, of_line);
     return packer_.array<Number>(name, 1, values);
   };
-  const auto same = [&](const std::string& name, auto value) { return make(name, 0.0F, value, value); };
+  const auto same = [&](const std::string& name, auto value) {
+    return make(name, 0.0F, value, value, value);
+  };
   const auto none = [](const auto&, Index) { return 0; };
   std::vector<VtuArray> fields;
   fields.push_back(
@@ -165,15 +199,21 @@ std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
   fields.push_back(same("von_mises", [](const auto& r, Index place) { return r.von_mises(place); }));
   fields.push_back(make(
       "von_mises_mid", 0.0F, [](const ShellResults& r, Index place) { return r.mid_von_mises(place); },
-      [](const SolidResults& r, Index place) { return r.mean_von_mises(place); }));
+      [](const SolidResults& r, Index place) { return r.mean_von_mises(place); },
+      [](const LineResults& r, Index place) { return r.von_mises(place); }));
   if (!place_.empty())
     fields.push_back(make(
-        "thickness", 0.0F, [](const ShellResults& r, Index place) { return r.thickness(place); }, none));
+        "thickness", 0.0F, [](const ShellResults& r, Index place) { return r.thickness(place); }, none,
+        none));
   if (!solid_place_.empty())
-    fields.push_back(
-        make("pressure", 0.0F, none, [](const SolidResults& r, Index place) { return r.pressure(place); }));
+    fields.push_back(make(
+        "pressure", 0.0F, none, [](const SolidResults& r, Index place) { return r.pressure(place); }, none));
+  for (std::size_t i = 0; i < std::size(resultant_names) && has_lines(); ++i)
+    fields.push_back(make(resultant_names[i], 0.0F, none, none, [i](const LineResults& r, Index place) {
+      return r.resultant(place, static_cast<Resultant>(i));
+    }));
   const auto alive = [](const auto& r, Index place) { return r.alive(place) ? 1 : 0; };
-  fields.push_back(make("alive", std::uint8_t(0), alive, alive));
+  fields.push_back(make("alive", std::uint8_t(0), alive, alive, alive));
   return fields;
 }
 
@@ -208,7 +248,7 @@ void ParaviewSeries::write_frame(const View& view) {
   VtuGrid grid;
   grid.time = view.domain.clock.time;
   grid.points = nodes.count();
-  grid.cells = static_cast<Index>(place_.size() + solid_place_.size());
+  grid.cells = static_cast<Index>(cell_count());
   grid.positions = {&positions};
   for (const VtuArray& array : topology_) grid.topology.push_back(&array);
   grid.point_data = {&node_id_};

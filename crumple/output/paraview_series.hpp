@@ -32,6 +32,10 @@ class ParaviewSeries {
   void pack_constant_arrays(const View& view);
   std::vector<VtuArray> point_fields(const View& view);
   std::vector<VtuArray> cell_fields(const View& view);
+  bool has_lines() const { return !beam_place_.empty() || !discrete_place_.empty(); }
+  std::size_t cell_count() const {
+    return place_.size() + solid_place_.size() + beam_place_.size() + discrete_place_.size();
+  }
   std::string frame_name(int frame) const;
   std::string walls_name(int frame) const;
   std::string collection_text() const;
@@ -43,8 +47,10 @@ class ParaviewSeries {
   ParaviewWalls walls_;
   /// Block and place in it of every shell, in the order of the model.
   std::vector<std::pair<Index, Index>> place_;
-  std::vector<std::pair<Index, Index>> solid_place_;  ///< the same of the solids
-  std::vector<VtuArray> topology_;                    ///< connectivity, offsets, types
+  std::vector<std::pair<Index, Index>> solid_place_;     ///< the same of the solids
+  std::vector<std::pair<Index, Index>> beam_place_;      ///< of the beams
+  std::vector<std::pair<Index, Index>> discrete_place_;  ///< of the discrete elements
+  std::vector<VtuArray> topology_;                       ///< connectivity, offsets, types
   VtuArray node_id_;
   VtuArray part_id_;
   VtuArray element_id_;

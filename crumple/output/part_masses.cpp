@@ -42,6 +42,16 @@ PartMasses::PartMasses(const View& view) {
         by_node[block.part][block.node_of(place, corner)] +=
             density * block.state(place, volume->first) / block.corners;
   }
+  for (const domain::BeamBlock& block : view.domain.beams) {
+    const model::Part& part = view.model.parts[block.part];
+    const double line_density =
+        view.model.materials[part.material].density * view.model.beam_sections[part.beam_section].area;
+    const domain::StateItem* const length = block.find("reference_length");
+    if (length == nullptr) continue;
+    for (Index place = 0; place < block.elements; ++place)
+      for (const Index node : block.nodes_of(place))
+        by_node[block.part][node] += 0.5 * line_density * block.state(place, length->first);
+  }
   for (const auto& nodes : by_node) shares_.emplace_back(nodes.begin(), nodes.end());
 }
 

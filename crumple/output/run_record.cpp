@@ -70,7 +70,8 @@ Json checks_of(const std::vector<Check>& checks) {
 
 double nanoseconds_per_element_cycle(const domain::Domain& domain, double seconds) {
   const double work =
-      static_cast<double>(domain::element_count(domain.shells) + domain::element_count(domain.solids)) *
+      static_cast<double>(domain::element_count(domain.shells) + domain::element_count(domain.solids) +
+                          domain::element_count(domain.beams) + domain::element_count(domain.discretes)) *
       static_cast<double>(domain.clock.cycle);
   return work > 0 ? 1e9 * seconds * domain.execution.threads / work : 0.0;
 }
@@ -79,34 +80,36 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
   const domain::Domain& domain = view.domain;
   Json files = Json::array();
   for (const auto& file : record.files) files.push_back(file.generic_string());
-  const Json json = {
-      {"version", record.version},
-      {"deck", record.deck},
-      {"deck_hash", fmt::format("{:016x}", record.deck_hash)},
-      {"title", view.model.title},
-      {"termination", record.termination},
-      {"reason", record.reason},
-      {"end_time", domain.clock.time},
-      {"cycles", domain.clock.cycle},
-      {"nodes", domain.nodes.count()},
-      {"elements",
-       {{"shells", domain::element_count(domain.shells)}, {"solids", domain::element_count(domain.solids)}}},
-      {"threads", domain.execution.threads},
-      {"precision", domain.execution.precision == Precision::Mixed ? "mixed" : "double"},
-      {"isa", std::string(isa_name(domain.execution.isa))},
-      {"search", view.model.search.method},
-      {"wall_seconds", record.wall_seconds},
-      {"loop_seconds", record.loop_seconds},
-      {"ns_per_element_cycle", nanoseconds_per_element_cycle(domain, record.loop_seconds)},
-      {"peak_memory_bytes", record.peak_memory_bytes},
-      {"energy", energy_of(domain.energy)},
-      {"added_mass", domain.added_mass},
-      {"state_hash", fmt::format("{:016x}", record.state_hash)},
-      {"timings", timings_of(domain.times)},
-      {"contact", contacts_of(domain.contacts)},
-      {"checks", checks_of(record.checks)},
-      {"warnings", record.warnings},
-      {"files", files}};
+  const Json json = {{"version", record.version},
+                     {"deck", record.deck},
+                     {"deck_hash", fmt::format("{:016x}", record.deck_hash)},
+                     {"title", view.model.title},
+                     {"termination", record.termination},
+                     {"reason", record.reason},
+                     {"end_time", domain.clock.time},
+                     {"cycles", domain.clock.cycle},
+                     {"nodes", domain.nodes.count()},
+                     {"elements",
+                      {{"shells", domain::element_count(domain.shells)},
+                       {"solids", domain::element_count(domain.solids)},
+                       {"beams", domain::element_count(domain.beams)},
+                       {"discretes", domain::element_count(domain.discretes)}}},
+                     {"threads", domain.execution.threads},
+                     {"precision", domain.execution.precision == Precision::Mixed ? "mixed" : "double"},
+                     {"isa", std::string(isa_name(domain.execution.isa))},
+                     {"search", view.model.search.method},
+                     {"wall_seconds", record.wall_seconds},
+                     {"loop_seconds", record.loop_seconds},
+                     {"ns_per_element_cycle", nanoseconds_per_element_cycle(domain, record.loop_seconds)},
+                     {"peak_memory_bytes", record.peak_memory_bytes},
+                     {"energy", energy_of(domain.energy)},
+                     {"added_mass", domain.added_mass},
+                     {"state_hash", fmt::format("{:016x}", record.state_hash)},
+                     {"timings", timings_of(domain.times)},
+                     {"contact", contacts_of(domain.contacts)},
+                     {"checks", checks_of(record.checks)},
+                     {"warnings", record.warnings},
+                     {"files", files}};
   // Titles come from decks in any encoding: bytes that are no UTF-8 must not stop the record.
   write_atomically(folder / "run.json",
                    json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
