@@ -149,14 +149,14 @@ std::string_view words_of(ElementKind kind) {
 
 /// The material of a part by its id: springs and dampers have their own, which are entered behind the others.
 /// False if there is none, or one of the other kind, which has been reported.
-bool find_material(const RawPart& raw, model::Part& part, Build& build) {
+bool find_material(const RawPart& raw, bool has_section, model::Part& part, Build& build) {
   if (raw.material == 0) return false;
   const Index index = build.find(Item::Material, {raw.material, "MID", raw.where});
   if (index == no_index) return false;
   const auto others = static_cast<Index>(build.model.materials.size());
   const bool is_spring = index >= others;
   const bool needs_spring = model::kind_of(part) == ElementKind::Discrete;
-  if (is_spring != needs_spring) {
+  if (has_section && is_spring != needs_spring) {
     build.report.field_error(
         raw.where, {"MID", std::to_string(raw.material),
                     needs_spring ? "a material of springs or dampers" : "a material with a density",
@@ -237,7 +237,7 @@ void build_parts(Build& build) {
     part.id = raw.id;
     part.title = raw.title;
     const bool has_section = find_section(raw, part, build);
-    const bool has_material = find_material(raw, part, build);
+    const bool has_material = find_material(raw, has_section, part, build);
     if (raw.hourglass != 0) part.hourglass = build.find(Item::Hourglass, {raw.hourglass, "HGID", raw.where});
     if (!has_section || !has_material) {
       build.drop_part(raw.id);

@@ -266,7 +266,10 @@ std::string related_keywords(std::string_view name) {
       const bool related =
           keyword.name == stem || (keyword.name.starts_with(stem) && keyword.name[stem.size()] == '_');
       const bool has_number = keyword.name.starts_with("MAT_0") || keyword.name.starts_with("MAT_S0");
-      if (related && !has_number) names += fmt::format("{}*{}", names.empty() ? "" : ", ", keyword.name);
+      const bool is_spring =
+          keyword.name.starts_with("MAT_SPRING_") || keyword.name.starts_with("MAT_DAMPER_");
+      if (related && !has_number && !(is_spring && stem == "MAT"))
+        names += fmt::format("{}*{}", names.empty() ? "" : ", ", keyword.name);
     }
     if (!names.empty()) return names;
   }

@@ -136,7 +136,7 @@ void read_define_sd_orientation(Cards& cards, RawDeck& deck) {
     raw.vector = {card.real("XT"), card.real("YT"), card.real("ZT")};
     raw.where = card.where();
     const double length = std::hypot(raw.vector[0], raw.vector[1], raw.vector[2]);
-    if (card.good("XT") && card.good("YT") && card.good("ZT") && card.real("IOP") == 0 && !(length > 0))
+    if (card.good("XT") && card.good("YT") && card.good("ZT") && card.good("IOP") && !(length > 0))
       cards.report().field_error(card.where(),
                                  {"XT", std::string(card.text("XT")), "a vector that is not zero",
                                   "springs act along XT, YT, ZT", "vector"});
