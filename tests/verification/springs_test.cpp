@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Springs and dampers between masses, against the solutions of one degree of freedom. Central differences make a linear oscillator of the frequency omega
-// swing with 2/dt asin(omega dt/2): the closed forms are compared at small steps.
+// Springs and dampers between masses, against the solutions of one degree of freedom. Central differences
+// make a linear oscillator of the frequency omega swing with 2/dt asin(omega dt/2): the closed forms are
+// compared at small steps.
 
 #include <gtest/gtest.h>
 
