@@ -59,6 +59,7 @@ void Bodies::take_parts() {
     const Index index = build_.find_quietly(Item::Part, raw.id);
     if (index == no_index) continue;
     const model::Part& part = model.parts[static_cast<std::size_t>(index)];
+    if (part.material == no_index) continue;  // of springs
     const auto& rigid = model.materials[static_cast<std::size_t>(part.material)].rigid;
     if (!rigid) {
       if (raw.inertia)
@@ -69,7 +70,9 @@ void Bodies::take_parts() {
       continue;
     }
     const auto place = static_cast<std::size_t>(index);
-    if (build_.shells_of_part[place] == 0 && build_.solids_of_part[place] == 0) continue;
+    if (build_.shells_of_part[place] == 0 && build_.solids_of_part[place] == 0 &&
+        build_.lines_of_part[place] == 0)
+      continue;
     model::RigidBody body;
     body.id = raw.id;
     body.title = raw.title;
@@ -117,6 +120,7 @@ void Bodies::take_nodes_of_parts() {
   };
   for (const model::ShellElement& shell : build_.model.shells) take(shell);
   for (const model::SolidElement& solid : build_.model.solids) take(solid);
+  for (const model::BeamElement& beam : build_.model.beams) take(beam);
 }
 
 void Bodies::take_extra_nodes() {

@@ -131,6 +131,7 @@ BeamBlock make_beam_block(const model::Model& model, const NodeFields& nodes, In
                           const std::vector<Index>& beams) {
   BeamBlock block;
   block.part = part;
+  block.rigid = model::is_rigid(model, model.parts[part]);
   block.formulation = model.beam_sections[model.parts[part].beam_section].formulation;
   block.elements = static_cast<Index>(beams.size());
   block.element = beams;

@@ -36,6 +36,7 @@ void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) 
   };
   for (const domain::ShellBlock& block : domain.shells) look(block);
   for (const domain::SolidBlock& block : domain.solids) look(block);
+  for (const domain::BeamBlock& block : domain.beams) look(block);
 }
 
 }  // namespace
@@ -43,9 +44,9 @@ void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) 
 void prepare_elements(const model::Model& model, domain::Domain& domain) {
   prepare_shells(model, domain);
   prepare_solids(model, domain);
-  limit_by_rigid_elements(model, domain);
   prepare_beams(model, domain);
   prepare_discretes(model, domain);
+  limit_by_rigid_elements(model, domain);
 }
 
 }  // namespace crumple::elements
