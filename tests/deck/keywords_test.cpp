@@ -491,7 +491,7 @@ TEST(Unsupported, CardsBehindTheLastKnownOne) {
 
 TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
   SmallDeck deck;
-  deck.more = "*LOAD_BODY_Z\n1,9810\n*CONTROL_SHELL\n20,0,-1,4\n";
+  deck.more = "*LOAD_BODY_RX\n1,9810\n*CONTROL_SHELL\n20,0,-1,4\n";
   EXPECT_FALSE(read_deck_text(deck.text()).model);
   ReadOptions options;
   options.allow_unsupported = true;
@@ -506,9 +506,9 @@ TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
 
 TEST(Unsupported, PartsOfUnsupportedMaterialsAreLeftOutWithTheirShells) {
   SmallDeck deck;
-  deck.part = "*PART\nfirst\n1,1,1\nrigid\n2,1,2\n";
+  deck.part = "*PART\nfirst\n1,1,1\nsecond\n2,1,2\n";
   deck.shells = "*ELEMENT_SHELL\n11,1,1,2,3,4\n12,2,2,5,6,3\n";
-  deck.more = "*MAT_RIGID\n2,7.83E-6,207,0.3\n\n\n";
+  deck.more = "*MAT_VISCOELASTIC\n2,7.83E-6,207,0.3\n";
   EXPECT_FALSE(read_deck_text(deck.text()).model);
   ReadOptions options;
   options.allow_unsupported = true;
