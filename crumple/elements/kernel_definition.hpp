@@ -4,10 +4,11 @@
 // Only kernels/<formulation>.cpp include this: with the header of the formulation and
 //   template ShellKernel<float> formulation_kernel<Formulation, CRUMPLE_ISA, float>();
 //   template ShellKernel<double> formulation_kernel<Formulation, CRUMPLE_ISA, double>();
-// they are all there is to compile of it for one instruction set.
+// or the same with SolidKernel they are all there is to compile of it for one instruction set.
 
 #include "elements/chunk.hpp"
 #include "elements/kernel_list.hpp"
+#include "elements/solid_chunk.hpp"
 
 namespace crumple::elements {
 
@@ -18,8 +19,11 @@ namespace crumple::elements {
 [[maybe_unused]] inline constexpr Isa avx512 = Isa::Avx512;
 
 template <class Formulation, Isa Variant, class Real>
-ShellKernel<Real> formulation_kernel() {
-  return &shell_chunk<Formulation, NativePack<Real>>;
+Kernel<std::conditional_t<is_of_solids<Formulation>, SolidTask<Real>, ShellTask<Real>>> formulation_kernel() {
+  if constexpr (is_of_solids<Formulation>)
+    return &solid_chunk<Formulation, NativePack<Real>>;
+  else
+    return &shell_chunk<Formulation, NativePack<Real>>;
 }
 
 }  // namespace crumple::elements

@@ -101,7 +101,7 @@ void prepare_average(domain::SolidBlock& block) {
 void average_dilatations(domain::Domain& domain) {
   const int threads = domain.execution.threads;
   for (domain::SolidBlock& block : domain.solids) {
-    if (block.average.node.empty()) continue;
+    if (block.average.node.empty() || block.rigid) continue;
     const Index own = from_numbers<SolidConstants<double>>(block.element_constants).own;
     if (domain.execution.precision == Precision::Mixed)
       average(domain.nodes.float_records.data(), domain.clock.step, threads, own, block);

@@ -9,8 +9,6 @@ namespace crumple::elements {
 /// The eight-node hexahedron with one point and hourglass control (Flanagan & Belytschko, IJNME 17 (1981)
 /// 679-706; Goudreau & Hallquist, CMAME 33 (1982) 725-757): docs/theory/one_point_hexahedron.md.
 struct OnePointHexahedron {
-  template <class Real>
-  using Task = SolidTask<Real>;
   static constexpr model::SolidFormulation formulation = model::SolidFormulation::OnePointHexahedron;
   static constexpr const char* name = "one-point hexahedron";
   static constexpr int points = 1;

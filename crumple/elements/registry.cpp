@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The registry: what the solver asks of a formulation, answered through the list.
+// The registry: what the solver asks of a formulation, answered through the lists.
 #include "elements/registry.hpp"
 
 #include <array>
@@ -10,88 +10,68 @@
 namespace crumple::elements {
 namespace {
 
-template <class... Formulations>
-ShellKind find(model::ShellFormulation formulation, FormulationList<Formulations...> /*list*/) {
-  ShellKind found;
+/// Calls visit(place, Formulation()) for the entry of a list that computes `formulation`, if there is one.
+template <class Name, class Visit, class... Formulations>
+void find(Name formulation, FormulationList<Formulations...> /*list*/, const Visit& visit) {
   int kind = -1;
-  const auto try_one = [&]<class Formulation>(Formulation) {
+  const auto try_one = [&](auto entry) {
     ++kind;
-    if (Formulation::formulation == formulation) found = {kind, Formulation::name, Formulation::planes};
+    if (decltype(entry)::formulation == formulation) visit(kind, entry);
   };
   (try_one(Formulations{}), ...);
-  return found;
 }
 
-template <Isa Variant, class Real, class... Formulations>
-ShellKernel<Real> pick(int kind, FormulationList<Formulations...> /*list*/) {
-  static const std::array<ShellKernel<Real>, sizeof...(Formulations)> kernels{
-      formulation_kernel<Formulations, Variant, Real>()...};
+template <Isa Variant, class Real, class First, class... Others>
+auto pick(int kind, FormulationList<First, Others...> /*list*/) {
+  static const std::array<decltype(formulation_kernel<First, Variant, Real>()), 1 + sizeof...(Others)>
+      kernels{formulation_kernel<First, Variant, Real>(), formulation_kernel<Others, Variant, Real>()...};
   return kernels[static_cast<std::size_t>(kind)];
 }
 
-template <class... Formulations>
-SolidKind find(model::SolidFormulation formulation, FormulationList<Formulations...> /*list*/) {
-  SolidKind found;
-  int kind = -1;
-  const auto try_one = [&]<class Formulation>(Formulation) {
-    ++kind;
-    if (Formulation::formulation == formulation)
-      found = {kind, Formulation::name, Formulation::points, Formulation::kept, Formulation::averages};
-  };
-  (try_one(Formulations{}), ...);
-  return found;
-}
-
-template <Isa Variant, class Real, class... Formulations>
-SolidKernel<Real> pick_solid(int kind, FormulationList<Formulations...> /*list*/) {
-  static const std::array<SolidKernel<Real>, sizeof...(Formulations)> kernels{
-      solid_formulation_kernel<Formulations, Variant, Real>()...};
-  return kernels[static_cast<std::size_t>(kind)];
+template <class Real, class List>
+auto kernel(Isa isa, int kind, List list) {
+  switch (isa) {
+#if defined(CRUMPLE_FAST_KERNELS)
+    case Isa::Avx512:
+      return pick<Isa::Avx512, Real>(kind, list);
+    case Isa::Avx2:
+      return pick<Isa::Avx2, Real>(kind, list);
+#endif
+    case Isa::Scalar:
+      return pick<Isa::Scalar, Real>(kind, list);
+    default:
+      return pick<Isa::Baseline, Real>(kind, list);
+  }
 }
 
 }  // namespace
 
 ShellKind shell_kind(model::ShellFormulation formulation) {
-  return find(formulation, ShellFormulations{});
+  ShellKind found;
+  find(formulation, ShellFormulations{}, [&]<class Formulation>(int kind, Formulation) {
+    found = {kind, Formulation::name, Formulation::planes};
+  });
+  return found;
+}
+
+SolidKind solid_kind(model::SolidFormulation formulation) {
+  SolidKind found;
+  find(formulation, SolidFormulations{}, [&]<class Formulation>(int kind, Formulation) {
+    found = {kind, Formulation::name, Formulation::points, Formulation::kept, Formulation::averages};
+  });
+  return found;
 }
 
 template <class Real>
 ShellKernel<Real> shell_kernel(Isa isa, int kind) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return pick<Isa::Avx512, Real>(kind, ShellFormulations{});
-    case Isa::Avx2:
-      return pick<Isa::Avx2, Real>(kind, ShellFormulations{});
-#endif
-    case Isa::Scalar:
-      return pick<Isa::Scalar, Real>(kind, ShellFormulations{});
-    default:
-      return pick<Isa::Baseline, Real>(kind, ShellFormulations{});
-  }
+  return kernel<Real>(isa, kind, ShellFormulations{});
+}
+template <class Real>
+SolidKernel<Real> solid_kernel(Isa isa, int kind) {
+  return kernel<Real>(isa, kind, SolidFormulations{});
 }
 template ShellKernel<float> shell_kernel<float>(Isa isa, int kind);
 template ShellKernel<double> shell_kernel<double>(Isa isa, int kind);
-
-SolidKind solid_kind(model::SolidFormulation formulation) {
-  return find(formulation, SolidFormulations{});
-}
-
-template <class Real>
-SolidKernel<Real> solid_kernel(Isa isa, int kind) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return pick_solid<Isa::Avx512, Real>(kind, SolidFormulations{});
-    case Isa::Avx2:
-      return pick_solid<Isa::Avx2, Real>(kind, SolidFormulations{});
-#endif
-    case Isa::Scalar:
-      return pick_solid<Isa::Scalar, Real>(kind, SolidFormulations{});
-    default:
-      return pick_solid<Isa::Baseline, Real>(kind, SolidFormulations{});
-  }
-}
 template SolidKernel<float> solid_kernel<float>(Isa isa, int kind);
 template SolidKernel<double> solid_kernel<double>(Isa isa, int kind);
 

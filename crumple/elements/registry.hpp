@@ -2,7 +2,6 @@
 #pragma once
 
 #include "elements/kernel_list.hpp"
-#include "elements/solid_kernel_list.hpp"
 #include "elements/solid_task.hpp"
 #include "model/section.hpp"
 

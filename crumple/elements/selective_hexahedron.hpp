@@ -54,8 +54,6 @@ CRUMPLE_INLINE void for_each_point(const Visit& visit) {
 /// (selectively reduced integration as mean dilatation: Nagtegaal, Parks & Rice, CMAME 4 (1974) 153-177;
 /// Hughes, IJNME 15 (1980) 1413-1418): docs/theory/selectively_reduced_hexahedron.md.
 struct SelectiveHexahedron {
-  template <class Real>
-  using Task = SolidTask<Real>;
   static constexpr model::SolidFormulation formulation = model::SolidFormulation::SelectiveHexahedron;
   static constexpr const char* name = "selectively reduced hexahedron";
   static constexpr int points = 8;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "elements/solid_formulation.hpp"
-#include "math/power.hpp"
+#include "math/cube_root.hpp"
 
 // What all solids have: bulk viscosity with its energy, and the stable step.
 namespace crumple::elements {
@@ -42,7 +42,7 @@ CRUMPLE_INLINE Resistance<Pack> resist(const SolidPlace<RealOf<Pack>>& place, co
   const SolidConstants<Real>& constants = place.task.constants;
   Resistance<Pack> found;
   found.density = Pack(constants.density) * own_item<Pack>(place, solid_state::reference_volume) / volume;
-  found.length = math::power(volume, Pack(Real(1.0 / 3.0)));
+  found.length = math::cube_root(volume);
   const BulkViscosity<Pack> bulk = bulk_viscosity(constants, found.density, found.length, dilatation);
   const Pack old_pressure = own_item<Pack>(place, solid_state::bulk_viscosity);
   found.pressure = active * bulk.pressure;

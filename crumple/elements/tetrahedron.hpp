@@ -89,8 +89,6 @@ CRUMPLE_INLINE SolidForces<Pack, 4> tetrahedron_forces(const SolidPlace<RealOf<P
 
 /// The tetrahedron with one point and constant stress: docs/theory/tetrahedra.md.
 struct Tetrahedron {
-  template <class Real>
-  using Task = SolidTask<Real>;
   static constexpr model::SolidFormulation formulation = model::SolidFormulation::Tetrahedron;
   static constexpr const char* name = "tetrahedron";
   static constexpr int points = 1;
@@ -112,8 +110,6 @@ struct Tetrahedron {
 /// The same with the dilatation averaged at the nodes (Bonet & Burton, Commun. Numer. Meth. Engng 14 (1998)
 /// 437-449), of the nodes' mean: docs/theory/tetrahedra.md.
 struct NodalPressureTetrahedron {
-  template <class Real>
-  using Task = SolidTask<Real>;
   static constexpr model::SolidFormulation formulation = model::SolidFormulation::NodalPressureTetrahedron;
   static constexpr const char* name = "nodal pressure tetrahedron";
   static constexpr int points = 1;

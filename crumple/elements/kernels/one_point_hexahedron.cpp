@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "elements/one_point_hexahedron.hpp"
 
-#include "elements/solid_kernel_definition.hpp"
+#include "elements/kernel_definition.hpp"
 
 namespace crumple::elements {
 
-template SolidKernel<float> solid_formulation_kernel<OnePointHexahedron, CRUMPLE_ISA, float>();
-template SolidKernel<double> solid_formulation_kernel<OnePointHexahedron, CRUMPLE_ISA, double>();
+template SolidKernel<float> formulation_kernel<OnePointHexahedron, CRUMPLE_ISA, float>();
+template SolidKernel<double> formulation_kernel<OnePointHexahedron, CRUMPLE_ISA, double>();
 
 }  // namespace crumple::elements
