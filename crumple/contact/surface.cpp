@@ -18,7 +18,10 @@ constexpr double edge_share = 0.4;
 /// Smallest 1 - 2 nu that enters the bulk modulus: nearly incompressible laws would ask for any stiffness.
 constexpr double smallest_compressibility = 0.02;
 
-double bulk_modulus(const model::Material& material) {
+double bulk_modulus(const model::Model& model, const model::Part& part) {
+  const model::Material& material = model.materials[part.material];
+  if (const auto* equation = model::equation_of_state_of(model, part))
+    return model::initial_bulk_modulus(*equation, material.density);
   return std::visit(
       [](const auto& law) {
         const double compressibility = std::max(1.0 - 2.0 * law.poissons_ratio, smallest_compressibility);
@@ -96,7 +99,7 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
     const domain::ShellBlock& block = domain.shells[b];
     if (!std::binary_search(contact.parts.begin(), contact.parts.end(), block.part)) continue;
     surface.blocks.push_back(b);
-    const double modulus = bulk_modulus(model.materials[model.parts[block.part].material]);
+    const double modulus = bulk_modulus(model, model.parts[block.part]);
     for (Index at = 0; at < block.elements; ++at) {
       const std::array<Index, 4> nodes = block.nodes_of(at);
       const model::ShellElement& shell = model.shells[block.element[at]];

@@ -28,6 +28,8 @@ void for_each_solid_number(Constants& constants, const Visit& visit) {
   visit(constants.uniaxial);
   visit(constants.density);
   visit(constants.wave_speed);
+  visit(constants.present_wave_speed);
+  visit(constants.equation_of_state);
   visit(constants.bulk_quadratic);
   visit(constants.bulk_linear);
 }

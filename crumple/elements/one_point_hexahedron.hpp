@@ -39,6 +39,7 @@ CRUMPLE_INLINE void OnePointHexahedron::strains(const SolidPlace<RealOf<Pack>>& 
   leave_strains(place, 0, l);
   keep_row(place, row_volume, g.volume);
   keep_row(place, row_dilatation, trace(l));
+  resist_early(place, g.volume, trace(l));
   const auto keep_rates = [&](const auto& in_axes) {
     for (int mode = 0; mode < 4; ++mode) {
       const int p = pattern::hourglass + mode;
@@ -52,6 +53,16 @@ CRUMPLE_INLINE void OnePointHexahedron::strains(const SolidPlace<RealOf<Pack>>& 
   } else {
     keep_rates([](const Vec& rate) { return rate; });
   }
+}
+
+/// Of the forms 1 to 5.
+template <class Pack>
+CRUMPLE_INLINE Pack viscous_or_stiff_modulus(const SolidPlace<RealOf<Pack>>& place, const Pack& active,
+                                             const SolidGeometry<Pack>& g,
+                                             const Resistance<Pack>& resistance) {
+  const SolidConstants<RealOf<Pack>>& constants = place.task.constants;
+  const Pack modulus = active * hourglass_modulus(constants, g, resistance.density, resistance.length);
+  return constants.present_wave_speed > 0 ? Pack(modulus * hourglass_share<Pack>(place)) : modulus;
 }
 
 template <class Pack>
@@ -73,9 +84,7 @@ CRUMPLE_INLINE SolidForces<Pack> OnePointHexahedron::forces(const SolidPlace<Rea
   const HourglassForces<Pack> q =
       constants.assumed_strain
           ? assumed_strain_forces(place, row_rates, active, x)
-          : hourglass_forces(
-                place, row_rates,
-                Pack(active * hourglass_modulus(constants, g, resistance.density, resistance.length)));
+          : hourglass_forces(place, row_rates, viscous_or_stiff_modulus(place, active, g, resistance));
   keep_row(place, solid_scratch::hourglass_energy, q.work);
 
   const int last = patterns_of_gradient(constants.exact_volume);

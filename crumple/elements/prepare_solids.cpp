@@ -34,7 +34,7 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
     constants.uniaxial = (1 + nu) / 3;
     return;
   }
-  const double modulus = elastic.density * constants.wave_speed * constants.wave_speed;
+  const double modulus = constants.density * constants.wave_speed * constants.wave_speed;
   constants.hourglass = constants.viscous ? 16 * control.coefficient * constants.wave_speed
                                           : 0.5 * control.coefficient * modulus;
 }
@@ -48,6 +48,22 @@ void declare_own_items(bool can_fail, const KeptItem& kept, SolidBlock& block) {
   if (can_fail) domain::add_item(block, "energy", "energy", 2);
 }
 
+void require_equation_of_state(const model::Part& part, const model::Material& material, bool given) {
+  const model::LawUse use = model::use_of(material.law);
+  require(given || !use.needs_equation_of_state, part, "its material needs an equation of state in solids");
+  require(!given || use.takes_equation_of_state, part, "its material takes no equation of state");
+}
+
+/// Returns the place of its numbers behind those of the material.
+Index add_equation(const model::Material& material, const model::EquationOfState& equation, Index law_history,
+                   SolidBlock& block) {
+  const Index history = materials::declare_eos_history(block) - law_history;
+  const auto place = static_cast<Index>(block.material_constants.size());
+  const std::vector<double> numbers = materials::eos_constants(material, equation, history);
+  block.material_constants.insert(block.material_constants.end(), numbers.begin(), numbers.end());
+  return place;
+}
+
 SolidConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
                                      SolidBlock& block) {
   const model::Part& part = model.parts[block.part];
@@ -57,26 +73,33 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   require(kind.kind >= 0, part, "its formulation of solids is not computed by any kind in the registry");
   require(law >= 0, part, "its material cannot be used with solids");
   const ElasticConstants elastic = materials::elastic_constants(material);
+  const model::EquationOfState* const equation = model::equation_of_state_of(model, part);
+  require_equation_of_state(part, material, equation != nullptr);
+  const materials::SolidStart start = materials::solid_start(material, equation);
   SolidConstants<double> constants;
   constants.formulation = kind.kind;
   constants.points = kind.points;
   constants.material = law;
-  constants.can_fail = materials::can_fail(material);
-  constants.density = elastic.density;
-  constants.wave_speed = elastic.bulk_wave_speed();
+  constants.can_fail = materials::solid_can_fail(material);
+  constants.density = start.density;
+  constants.wave_speed = start.wave_speed;
   const model::HourglassControl& control = model::hourglass_of(model, part);
   constants.bulk_quadratic =
       control.bulk_quadratic > 0 ? control.bulk_quadratic : model.control.bulk_quadratic;
-  constants.bulk_linear = control.bulk_linear > 0 ? control.bulk_linear : model.control.bulk_linear;
+  constants.bulk_linear = std::max(control.bulk_linear > 0 ? control.bulk_linear : model.control.bulk_linear,
+                                   start.linear_viscosity);
   set_hourglass(control, elastic, constants);
   if (block.formulation != model::SolidFormulation::OnePointHexahedron) constants.exact_volume = true;
   block.points = kind.points;
   domain::add_item(block, "stress", "stress", materials::solid_components * block.points);
   constants.history = materials::declare_solid_history(material.law, block);
+  block.material_constants = materials::solid_material_constants(material, equation);
+  if (equation != nullptr)
+    constants.equation_of_state = add_equation(material, *equation, constants.history, block);
+  if (start.varies) constants.present_wave_speed = domain::add_item(block, "wave_speed", "length/time", 1);
   constants.own = block.components;
   declare_own_items(constants.can_fail, kind.kept, block);
   block.allocate(domain.execution.precision);
-  block.material_constants = materials::solid_material_constants(material);
   block.element_constants = to_numbers(constants);
   if (kind.averages) prepare_average(block);
   return constants;
@@ -101,6 +124,8 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
   block.set_state(place, own + solid_state::reference_volume, size.volume);
   block.set_state(place, own + solid_state::active, place < block.elements ? 1 : 0);
   block.set_state(place, own + solid_state::step_scale, std::sqrt(factor));
+  if (constants.present_wave_speed > 0)
+    block.set_state(place, constants.present_wave_speed, constants.wave_speed);
   const double mass = constants.density * size.volume;
   return {factor * mass, (factor - 1) * mass};
 }

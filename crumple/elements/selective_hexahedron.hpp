@@ -83,6 +83,7 @@ CRUMPLE_INLINE void SelectiveHexahedron::strains(const SolidPlace<RealOf<Pack>>&
   const Pack dilatation = trace(velocity_gradient(whole, v, true));
   keep_row(place, row_volume, whole.volume);
   keep_row(place, row_dilatation, dilatation);
+  resist_early(place, whole.volume, dilatation);
   for_each_point<Pack>([&](int point, const Pack& xi, const Pack& eta, const Pack& zeta) {
     const PointGeometry<Pack> g = geometry_at(tangents_at(x, xi, eta, zeta));
     const PointTangents<Pack> rate = tangents_at(v, xi, eta, zeta);

@@ -79,6 +79,12 @@ materials::SolidMaterialTask<RealOf<Pack>> solid_material_task(const SolidTask<R
   material.step = task.step;
   material.energy = scratch.rows + solid_scratch::material_energy * tile_lanes;
   if (task.constants.can_fail) material.intact = scratch.rows + solid_scratch::intact * tile_lanes;
+  if (task.constants.equation_of_state > 0)
+    material.equation_of_state = task.material_constants + task.constants.equation_of_state;
+  if (task.constants.present_wave_speed > 0) {
+    material.viscosity = scratch.rows + solid_scratch::viscosity * tile_lanes;
+    material.wave_speed = scratch.rows + solid_scratch::wave_speed * tile_lanes;
+  }
   return material;
 }
 

@@ -30,7 +30,12 @@ using sum_row::shortest_step;                  ///< from forces()
 inline constexpr int intact = sum_row::count;  ///< from the material
 inline constexpr int material_energy =
     intact + 1;  ///< from the material, by point: work per volume of the step
-inline constexpr int own = material_energy + materials::max_solid_points;
+// Where the wave speed varies, the first two are made by strains() (resist_early()), the third by the
+// material.
+inline constexpr int viscosity = material_energy + materials::max_solid_points;  ///< its mean over the step
+inline constexpr int bulk_pressure = viscosity + 1;                              ///< at the end of the step
+inline constexpr int wave_speed = bulk_pressure + 1;                             ///< at the end of the step
+inline constexpr int own = wave_speed + 1;
 }  // namespace solid_scratch
 
 /// Where one pack of elements finds everything. Strides are `lanes` in the state, tile_lanes in the scratch.

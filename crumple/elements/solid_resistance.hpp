@@ -16,14 +16,50 @@ struct BulkViscosity {
 };
 template <class Pack>
 CRUMPLE_INLINE BulkViscosity<Pack> bulk_viscosity(const SolidConstants<RealOf<Pack>>& constants,
-                                                  const Pack& density, const Pack& length,
-                                                  const Pack& dilatation_rate) {
+                                                  const Pack& wave_speed, const Pack& density,
+                                                  const Pack& length, const Pack& dilatation_rate) {
   const Pack zero(RealOf<Pack>(0));
   const Pack closing = larger(zero, Pack(-dilatation_rate));
-  const Pack linear(constants.bulk_linear * constants.wave_speed);
+  const Pack linear = Pack(constants.bulk_linear) * wave_speed;
   const Pack speed = select<Pack>(
       closing > zero, multiply_add(Pack(constants.bulk_quadratic) * length, closing, linear), zero);
   return {density * length * closing * speed, speed};
+}
+
+/// Where the wave speed varies: makes the bulk viscosity of the step before the material runs, as the energy
+/// of an equation of state takes its work. `volume` is that of the middle of the step, the wave speed that of
+/// its beginning.
+template <class Pack>
+CRUMPLE_INLINE void resist_early(const SolidPlace<RealOf<Pack>>& place, const Pack& volume,
+                                 const Pack& dilatation) {
+  using Real = RealOf<Pack>;
+  const SolidConstants<Real>& constants = place.task.constants;
+  if (constants.present_wave_speed == 0) return;
+  const Pack density =
+      Pack(constants.density) * own_item<Pack>(place, solid_state::reference_volume) / volume;
+  const Pack length = math::cube_root(volume);
+  const Pack wave_speed = load<Pack>(place.state + constants.present_wave_speed * lanes);
+  const BulkViscosity<Pack> bulk = bulk_viscosity(constants, wave_speed, density, length, dilatation);
+  const Pack pressure = own_item<Pack>(place, solid_state::active) * bulk.pressure;
+  keep_row(place, solid_scratch::bulk_pressure, pressure);
+  keep_row(place, solid_scratch::viscosity,
+           Pack(Real(0.5) * (pressure + own_item<Pack>(place, solid_state::bulk_viscosity))));
+}
+
+/// At the end of the step; for forces() only.
+template <class Pack>
+CRUMPLE_INLINE Pack wave_speed_of(const SolidPlace<RealOf<Pack>>& place) {
+  if (place.task.constants.present_wave_speed == 0) return Pack(place.task.constants.wave_speed);
+  return kept_row<Pack>(place, solid_scratch::wave_speed);
+}
+
+/// Factor on hourglass control where the wave speed varies: the step follows that, and so must what limits
+/// it.
+template <class Pack>
+CRUMPLE_INLINE Pack hourglass_share(const SolidPlace<RealOf<Pack>>& place) {
+  const auto& constants = place.task.constants;
+  const Pack share = wave_speed_of<Pack>(place) * Pack(RealOf<Pack>(1) / constants.wave_speed);
+  return constants.viscous ? share : Pack(share * share);
 }
 
 /// The bulk viscosity of an element at the end of the step.
@@ -43,9 +79,15 @@ CRUMPLE_INLINE Resistance<Pack> resist(const SolidPlace<RealOf<Pack>>& place, co
   Resistance<Pack> found;
   found.density = Pack(constants.density) * own_item<Pack>(place, solid_state::reference_volume) / volume;
   found.length = math::cube_root(volume);
-  const BulkViscosity<Pack> bulk = bulk_viscosity(constants, found.density, found.length, dilatation);
+  const Pack wave_speed = wave_speed_of<Pack>(place);
+  const BulkViscosity<Pack> bulk =
+      bulk_viscosity(constants, wave_speed, found.density, found.length, dilatation);
   const Pack old_pressure = own_item<Pack>(place, solid_state::bulk_viscosity);
   found.pressure = active * bulk.pressure;
+  if (constants.present_wave_speed > 0) {
+    found.pressure = kept_row<Pack>(place, solid_scratch::bulk_pressure);
+    store(place.state + constants.present_wave_speed * lanes, wave_speed);
+  }
   found.speed = bulk.speed;
   found.mean = Pack(Real(0.5)) * (old_pressure + found.pressure);
   set_own_item(place, solid_state::bulk_viscosity, found.pressure);
@@ -57,7 +99,7 @@ template <class Pack>
 CRUMPLE_INLINE void leave_limit(const SolidPlace<RealOf<Pack>>& place, const Pack& active, const Pack& length,
                                 const Pack& resistance_speed) {
   using Real = RealOf<Pack>;
-  const Pack speed(place.task.constants.wave_speed);
+  const Pack speed = wave_speed_of<Pack>(place);
   const Pack limit =
       own_item<Pack>(place, solid_state::step_scale) * length /
       (resistance_speed + square_root(multiply_add(resistance_speed, resistance_speed, Pack(speed * speed))));

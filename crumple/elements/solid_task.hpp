@@ -27,9 +27,13 @@ struct SolidConstants {
   Real anticlastic = 0;             ///< nu / (1 - nu), the same [-]
   Real uniaxial = 0;                ///< (1 + nu) / 3, the same [-]
   Real density = 0;                 ///< at time zero [mass/volume]
-  Real wave_speed = 0;              ///< of longitudinal waves without lateral strain [length/time]
-  Real bulk_quadratic = 0;          ///< Q1 [-]
-  Real bulk_linear = 0;             ///< Q2 [-]
+  Real wave_speed = 0;  ///< of longitudinal waves without lateral strain, at time zero [length/time]
+  /// Component of the state with the wave speed at the end of the last step, where the material tells a new
+  /// one every step; 0: it does not vary.
+  Index present_wave_speed = 0;
+  Index equation_of_state = 0;  ///< first of its numbers in the material's constants; 0: there is none
+  Real bulk_quadratic = 0;      ///< Q1 [-]
+  Real bulk_linear = 0;         ///< Q2 [-]
 };
 
 /// The element's own items, counted from SolidConstants::own.

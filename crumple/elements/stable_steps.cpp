@@ -32,8 +32,9 @@ void for_each_step(const Domain& domain, const domain::SolidBlock& block, const 
   for (Index place = 0; place < block.elements; ++place) {
     if (block.state(place, constants.own + solid_state::active) == 0) continue;
     const SolidSize size = solid_size(domain, block, place, constants.exact_volume);
-    visit(place,
-          size.length / constants.wave_speed * block.state(place, constants.own + solid_state::step_scale));
+    const double speed = constants.present_wave_speed > 0 ? block.state(place, constants.present_wave_speed)
+                                                          : constants.wave_speed;
+    visit(place, size.length / speed * block.state(place, constants.own + solid_state::step_scale));
   }
 }
 

@@ -50,6 +50,7 @@ CRUMPLE_INLINE void tetrahedron_strains(const SolidPlace<RealOf<Pack>>& place) {
     lessen_diagonal(l, Pack(Pack(Real(1.0 / 3.0)) * surplus));
     keep_row(place, tetrahedron_kept::mean_stress, state_mean_stress<Pack>(place));
   }
+  resist_early(place, kept_row<Pack>(place, tetrahedron_kept::volume), trace(l));
   leave_strains(place, 0, l);
 }
 

@@ -127,6 +127,11 @@ struct JohnsonCookLaw {
       Pack log_rate;     ///< ln(rate / reference) of the total strain, at least 0
     };
 
+    /// In solids: the law then brings the deviator alone.
+    static constexpr bool takes_equation_of_state = requires(typename Base::Task task) {
+      task.equation_of_state;
+    };
+
     const double* c;
     bool softens;  ///< there is a temperature in the state
     bool damages;  ///< there is a damage in the state
@@ -142,7 +147,10 @@ struct JohnsonCookLaw {
                task.constants[Failure]),
           c(task.constants),
           softens(task.constants[Softens] != 0),
-          damages(task.constants[Damages] != 0) {}
+          damages(task.constants[Damages] != 0) {
+      if constexpr (takes_equation_of_state)
+        if (task.equation_of_state != nullptr) this->elasticity.drop_pressure();
+    }
 
     CRUMPLE_INLINE Real number(Place place) const { return static_cast<Real>(c[place]); }
     CRUMPLE_INLINE static Real* temperature(const History& history) {

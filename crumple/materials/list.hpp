@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "materials/blatz_ko.hpp"
+#include "materials/crushable_foam.hpp"
 #include "materials/elastic.hpp"
+#include "materials/gruneisen.hpp"
 #include "materials/johnson_cook.hpp"
+#include "materials/linear_polynomial.hpp"
+#include "materials/mooney_rivlin.hpp"
 #include "materials/null.hpp"
 #include "materials/orthotropic_elastic.hpp"
 #include "materials/piecewise_linear_plasticity.hpp"
@@ -33,6 +38,16 @@ using SolidLaws = LawList<         //
     PlasticKinematicLaw,           //
     PiecewiseLinearPlasticityLaw,  //
     PowerLawPlasticityLaw,         //
-    JohnsonCookLaw>;
+    JohnsonCookLaw,                //
+    NullLaw,                       //
+    BlatzKoLaw,                    //
+    MooneyRivlinLaw,               //
+    CrushableFoamLaw>;
+
+/// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp
+/// says.
+using EquationsOfState = LawList<  //
+    GruneisenEquation,             //
+    LinearPolynomialEquation>;
 
 }  // namespace crumple::materials

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "base/error.hpp"
+#include "materials/equations_of_state.hpp"
 #include "materials/kernel_list.hpp"
 #include "materials/list.hpp"
 #include "materials/shell_material.hpp"
@@ -140,11 +141,61 @@ Index declare_solid_history(const model::ConstitutiveLaw& law, domain::ElementBl
   return first;
 }
 
-std::vector<double> solid_material_constants(const model::Material& material) {
+std::vector<double> solid_material_constants(const model::Material& material,
+                                             const model::EquationOfState* equation) {
+  model::Material used = material;
+  if (auto* law = std::get_if<model::JohnsonCook>(&used.law))
+    if (equation != nullptr && law->shear_modulus > 0)
+      law->youngs_modulus = 2 * law->shear_modulus * (1 + law->poissons_ratio);
   std::vector<double> constants;
   with_law(
-      material.law, [&]<class Law>(Law, int) { constants = Law::constants(material); }, SolidLaws{});
+      used.law,
+      [&]<class Law>(Law, int) {
+        if constexpr (requires { Law::solid_constants(used); })
+          constants = Law::solid_constants(used);
+        else
+          constants = Law::constants(used);
+      },
+      SolidLaws{});
   return constants;
+}
+
+SolidStart solid_start(const model::Material& material, const model::EquationOfState* equation) {
+  const ElasticConstants elastic = elastic_constants(material);
+  SolidStart start;
+  start.density = material.density;
+  if (equation != nullptr) {
+    start.density /= equation->initial_volume;
+    start.wave_speed = eos_wave_speed(material, *equation);
+    start.varies = true;
+    return start;
+  }
+  start.wave_speed = elastic.bulk_wave_speed();
+  with_law(
+      material.law,
+      [&]<class Law>(Law, int) {
+        start.varies = requires {
+          Law::wave_speed_varies;
+        };
+        if constexpr (requires { Law::linear_viscosity(material.law); })
+          start.linear_viscosity = Law::linear_viscosity(material.law);
+      },
+      SolidLaws{});
+  return start;
+}
+
+bool solid_can_fail(const model::Material& material) {
+  bool fails = false;
+  with_law(
+      material.law,
+      [&]<class Law>(Law, int) {
+        if constexpr (requires { Law::solid_can_fail(material.law); })
+          fails = Law::solid_can_fail(material.law);
+        else
+          fails = Law::can_fail(material.law);
+      },
+      SolidLaws{});
+  return fails;
 }
 
 template <class Real>

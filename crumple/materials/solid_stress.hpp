@@ -142,6 +142,9 @@ struct SolidElasticity {
         two_shear(static_cast<Real>(youngs_modulus / (1 + poissons_ratio))),
         shear(static_cast<Real>(0.5 * youngs_modulus / (1 + poissons_ratio))) {}
 
+  /// Leaves the mean stress what it was: an equation of state gives it.
+  CRUMPLE_INLINE void drop_pressure() { lame = Real(-1.0 / 3.0) * two_shear; }
+
   template <class Pack>
   CRUMPLE_INLINE SolidStress<Pack> stress(const SolidStress<Pack>& old,
                                           const SolidStrain<Pack>& strain) const {

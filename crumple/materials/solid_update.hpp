@@ -7,12 +7,34 @@
 // SolidStress, SolidStrain and SolidMaterialTask in the place of the shells', and
 //   SolidElasticity<Real> elasticity                 or anything with stress(old, strain)
 //   void turn_history(history, Turn)                 if can_yield: turns the tensors of the history
+// and, if it needs them,
+//   void follow(history, strain, Turn)               brings what follows the motion alone up to date
+//   static constexpr bool takes_equation_of_state    true: with one, the law brings the deviator alone
+// A law of total deformation has no elasticity; it derives from TotalDeformation.
 
+#include "materials/eos_update.hpp"
 #include "materials/history_view.hpp"
 #include "materials/solid_material.hpp"
 #include "materials/solid_stress.hpp"
 
 namespace crumple::materials {
+
+/// Where failed points have lost their stress.
+template <class Pack>
+CRUMPLE_INLINE SolidStress<Pack> held_stress(const MaskOf<Pack>& holds, const SolidStress<Pack>& stress) {
+  const Pack zero(RealOf<Pack>(0));
+  return {select<Pack>(holds, stress.xx, zero), select<Pack>(holds, stress.yy, zero),
+          select<Pack>(holds, stress.zz, zero), select<Pack>(holds, stress.xy, zero),
+          select<Pack>(holds, stress.yz, zero), select<Pack>(holds, stress.zx, zero)};
+}
+
+/// Leaves the wave speed of point p: the element has that of its fastest point.
+template <class Pack>
+CRUMPLE_INLINE void leave_wave_speed(RealOf<Pack>* to, int p, const Pack& square) {
+  if (to == nullptr) return;
+  const Pack speed = square_root(square);
+  store(to, p == 0 ? speed : larger(speed, load<Pack>(to)));
+}
 
 /// Brings one point of one pack of solids up to date; returns where it is intact.
 template <class Law, class Pack>
@@ -26,23 +48,38 @@ CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<R
       load_six<SolidStrain<Pack>>(task.strain + p * solid_components * tile_lanes + place, tile_lanes);
   const auto turn = load_turn<Pack>(task.turn + p * 9 * tile_lanes + place, tile_lanes);
   const auto old = turned(load_six<SolidStress<Pack>>(stress_state, lanes), turn);
-  SolidStress<Pack> now = law.elasticity.stress(old, strain);
-  Pack intact(Real(1));
   [[maybe_unused]] const HistoryView<Real> history{state + task.history * lanes, task.points, p};
+  [[maybe_unused]] Real* const wave_speed = task.wave_speed == nullptr ? nullptr : task.wave_speed + place;
+  SolidStress<Pack> now;
+  if constexpr (requires { Law::is_total; }) {
+    const auto total = law.total(Law::advance(history, strain, turn));
+    now = total.stress;
+    leave_wave_speed(wave_speed, p, total.wave_square);
+  } else {
+    now = law.elasticity.stress(old, strain);
+  }
+  if constexpr (requires { law.follow(history, strain, turn); }) law.follow(history, strain, turn);
+  Pack intact(Real(1));
   if constexpr (Law::can_yield) {
     law.turn_history(history, turn);
     auto trial = law.trial(now, strain, history);
     const auto mask = law.yields(trial);
     if (any<Pack>(mask)) law.correct(now, trial, mask, history);
   }
+  if constexpr (requires { requires Law::takes_equation_of_state; }) {
+    if (task.equation_of_state != nullptr) {
+      const Pack viscosity = task.viscosity == nullptr ? Pack(Real(0)) : load<Pack>(task.viscosity + place);
+      const auto result =
+          EosUpdate<Pack>{task.equation_of_state, history}.apply(old, now, strain, turn, viscosity);
+      now = result.stress;
+      leave_wave_speed(wave_speed, p, result.wave_square);
+    }
+  }
   if constexpr (Law::may_fail) {
     if (law.fails()) {
-      const Pack zero(Real(0));
       const auto holds = law.intact(history);
-      intact = select<Pack>(holds, intact, zero);
-      now = {select<Pack>(holds, now.xx, zero), select<Pack>(holds, now.yy, zero),
-             select<Pack>(holds, now.zz, zero), select<Pack>(holds, now.xy, zero),
-             select<Pack>(holds, now.yz, zero), select<Pack>(holds, now.zx, zero)};
+      intact = select<Pack>(holds, intact, Pack(Real(0)));
+      now = held_stress<Pack>(holds, now);
     }
   }
   store_six(stress_state, lanes, now);

@@ -7,6 +7,27 @@
 
 namespace crumple::model {
 
+namespace {
+
+struct Use {
+  template <class Law>
+  LawUse operator()(const Law& /*law*/) const {
+    return {};
+  }
+  LawUse operator()(const OrthotropicElastic& /*law*/) const { return {true, false, false, false}; }
+  LawUse operator()(const JohnsonCook& law) const { return {true, true, !law.simplified, false}; }
+  LawUse operator()(const NullMaterial& /*law*/) const { return {true, true, true, true}; }
+  LawUse operator()(const BlatzKo& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const MooneyRivlin& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const CrushableFoam& /*law*/) const { return {false, true, false, false}; }
+};
+
+}  // namespace
+
+LawUse use_of(const ConstitutiveLaw& law) {
+  return std::visit(Use(), law);
+}
+
 void set_stand_in(OrthotropicElastic& law) {
   const double poisson_ab = law.poisson_ba * law.modulus_a / law.modulus_b;
   const double determinant = 1 - law.poisson_ba * poisson_ab;

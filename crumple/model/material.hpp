@@ -70,6 +70,13 @@ struct PowerLawPlasticity {
 /// (A + B p^n) (1 + C ln(rate / reference)) (1 - T*^m) after Johnson & Cook, with their failure criterion
 /// (*MAT_JOHNSON_COOK, *MAT_SIMPLIFIED_JOHNSON_COOK).
 struct JohnsonCook {
+  /// Behaviour of solids in tension, where `least_pressure` is not zero.
+  enum class Spall {
+    None,      ///< the pressure stays at its bound
+    Stress,    ///< rubble as soon as the largest principal stress reaches minus the bound
+    Pressure,  ///< rubble as soon as the pressure reaches the bound
+  };
+
   double youngs_modulus = 0;         ///< E [stress]
   double poissons_ratio = 0;         ///< nu [-]
   double yield_stress = 0;           ///< A [stress]
@@ -86,7 +93,10 @@ struct JohnsonCook {
   std::array<double, 5> damage{};    ///< D1 to D5 of the fracture strain [-]; all zero is none
   double least_fracture_strain = 0;  ///< lower bound of D1 + D2 exp(D3 s) [-]
   bool viscoplastic = false;         ///< the rate is the plastic strain's, else the total one
-  bool simplified = false;           ///< stems from *MAT_SIMPLIFIED_JOHNSON_COOK: for its name alone
+  double shear_modulus = 0;   ///< G where an equation of state gives the pressure; 0: of E and nu [stress]
+  double least_pressure = 0;  ///< pressure cut-off of solids, below zero; 0 is none [stress]
+  Spall spall = Spall::None;  ///< what happens to solids at the cut-off
+  bool simplified = false;    ///< stems from *MAT_SIMPLIFIED_JOHNSON_COOK: for its name alone
 };
 
 /// Linear orthotropic elasticity (*MAT_ORTHOTROPIC_ELASTIC) with axes a, b in the shell and c along its
@@ -121,10 +131,38 @@ struct OrthotropicElastic {
 /// shear modulus is not below those of the transverse shears.
 void set_stand_in(OrthotropicElastic& law);
 
-/// No stress; mass, and a surface for contact (*MAT_NULL).
+/// Of shells mass and a surface for contact; of solids a fluid with an equation of state (*MAT_NULL).
 struct NullMaterial {
-  double youngs_modulus = 0;  ///< E of the contact stiffness [stress]
-  double poissons_ratio = 0;  ///< nu of the contact stiffness [-]
+  double youngs_modulus = 0;   ///< E of the contact stiffness of shells [stress]
+  double poissons_ratio = 0;   ///< nu of the contact stiffness of shells [-]
+  double least_pressure = 0;   ///< pressure cut-off of the fluid, below zero; 0 is none [stress]
+  double viscosity = 0;        ///< dynamic [stress time]
+  double largest_volume = 0;   ///< relative volume above which solids erode; 0 is none [-]
+  double smallest_volume = 0;  ///< relative volume below which solids erode; 0 is none [-]
+};
+
+/// Compressible rubber of Blatz & Ko (*MAT_BLATZ-KO_RUBBER).
+struct BlatzKo {
+  double youngs_modulus = 0;  ///< E = 2 G (1 + nu) at rest [stress]
+  double poissons_ratio = 0;  ///< nu [-]
+};
+
+/// Nearly incompressible rubber of Mooney & Rivlin (*MAT_MOONEY-RIVLIN_RUBBER).
+struct MooneyRivlin {
+  double youngs_modulus = 0;  ///< E = 4 (A + B) (1 + nu) at rest [stress]
+  double poissons_ratio = 0;  ///< nu at rest [-]
+  double first = 0;           ///< A, factor of the first invariant [stress]
+  double second = 0;          ///< B, factor of the second invariant [stress]
+};
+
+/// Foam that is crushed for good, without lateral strain (*MAT_CRUSHABLE_FOAM).
+struct CrushableFoam {
+  double youngs_modulus = 0;         ///< E of loading below the yield stress and of unloading [stress]
+  double poissons_ratio = 0;         ///< nu of contact stiffness and wave speed [-]
+  std::vector<double> crush;         ///< 1 - relative volume, ascending
+  std::vector<double> yield_stress;  ///< principal stress there [stress]; the last slope goes on beyond
+  double tensile_stress = 0;         ///< largest principal stress in tension [stress]
+  double damping = 0;                ///< coefficient of the linear viscosity [-]
 };
 
 /// Elastic beams whose ends yield under axial force and moments (*MAT_RESULTANT_PLASTICITY).
@@ -136,8 +174,18 @@ struct ResultantPlasticity {
 };
 
 /// The constitutive law and its constants. A new law is one more alternative here.
-using ConstitutiveLaw = std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity,
-                                     JohnsonCook, OrthotropicElastic, NullMaterial, ResultantPlasticity>;
+using ConstitutiveLaw =
+    std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
+                 OrthotropicElastic, NullMaterial, ResultantPlasticity, BlatzKo, MooneyRivlin, CrushableFoam>;
+
+/// Which elements a law is for, and whether an equation of state gives its pressure in solids.
+struct LawUse {
+  bool shells = true;
+  bool solids = true;
+  bool takes_equation_of_state = false;
+  bool needs_equation_of_state = false;  ///< in solids
+};
+LawUse use_of(const ConstitutiveLaw& law);
 
 /// What the parts of a rigid material may not do, in global axes (CMO = 1 of *MAT_RIGID).
 struct RigidMaterial {

@@ -75,6 +75,7 @@ struct Part {
   Index material = no_index;          ///< in Model::materials; no_index for a part of springs
   Index spring_material = no_index;   ///< in Model::spring_materials, for a part of springs
   Index hourglass = no_index;  ///< in Model::hourglass_controls; no_index takes Model::control.hourglass
+  Index equation_of_state = no_index;  ///< in Model::equations_of_state; no_index is none
 };
 
 /// The kind of elements that a part's section is for.

@@ -52,6 +52,10 @@ const HourglassControl& hourglass_of(const Model& model, const Part& part) {
   return part.hourglass == no_index ? model.control.hourglass : model.hourglass_controls[part.hourglass];
 }
 
+const EquationOfState* equation_of_state_of(const Model& model, const Part& part) {
+  return part.equation_of_state == no_index ? nullptr : &model.equations_of_state[part.equation_of_state];
+}
+
 BulkViscosity bulk_viscosity_of(const Model& model, const Part& part) {
   const HourglassControl& own = hourglass_of(model, part);
   return {own.bulk_quadratic > 0 ? own.bulk_quadratic : model.control.bulk_quadratic,
@@ -89,6 +93,9 @@ void check_parts(const Model& model, std::vector<std::string>& found) {
     if (discrete ? !within(part.spring_material, model.spring_materials.size())
                  : !within(part.material, model.materials.size()))
       found.push_back(name + " has no material.");
+    if (part.equation_of_state != no_index &&
+        !within(part.equation_of_state, model.equations_of_state.size()))
+      found.push_back(name + " refers to an equation of state that does not exist.");
   }
   for (const Material& material : model.materials)
     if (!(material.density > 0))

@@ -8,6 +8,7 @@
 #include "model/connections.hpp"
 #include "model/control.hpp"
 #include "model/curve.hpp"
+#include "model/equation_of_state.hpp"
 #include "model/material.hpp"
 #include "model/mesh.hpp"
 #include "model/rigid_body.hpp"
@@ -33,6 +34,7 @@ struct Model {
   std::vector<DiscreteSection> discrete_sections;
   std::vector<Material> materials;
   std::vector<SpringMaterial> spring_materials;
+  std::vector<EquationOfState> equations_of_state;
   std::vector<HourglassControl> hourglass_controls;
   std::vector<LumpedMass> lumped_masses;
   std::vector<Curve> curves;
@@ -68,6 +70,9 @@ bool is_rigid(const Model& model, const Part& part);
 
 /// Hourglass control that holds for a part.
 const HourglassControl& hourglass_of(const Model& model, const Part& part);
+
+/// Equation of state of a part, or nullptr.
+const EquationOfState* equation_of_state_of(const Model& model, const Part& part);
 
 /// Coefficients of the bulk viscosity of a part of solids.
 struct BulkViscosity {

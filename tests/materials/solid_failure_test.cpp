@@ -114,7 +114,6 @@ TEST(SolidRegistry, TellsWhichLawsSolidsHave) {
   EXPECT_GE(solid_material_kind(model::Elastic{}), 0);
   EXPECT_GE(solid_material_kind(model::JohnsonCook{}), 0);
   EXPECT_EQ(solid_material_kind(model::OrthotropicElastic{}), -1);
-  EXPECT_EQ(solid_material_kind(model::NullMaterial{}), -1);
   EXPECT_THROW(solid_material_constants(plastic_kinematic(youngs_modulus, 0.5)), Error);
 }
 
