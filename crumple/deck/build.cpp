@@ -21,7 +21,7 @@ const ItemWords& words(Item item) {
       {"mass element", "*ELEMENT_MASS", "*ELEMENT_MASS_", ""},
       {"part", "*PART", "*PART_", ""},
       {"section", "*SECTION_SHELL or *SECTION_SOLID", "*SECTION_", ""},
-      {"material", "*MAT_ELASTIC or another *MAT", "*MAT_", "*EOS_"},
+      {"material", "*MAT_ELASTIC or another *MAT", "*MAT_", ""},
       {"hourglass control", "*HOURGLASS", "*HOURGLASS_", ""},
       {"curve", "*DEFINE_CURVE", "*DEFINE_CURVE_", "*DEFINE_TABLE"},
       {"node set", "*SET_NODE_LIST", "*SET_NODE_", ""},
@@ -39,6 +39,7 @@ const ItemWords& words(Item item) {
       {"beam", "*ELEMENT_BEAM", "*ELEMENT_BEAM_", ""},
       {"discrete element", "*ELEMENT_DISCRETE", "*ELEMENT_DISCRETE_", ""},
       {"orientation", "*DEFINE_SD_ORIENTATION", "*DEFINE_SD_ORIENTATION_", ""},
+      {"equation of state", "*EOS_GRUNEISEN or *EOS_LINEAR_POLYNOMIAL", "*EOS_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -83,8 +84,10 @@ Index Build::find(Item item, const Reference& reference) {
   FieldFault fault{
       reference.field,
       std::to_string(reference.id),
-      fmt::format("the id of {} {}", word.name.starts_with('h') || word.name.starts_with('o') ? "an" : "a",
-                  word.name),
+      fmt::format(
+          "the id of {} {}",
+          word.name.starts_with('h') || word.name.starts_with('o') || word.name.starts_with('e') ? "an" : "a",
+          word.name),
       {},
       "reference"};
   if (item == Item::Part && is_dropped(reference.id)) {

@@ -37,6 +37,7 @@ enum class Item {
   Beam,
   Discrete,
   Orientation,
+  EquationOfState,
   Count,  ///< how many there are
 };
 
@@ -90,6 +91,9 @@ class Build {
 void build_properties(Build& build);
 // check_materials.cpp
 void check_materials(Build& build);
+// check_parts.cpp
+/// Whether the elements, the material and the equation of state of a part go together.
+void check_part(const RawPart& raw, const model::Part& part, Build& build);
 // build_mesh.cpp
 void build_nodes(Build& build);
 void build_parts(Build& build);

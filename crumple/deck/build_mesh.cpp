@@ -239,6 +239,8 @@ void build_parts(Build& build) {
     const bool has_section = find_section(raw, part, build);
     const bool has_material = find_material(raw, has_section, part, build);
     if (raw.hourglass != 0) part.hourglass = build.find(Item::Hourglass, {raw.hourglass, "HGID", raw.where});
+    if (raw.equation_of_state != 0 && part.solid_section != no_index)
+      part.equation_of_state = build.find(Item::EquationOfState, {raw.equation_of_state, "EOSID", raw.where});
     if (!has_section || !has_material) {
       build.drop_part(raw.id);
       if (build.report.allow_unsupported())
@@ -247,6 +249,7 @@ void build_parts(Build& build) {
       continue;
     }
     warn_of_assumed_strain(raw, part, build);
+    check_part(raw, part, build);
     build.enter(Item::Part, {raw.id, "PID", raw.where}, build.model.parts.size());
     build.model.parts.push_back(std::move(part));
   }

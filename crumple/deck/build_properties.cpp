@@ -151,6 +151,23 @@ void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law,
     }
 }
 
+/// LCID of crushable foam: the yield stress over the crushed volume.
+void take_crush(const RawMaterial& raw, model::CrushableFoam& law, Build& build) {
+  if (raw.hardening_curve == 0) return;
+  const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCID", raw.curve_where});
+  if (index == no_index) return;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  law.crush = curve.abscissa;
+  law.yield_stress = curve.ordinate;
+  const auto below_zero = [](double stress) { return stress < 0; };
+  const bool none =
+      std::all_of(curve.ordinate.begin(), curve.ordinate.end(), [](double stress) { return stress == 0; });
+  if (none || std::any_of(curve.ordinate.begin(), curve.ordinate.end(), below_zero))
+    build.report.error(
+        raw.where, "crush",
+        fmt::format("curve {} must give yield stresses that are positive in compression", curve.id));
+}
+
 /// One table of ids for all kinds of sections, in the order of the deck; the indices of shells, solids, beams
 /// and discrete elements follow each other.
 void enter_sections(Build& build) {
@@ -235,6 +252,11 @@ void build_properties(Build& build) {
     build.enter(Item::Hourglass, {raw.id, "HGID", raw.where}, model.hourglass_controls.size());
     model.hourglass_controls.push_back(raw.control);
   }
+  for (const RawEquationOfState& raw : deck.equations_of_state) {
+    build.enter(Item::EquationOfState, {raw.equation.id, "EOSID", raw.where},
+                model.equations_of_state.size());
+    model.equations_of_state.push_back(raw.equation);
+  }
   for (const RawMaterial& raw : deck.materials) {
     build.enter(Item::Material, {raw.material.id, "MID", raw.where}, model.materials.size());
     model.materials.push_back(raw.material);
@@ -242,6 +264,8 @@ void build_properties(Build& build) {
       take_hardening(raw, *law, build);
       take_factors(raw, *law, build);
     }
+    if (auto* law = std::get_if<model::CrushableFoam>(&model.materials.back().law))
+      take_crush(raw, *law, build);
   }
   build_spring_materials(build);
 }

@@ -55,6 +55,14 @@ void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck);
 void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck);
 void read_mat_null(Cards& cards, RawDeck& deck);
 
+// read_solid_materials.cpp
+void read_mat_blatz_ko_rubber(Cards& cards, RawDeck& deck);
+void read_mat_mooney_rivlin_rubber(Cards& cards, RawDeck& deck);
+void read_mat_crushable_foam(Cards& cards, RawDeck& deck);
+// read_equations_of_state.cpp
+void read_eos_linear_polynomial(Cards& cards, RawDeck& deck);
+void read_eos_gruneisen(Cards& cards, RawDeck& deck);
+
 // read_curves.cpp
 void read_define_curve(Cards& cards, RawDeck& deck);
 void read_define_table(Cards& cards, RawDeck& deck);

@@ -55,6 +55,16 @@ constexpr Keyword table[] = {
     {"MAT_009", read_mat_null, title},
     {"MAT_RIGID", read_mat_rigid, title},
     {"MAT_020", read_mat_rigid, title},
+    {"MAT_BLATZ-KO_RUBBER", read_mat_blatz_ko_rubber, title},
+    {"MAT_007", read_mat_blatz_ko_rubber, title},
+    {"MAT_MOONEY-RIVLIN_RUBBER", read_mat_mooney_rivlin_rubber, title},
+    {"MAT_027", read_mat_mooney_rivlin_rubber, title},
+    {"MAT_CRUSHABLE_FOAM", read_mat_crushable_foam, title},
+    {"MAT_063", read_mat_crushable_foam, title},
+    {"EOS_LINEAR_POLYNOMIAL", read_eos_linear_polynomial, title},
+    {"EOS_001", read_eos_linear_polynomial, title},
+    {"EOS_GRUNEISEN", read_eos_gruneisen, title},
+    {"EOS_004", read_eos_gruneisen, title},
 
     {"MAT_SPRING_ELASTIC", read_mat_spring_elastic, title},
     {"MAT_S01", read_mat_spring_elastic, title},
@@ -200,15 +210,16 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// `MAT_3` and `MAT_03` are MAT_003.
+/// `MAT_3` and `MAT_03` are MAT_003, and likewise of EOS.
 std::string with_three_digits(std::string_view name) {
   constexpr std::string_view prefix = "MAT_";
-  if (!name.starts_with(prefix)) return std::string(name);
+  if (!name.starts_with(prefix) && !name.starts_with("EOS_")) return std::string(name);
   std::string_view rest = name.substr(prefix.size());
   std::size_t digits = 0;
   while (digits < rest.size() && is_digit(rest[digits])) ++digits;
   if (digits == 0 || digits >= 3 || (digits < rest.size() && rest[digits] != '_')) return std::string(name);
-  return fmt::format("{}{:0>3}{}", prefix, rest.substr(0, digits), rest.substr(digits));
+  return fmt::format("{}{:0>3}{}", name.substr(0, prefix.size()), rest.substr(0, digits),
+                     rest.substr(digits));
 }
 
 /// COLLECT changes nothing in the cards of a set; its reader looks for it.
@@ -265,7 +276,8 @@ std::string related_keywords(std::string_view name) {
     for (const Keyword& keyword : table) {
       const bool related =
           keyword.name == stem || (keyword.name.starts_with(stem) && keyword.name[stem.size()] == '_');
-      const bool has_number = keyword.name.starts_with("MAT_0") || keyword.name.starts_with("MAT_S0");
+      const bool has_number = keyword.name.starts_with("MAT_0") || keyword.name.starts_with("EOS_0") ||
+                              keyword.name.starts_with("MAT_S0");
       const bool is_spring =
           keyword.name.starts_with("MAT_SPRING_") || keyword.name.starts_with("MAT_DAMPER_");
       if (related && !has_number && !(is_spring && stem == "MAT"))

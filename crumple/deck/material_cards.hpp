@@ -23,6 +23,9 @@ RawMaterial material_of(const Heading& heading, const Card& card);
 /// LS-DYNA's default for "never" is a huge strain; here it is zero.
 double failure_strain(double read);
 
+/// Reports a PC above zero.
+void check_pressure_cut_off(const Card& card, Report& report);
+
 /// Reports a Cowper-Symonds rate without its exponent.
 void check_rate(const Card& card, std::string_view rate, std::string_view exponent, Report& report);
 

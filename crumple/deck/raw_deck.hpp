@@ -91,6 +91,7 @@ struct RawPart {
   UserId material = 0;
   UserId hourglass = 0;
   std::optional<RawInertia> inertia{};
+  UserId equation_of_state = 0;
   Where where;
 };
 
@@ -131,10 +132,15 @@ struct RawSpringMaterial {
 
 struct RawMaterial {
   model::Material material;
-  UserId hardening_curve = 0;  ///< a curve or a table
+  UserId hardening_curve = 0;  ///< a curve or a table; of foam that of its crush
   UserId rate_curve = 0;
   Where where;
   Where curve_where;
+};
+
+struct RawEquationOfState {
+  model::EquationOfState equation;
+  Where where;
 };
 
 struct RawHourglass {
@@ -369,6 +375,7 @@ struct RawDeck {
   std::vector<RawMaterial> materials;
   std::vector<RawSpringMaterial> spring_materials;
   std::vector<RawOrientation> orientations;
+  std::vector<RawEquationOfState> equations_of_state;
   std::vector<RawHourglass> hourglasses;
   std::vector<RawCurve> curves;
   std::vector<RawTable> tables;

@@ -51,11 +51,11 @@ constexpr Field orthotropic_fourth_card[] = {
 constexpr Field null_card[] = {
     id("MID"),
     real("RO", 0, above_zero),
-    unused("PC"),  // of fluids
-    unused("MU"),
-    unused("TEROD"),
-    unused("CEROD"),
-    real("YM", 0, above_zero),  // of the contact stiffness
+    real("PC"),  // not above zero
+    real("MU", 0, not_negative),
+    real("TEROD", 0, not_negative),
+    real("CEROD", 0, not_negative),
+    real("YM", 0, not_negative),  // of the contact stiffness of shells
     real("PR", 0, poisson),
 };
 
@@ -116,7 +116,15 @@ void read_mat_null(Cards& cards, RawDeck& deck) {
     const Heading heading = cards.heading();
     const Card card = cards.next(null_card);
     RawMaterial raw = material_of(heading, card);
-    raw.material.law = model::NullMaterial{card.real("YM"), card.real("PR")};
+    model::NullMaterial law;
+    law.youngs_modulus = card.real("YM");
+    law.poissons_ratio = card.real("PR");
+    law.least_pressure = card.real("PC");
+    law.viscosity = card.real("MU");
+    law.largest_volume = card.real("TEROD");
+    law.smallest_volume = card.real("CEROD");
+    check_pressure_cut_off(card, cards.report());
+    raw.material.law = law;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
 }

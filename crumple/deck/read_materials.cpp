@@ -132,6 +132,14 @@ RawMaterial material_of(const Heading& heading, const Card& card) {
   return raw;
 }
 
+void check_pressure_cut_off(const Card& card, Report& report) {
+  if (card.good("PC") && card.real("PC") > 0)
+    report.field_error(card.where(), {"PC", std::string(card.text("PC")), "a pressure not above zero",
+                                      "it is the lower bound of the pressure, tension is below zero; 0 is no "
+                                      "bound",
+                                      "cut-off"});
+}
+
 double failure_strain(double read) {
   constexpr double never = 1e5;
   return read >= never ? 0 : read;

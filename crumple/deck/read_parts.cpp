@@ -15,7 +15,7 @@ constexpr Field part_card[] = {
     id("PID"),
     id("SECID"),
     id("MID"),
-    only("EOSID", {0}, "shells have no equation of state"),
+    reference("EOSID"),
     reference("HGID"),
     only("GRAV", {0}, "initialisation by gravity is not supported"),
     only("ADPOPT", {0}, "adaptive meshes are not supported"),
@@ -134,6 +134,7 @@ void read_parts(Cards& cards, RawDeck& deck, bool with_inertia) {
     part.id = card.integer("PID");
     part.section = card.good("SECID") ? card.integer("SECID") : 0;
     part.material = card.good("MID") ? card.integer("MID") : 0;
+    part.equation_of_state = card.good("EOSID") ? card.integer("EOSID") : 0;
     part.hourglass = card.good("HGID") ? card.integer("HGID") : 0;
     part.where = card.where();
     if (with_inertia) part.inertia = read_inertia(cards);

@@ -33,7 +33,7 @@ constexpr Field power_second_card[] = {
 constexpr Field johnson_cook_card[] = {
     id("MID"),
     real("RO", 0, above_zero),
-    real("G", 0, not_negative),  // of solids; gives E where that is missing
+    real("G", 0, not_negative),  // with an equation of state; gives E where that is missing
     real("E", 0, not_negative),
     real("PR", 0, poisson),
     only("DTF", {0},
@@ -57,8 +57,9 @@ constexpr Field johnson_cook_second_card[] = {
 
 constexpr Field johnson_cook_third_card[] = {
     real("CP", 0, not_negative),
-    unused("PC"),  // bounds of the pressure, which plane stress leaves no room for
-    unused("SPALL"),
+    real("PC"),  // not above zero
+    only("SPALL", {0, 1, 2, 3},
+         "1 bounds the pressure, 2 makes rubble at a principal stress of -PC, 3 at the pressure PC, 0 is 2"),
     unused("IT"),  // plasticity is always iterated to the end
     real("D1"),
     real("D2"),
@@ -116,7 +117,12 @@ void check_exponent(const Card& card, Report& report) {
                                       "B switches hardening on, and it needs both", "exponent"});
 }
 
-/// The card of heat and fracture.
+model::JohnsonCook::Spall spall_of(double number) {
+  using enum model::JohnsonCook::Spall;
+  return number == 1 ? None : number == 3 ? Pressure : Stress;
+}
+
+/// The card of heat, spall and fracture.
 void take_third_card(const Card& second, const Card& third, const Card& fourth, model::JohnsonCook& law,
                      Report& report) {
   law.heat_capacity = third.real("CP");
@@ -127,6 +133,9 @@ void take_third_card(const Card& second, const Card& third, const Card& fourth, 
   if (heats && !(law.melting_rise > 0))
     report.field_error(second.where(), {"TM", std::string(second.text("TM")), "a temperature above TR",
                                         "it is where the strength vanishes", "melting"});
+  check_pressure_cut_off(third, report);
+  law.least_pressure = third.real("PC");
+  law.spall = spall_of(third.real("SPALL"));
   law.damage = {third.real("D1"), third.real("D2"), third.real("D3"), third.real("D4"), fourth.real("D5")};
   law.least_fracture_strain = fourth.real("EFMIN");
   const bool fails = third.real("D1") != 0 || third.real("D2") != 0;
@@ -183,6 +192,7 @@ void read_mat_johnson_cook(Cards& cards, RawDeck& deck) {
     if (card.good("E") && card.good("G") && !(law.youngs_modulus > 0))
       cards.report().field_error(card.where(), {"E", std::string(card.text("E")), "a number above zero",
                                                 "shells take it, or G where E is missing", "modulus"});
+    law.shear_modulus = card.real("G");
     law.yield_stress = second.real("A");
     law.hardening = second.real("B");
     law.exponent = second.real("N");

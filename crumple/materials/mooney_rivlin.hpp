@@ -70,8 +70,9 @@ struct MooneyRivlinLaw {
       return now;
     }
 
-    /// An upper bound of lambda_i^2 W_ii, over all axes i: 2 A lambda_i^2 + 2 B I2 + 4 I3^2 h'' + 2 I3 h'
-    /// with h = C (I3^-2 - 1) + D (I3 - 1)^2.
+    /// An upper bound of lambda_i^2 W_ii over all axes i: 2 A lambda_i^2 + 2 B (I2 - I3 / lambda_i^2) + 4
+    /// I3^2 h''
+    /// + 2 I3 h' with h = C (I3^-2 - 1) + D (I3 - 1)^2.
     CRUMPLE_INLINE Pack stiffness(const SolidStress<Pack>& b, const Pack& trace, const Pack& i3,
                                   const Pack& over) const {
       const Pack one(Real(1));
@@ -84,7 +85,8 @@ struct MooneyRivlinLaw {
           multiply_add(b.xx, b.xx, multiply_add(b.yy, b.yy, multiply_add(b.zz, b.zz, shears)));
       const Pack i2 = Real(0.5) * (i1 * i1 - (Pack(Real(3)) + (two * trace + squares)));
       const Pack c_over = Pack(third) * over;
-      Pack sum = two * (Pack(first) * (one + largest_bound(b)) + Pack(second) * i2);
+      const Pack largest = one + largest_bound(b);
+      Pack sum = two * (Pack(first) * largest + Pack(second) * (i2 - i3 / largest));
       sum = sum + Pack(Real(20)) * c_over;
       return sum + Pack(Real(4) * fourth) * i3 * (Pack(Real(3)) * i3 - one);
     }

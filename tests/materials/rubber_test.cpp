@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rubber against the derivatives of its strain energy, which is written here anew.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "base/error.hpp"
+#include "materials/motion_driver.hpp"
+
+namespace crumple::materials::testing {
+namespace {
+
+constexpr double shear = 1.04;  // MPa
+constexpr double first = 0.55;
+constexpr double second = 0.14;
+
+model::Material rubber(const model::ConstitutiveLaw& law) {
+  model::Material material;
+  material.id = 7;
+  material.density = 1.1e-9;
+  material.law = law;
+  return material;
+}
+model::Material blatz_ko() {
+  return rubber(model::BlatzKo{2 * shear * 1.463, 0.463});
+}
+model::Material mooney_rivlin(double poisson) {
+  return rubber(model::MooneyRivlin{4 * (first + second) * (1 + poisson), poisson, first, second});
+}
+
+using Energy = std::function<double(const Matrix&)>;
+
+double first_invariant(const Matrix& f) {
+  const Matrix c = times(transposed(f), f);
+  return c[0][0] + c[1][1] + c[2][2];
+}
+double second_invariant(const Matrix& f) {
+  const Matrix c = times(transposed(f), f);
+  const Matrix square = times(c, c);
+  const double trace = c[0][0] + c[1][1] + c[2][2];
+  return 0.5 * (trace * trace - square[0][0] - square[1][1] - square[2][2]);
+}
+/// P.J. Blatz & W.L. Ko, Trans. Soc. Rheology 6 (1962) 223-252, with f = 1.
+double blatz_ko_energy(const Matrix& f) {
+  const double beta = 0.463 / (1 - 2 * 0.463);
+  return shear / 2 * (first_invariant(f) - 3 + (std::pow(determinant(f), -2 * beta) - 1) / beta);
+}
+Energy mooney_rivlin_energy(double nu) {
+  return [nu](const Matrix& f) {
+    const double i3 = determinant(f) * determinant(f);
+    const double c = first / 2 + second;
+    const double d = (first * (5 * nu - 2) + second * (11 * nu - 5)) / (2 * (1 - 2 * nu));
+    return first * (first_invariant(f) - 3) + second * (second_invariant(f) - 3) + c * (1 / (i3 * i3) - 1) +
+           d * (i3 - 1) * (i3 - 1);
+  };
+}
+
+/// sigma = dW/dF F^T / J by central differences of fourth order.
+Six stress_of(const Energy& energy, const Matrix& f) {
+  constexpr double h = 2e-4;
+  Matrix p{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const auto at = [&](double by) {
+        Matrix g = f;
+        g[i][j] += by * h;
+        return energy(g);
+      };
+      p[i][j] = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
+    }
+  Six s = six_of(times(p, transposed(f)));
+  for (double& value : s) value /= determinant(f);
+  return s;
+}
+
+struct Case {
+  const char* name;
+  model::Material material;
+  Energy energy;
+  double stiffness;  ///< against which stresses are judged
+};
+std::vector<Case> cases() {
+  return {{"Blatz-Ko", blatz_ko(), blatz_ko_energy, 14 * shear},
+          {"Mooney-Rivlin 0.49", mooney_rivlin(0.49), mooney_rivlin_energy(0.49), 70},
+          {"Mooney-Rivlin 0.4995", mooney_rivlin(0.4995), mooney_rivlin_energy(0.4995), 1400}};
+}
+
+Matrix random_gradient(std::mt19937& generator, double size) {
+  std::uniform_real_distribution<double> uniform(-size, size);
+  Matrix f = unit;
+  for (auto& row : f)
+    for (double& value : row) value += uniform(generator);
+  return f;
+}
+
+class Rubber : public ::testing::TestWithParam<Isa> {};
+INSTANTIATE_TEST_SUITE_P(All, Rubber, ::testing::ValuesIn(available_isas()),
+                         [](const auto& isa) { return std::string(isa_name(isa.param)); });
+
+TEST_P(Rubber, StressIsTheDerivativeOfTheEnergyWhateverThePath) {
+  std::mt19937 generator(7);
+  for (const Case& c : cases())
+    for (int i = 0; i < 10; ++i) {
+      const Matrix end = random_gradient(generator, 0.2);
+      MotionDriver<double> straight(c.material, GetParam());
+      straight.move_in_steps(end, 5);
+      MotionDriver<double> detour(c.material, GetParam());
+      for (int k = 0; k < 8; ++k) detour.move_to(random_gradient(generator, 0.3));
+      detour.move_to(end);
+      const Six expected = stress_of(c.energy, end);
+      EXPECT_LT(largest_difference(straight.stress(), expected), 1e-8 * c.stiffness) << c.name;
+      EXPECT_LT(largest_difference(detour.stress(), straight.stress()), 1e-12 * c.stiffness) << c.name;
+    }
+}
+
+TEST_P(Rubber, KnowsNoRotation) {
+  const Matrix stretched{{{1.4, 0.2, 0}, {0, 0.9, 0.1}, {0.05, 0, 0.85}}};
+  const std::array<double, 3> axis{2.0 / 3, -1.0 / 3, 2.0 / 3};
+  for (const Case& c : cases()) {
+    MotionDriver<double> point(c.material, GetParam());
+    // Ten whole turns without strain leave no stress.
+    for (int i = 1; i <= 600; ++i) point.move_to(rotation(axis, 0.1047197551196598 * i));
+    EXPECT_LT(largest_difference(point.stress(), {}), 1e-12 * c.stiffness) << c.name;
+    point.move_in_steps(stretched, 3);
+    const Matrix stress = matrix_of(point.stress());
+    for (int i = 1; i <= 25; ++i) point.move_to(times(rotation(axis, 0.1 * i), stretched));
+    const Matrix q = rotation(axis, 2.5);
+    const Six expected = six_of(times(q, times(stress, transposed(q))));
+    EXPECT_LT(largest_difference(point.stress(), expected), 1e-12 * c.stiffness) << c.name;
+  }
+}
+
+/// Uniaxial stress: s1 - s2 = (2 / J) (l1^2 - l2^2) (A + B l2^2), Rivlin 1948, with s2 = 0 at the right l2.
+TEST_P(Rubber, MooneyRivlinBarFollowsTheClosedForm) {
+  const double poisson = 0.4995;
+  for (const double stretch : {0.6, 1.3, 2.5}) {
+    double across = 1 / std::sqrt(stretch);
+    Six s{};
+    for (int i = 0; i < 30; ++i) {
+      const auto lateral = [&](double side) {
+        MotionDriver<double> point(mooney_rivlin(poisson), GetParam());
+        point.move_to({{{stretch, 0, 0}, {0, side, 0}, {0, 0, side}}});
+        s = point.stress();
+        return s[1];
+      };
+      const double slope = (lateral(across + 1e-7) - lateral(across - 1e-7)) / 2e-7;
+      across -= lateral(across) / slope;
+    }
+    const double volume = stretch * across * across;
+    const double expected =
+        2 / volume * (stretch * stretch - across * across) * (first + second * across * across);
+    EXPECT_NEAR(s[0], expected, 1e-8 * std::fabs(expected));
+    // Incompressible: 2 (l^2 - 1/l) (A + B/l).
+    const double limit = 2 * (stretch * stretch - 1 / stretch) * (first + second / stretch);
+    EXPECT_NEAR(s[0], limit, 0.01 * std::fabs(limit));
+  }
+}
+
+/// The work of the step takes stresses at its ends and strains of its middle: second order where nothing
+/// turns, first order else.
+TEST_P(Rubber, WorkIsTheEnergy) {
+  const Matrix straight{{{1.3, 0, 0}, {0, 0.9, 0}, {0, 0, 0.87}}};
+  const Matrix sheared{{{1.3, 0.3, 0}, {-0.1, 0.9, 0.1}, {0.05, 0, 0.95}}};
+  for (const Case& c : cases())
+    for (const bool turns : {false, true}) {
+      const Matrix& end = turns ? sheared : straight;
+      double error[2];
+      for (const int fine : {0, 1}) {
+        MotionDriver<double> point(c.material, GetParam());
+        point.move_in_steps(end, fine == 0 ? 200 : 400);
+        error[fine] = point.work() / c.energy(end) - 1;
+      }
+      EXPECT_LT(std::fabs(error[1]), turns ? 1e-3 : 1e-5) << c.name;
+      if (!turns) {
+        EXPECT_NEAR(error[0] / error[1], 4, 0.2) << c.name;
+      }
+    }
+}
+
+TEST_P(Rubber, StartsAsHookesLawOfItsConstants) {
+  const Six strain{3e-7, -1e-7, 2e-7, 4e-7, -2e-7, 1e-7};
+  for (const Case& c : cases()) {
+    const double nu = std::visit([](const auto& law) { return law.poissons_ratio; }, c.material.law);
+    const double young = std::visit([](const auto& law) { return law.youngs_modulus; }, c.material.law);
+    const double g = young / (2 * (1 + nu));
+    MotionDriver<double> point(c.material, GetParam());
+    Matrix f = matrix_of({strain[0], strain[1], strain[2], strain[3] / 2, strain[4] / 2, strain[5] / 2});
+    point.move_to(plus(unit, 1, f));
+    const double spherical = 2 * g * nu / (1 - 2 * nu) * 4e-7;
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(point.stress()[k], 2 * g * strain[k] + spherical, 1e-5 * std::fabs(spherical)) << c.name;
+    for (int k = 3; k < 6; ++k) EXPECT_NEAR(point.stress()[k], g * strain[k], 1e-11 * c.stiffness) << c.name;
+    EXPECT_NEAR(point.wave_speed() / solid_start(c.material, nullptr).wave_speed, 1, 1e-5) << c.name;
+  }
+}
+
+/// Tangent along each principal axis, by differences: the wave speed is not below it, and not far above.
+TEST_P(Rubber, WaveSpeedBoundsTheTangent) {
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform(0.7, 1.6);
+  for (const Case& c : cases())
+    for (int i = 0; i < 20; ++i) {
+      double side[3] = {uniform(generator), uniform(generator), 0};
+      side[2] = 1 / (side[0] * side[1]) * (1 + 0.1 * (uniform(generator) - 1));
+      Matrix f{};
+      for (int k = 0; k < 3; ++k) f[k][k] = side[k];
+      MotionDriver<double> point(c.material, GetParam());
+      point.move_to(f);
+      double fastest = 0;
+      for (int k = 0; k < 3; ++k) {
+        const double h = 1e-5 * side[k];
+        Matrix more = f;
+        Matrix less = f;
+        more[k][k] += h;
+        less[k][k] -= h;
+        const double slope = (stress_of(c.energy, more)[k] - stress_of(c.energy, less)[k]) / (2 * h);
+        const double density = c.material.density / determinant(f);
+        fastest = std::max(fastest, slope * side[k] / density);
+      }
+      EXPECT_GT(point.wave_speed(), 0.9999 * std::sqrt(fastest)) << c.name;
+      EXPECT_LT(point.wave_speed(), 1.25 * std::sqrt(fastest)) << c.name;
+    }
+}
+
+/// Float keeps F - 1 and what its sums lose: a hundred thousand small steps out and back leave no stress.
+TEST_P(Rubber, FloatDoesNotDriftInManySteps) {
+  for (const Case& c : cases()) {
+    MotionDriver<float> coarse(c.material, GetParam());
+    MotionDriver<double> exact(c.material, GetParam());
+    for (int i = 1; i <= 100000; ++i) {
+      const double phase = 2e-4 * 3.141592653589793 * i;
+      const Matrix f{{{1 + 0.1 * std::sin(phase), 0.2 * std::sin(2 * phase), 0},
+                      {0, 1 - 0.05 * std::sin(phase), 0},
+                      {0.1 * std::sin(phase), 0, 1 - 0.04 * std::sin(phase)}}};
+      coarse.move_to(f);
+      exact.move_to(f);
+    }
+    EXPECT_LT(largest_difference(coarse.stress(), exact.stress()), 3e-6 * c.stiffness) << c.name;
+  }
+}
+
+TEST(RubberConstants, AreChecked) {
+  EXPECT_THROW(solid_material_constants(rubber(model::MooneyRivlin{1, 0.5, first, second})), Error);
+  EXPECT_THROW(solid_material_constants(rubber(model::MooneyRivlin{1, 0.49, -1, 0.5})), Error);
+  EXPECT_THROW(solid_material_constants(rubber(model::BlatzKo{0, 0.463})), Error);
+}
+
+}  // namespace
+}  // namespace crumple::materials::testing
