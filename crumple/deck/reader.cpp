@@ -103,7 +103,8 @@ void Reading::leave_out(const Block& block) {
 }
 
 void Reading::note_definition(const Block& block) {
-  constexpr std::string_view defining[] = {"MAT_", "SECTION_", "SET_", "DEFINE_", "PART_", "HOURGLASS_"};
+  constexpr std::string_view defining[] = {"MAT_",    "EOS_",  "SECTION_",  "SET_",
+                                           "DEFINE_", "PART_", "HOURGLASS_"};
   const bool defines = std::any_of(std::begin(defining), std::end(defining),
                                    [&](std::string_view prefix) { return block.name.starts_with(prefix); });
   if (!defines) return;

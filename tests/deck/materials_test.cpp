@@ -215,6 +215,12 @@ TEST(ElasticMaterial, Null) {
   const auto law = law_of<model::NullMaterial>("*MAT_NULL\n1,7.83E-9,0,0,0,0,210000,0.3\n");
   EXPECT_EQ(law.youngs_modulus, 210000);
   EXPECT_EQ(law.poissons_ratio, 0.3);
+  const auto fluid = law_of<model::NullMaterial>("*MAT_NULL\n1,7.83E-9,-0.1,1E-9,1.1,0.8,210000,0.3\n");
+  EXPECT_EQ(fluid.least_pressure, -0.1);
+  EXPECT_EQ(fluid.viscosity, 1e-9);
+  EXPECT_EQ(fluid.largest_volume, 1.1);
+  EXPECT_EQ(fluid.smallest_volume, 0.8);
+  // Shells need it.
   const auto messages = messages_of("*MAT_009\n1,7.83E-9\n");
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_NE(messages[0].find("field YM"), std::string::npos);
