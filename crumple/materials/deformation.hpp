@@ -126,6 +126,24 @@ CRUMPLE_INLINE Turn<Pack> advance_deformation(RealOf<Pack>* place, RealOf<Pack>*
   return load_turn<Pack>(place, stride);
 }
 
+/// -1/4 (new - old stress) : (A^2 - tr A A), of third order in the step: by what the trapezoid of the forces'
+/// work at both ends of the step differs from that with the gradient A of its middle.
+template <class Pack>
+CRUMPLE_INLINE Pack end_work(const SolidStress<Pack>& old, const SolidStress<Pack>& now,
+                             const Turn<Pack>& a) {
+  using Real = RealOf<Pack>;
+  const Pack trace = a.xx + (a.yy + a.zz);
+  const Turn<Pack> square = product(a, a);
+  const auto less = [&](const Pack& s, const Pack& of) { return s - trace * of; };
+  Pack sum = (now.zx - old.zx) * (less(square.zx, a.zx) + less(square.xz, a.xz));
+  sum = multiply_add(Pack(now.yz - old.yz), Pack(less(square.yz, a.yz) + less(square.zy, a.zy)), sum);
+  sum = multiply_add(Pack(now.xy - old.xy), Pack(less(square.xy, a.xy) + less(square.yx, a.yx)), sum);
+  sum = multiply_add(Pack(now.zz - old.zz), less(square.zz, a.zz), sum);
+  sum = multiply_add(Pack(now.yy - old.yy), less(square.yy, a.yy), sum);
+  sum = multiply_add(Pack(now.xx - old.xx), less(square.xx, a.xx), sum);
+  return Real(-0.25) * sum;
+}
+
 /// Left Cauchy-Green tensor less the unit matrix, D + D^T + D D^T, of F = I + D.
 template <class Pack>
 CRUMPLE_INLINE SolidStress<Pack> left_cauchy_green(const Turn<Pack>& d) {

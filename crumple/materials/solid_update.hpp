@@ -36,6 +36,19 @@ CRUMPLE_INLINE void leave_wave_speed(RealOf<Pack>* to, int p, const Pack& square
   store(to, p == 0 ? speed : larger(speed, load<Pack>(to)));
 }
 
+/// Work density of the step. Where strains are large and elastic, the nodal forces' own work is needed to
+/// second order, 1/2 (V s : L of both ends) dt: the old stress as it was, and what mean gradients lack
+/// (docs/theory/rubber.md).
+template <class Law, class Pack>
+CRUMPLE_INLINE Pack work_of(const SolidStress<Pack>& before, [[maybe_unused]] const SolidStress<Pack>& old,
+                            const SolidStress<Pack>& now, const SolidStrain<Pack>& strain,
+                            [[maybe_unused]] const Turn<Pack>& turn) {
+  if constexpr (requires { Law::is_total; })
+    return mean_work(before, now, strain) + end_work(before, now, step_gradient(strain, turn));
+  else
+    return mean_work(old, now, strain);
+}
+
 /// Brings one point of one pack of solids up to date; returns where it is intact.
 template <class Law, class Pack>
 CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<RealOf<Pack>>& task,
@@ -47,7 +60,8 @@ CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<R
   const auto strain =
       load_six<SolidStrain<Pack>>(task.strain + p * solid_components * tile_lanes + place, tile_lanes);
   const auto turn = load_turn<Pack>(task.turn + p * 9 * tile_lanes + place, tile_lanes);
-  const auto old = turned(load_six<SolidStress<Pack>>(stress_state, lanes), turn);
+  const auto before = load_six<SolidStress<Pack>>(stress_state, lanes);
+  const auto old = turned(before, turn);
   [[maybe_unused]] const HistoryView<Real> history{state + task.history * lanes, task.points, p};
   [[maybe_unused]] Real* const wave_speed = task.wave_speed == nullptr ? nullptr : task.wave_speed + place;
   SolidStress<Pack> now;
@@ -83,7 +97,7 @@ CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<R
     }
   }
   store_six(stress_state, lanes, now);
-  store(task.energy + p * tile_lanes + place, mean_work(old, now, strain));
+  store(task.energy + p * tile_lanes + place, work_of<Law>(before, old, now, strain, turn));
   return intact;
 }
 

@@ -65,12 +65,14 @@ model::Model flying_bar(const model::ConstitutiveLaw& law, double velocity, doub
   return model;
 }
 
-/// Means over the elements from a twentieth to three tenths of the bar, all behind the shock.
+/// Means over the elements from 45 to 70 % of the bar: behind the shock, and away from the end, where the
+/// start of the shock leaves the bar too hot (W.F. Noh, J. Comp. Phys. 72 (1987) 78-120).
 struct Behind {
   double pressure = 0;
   double axial = 0;  ///< compressive stress
   double volume = 0;
   double energy = 0;
+  double wave_speed = 0;
   double scatter = 0;  ///< largest difference of a pressure from their mean
 };
 Behind behind(const domain::Domain& domain) {
@@ -82,15 +84,17 @@ Behind behind(const domain::Domain& domain) {
   std::vector<double> pressures;
   for (Index place = 0; place < block.elements; ++place) {
     const Index element = block.element[place];
-    if (element < pieces / 20 || element >= 3 * pieces / 10) continue;
+    if (element < 45 * pieces / 100 || element >= 70 * pieces / 100) continue;
     pressures.push_back(-(at(place, "stress", 0) + at(place, "stress", 1) + at(place, "stress", 2)) / 3);
     found.pressure += pressures.back();
     found.axial -= at(place, "stress", 2);
     found.volume += 1 + at(place, "volume_change");
     found.energy += at(place, "internal_energy");
+    found.wave_speed += at(place, "wave_speed");
   }
   const double over = 1.0 / static_cast<double>(pressures.size());
-  for (double* const sum : {&found.pressure, &found.axial, &found.volume, &found.energy}) *sum *= over;
+  for (double* const sum : {&found.pressure, &found.axial, &found.volume, &found.energy, &found.wave_speed})
+    *sum *= over;
   for (const double p : pressures) found.scatter = std::max(found.scatter, std::fabs(p - found.pressure));
   return found;
 }
@@ -116,7 +120,8 @@ struct Shock {
   Behind state;
   double speed = 0;  ///< in reference coordinates
   double energy_error = 0;
-  double shortest_step_ratio = 0;  ///< last stable step over the first one
+  double energy_ratio = 0;  ///< sum of the energies of the equation of state over the internal energy
+  double limit = 0;         ///< stable step at the end
 };
 Shock shock(const model::ConstitutiveLaw& law, double velocity, const domain::Execution& execution) {
   const double expected = speed_of_sound + slope * velocity;
@@ -126,9 +131,7 @@ Shock shock(const model::ConstitutiveLaw& law, double velocity, const domain::Ex
   timeloop::Simulation simulation(flying_bar(law, velocity, late), execution);
   double place = 0;
   double time = 0;
-  double first_step = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
-    if (first_step == 0) first_step = domain.clock.element_limit;
     if (time == 0 && domain.clock.time > early) {
       time = domain.clock.time;
       place = shock_place(domain, pressure);
@@ -141,7 +144,12 @@ Shock shock(const model::ConstitutiveLaw& law, double velocity, const domain::Ex
   const domain::EnergyLedger& energy = domain.energy;
   found.energy_error =
       std::fabs(energy.total() - energy.initial_total - energy.external_work) / energy.internal;
-  found.shortest_step_ratio = domain.clock.element_limit / first_step;
+  const domain::SolidBlock& block = domain.solids.front();
+  double sum = 0;
+  for (Index e = 0; e < block.elements; ++e) sum += block.state(e, block.find("internal_energy")->first);
+  const double side = bar_length / pieces;
+  found.energy_ratio = sum * side * side * side / energy.internal;
+  found.limit = domain.clock.element_limit;
   return found;
 }
 
@@ -158,16 +166,16 @@ TEST_P(Shocks, FluidReachesTheHugoniot) {
     const double energy = 0.5 * density * velocity * velocity;
     std::printf(
         "u %.1f km/s: Us %.4f (%.4f) p %.4f (%.4f, scatter %.1e) v %.5f (%.5f) E %.5f (%.5f) "
-        "energy error %.1e step %.3f\n",
+        "energy error %.1e\n",
         velocity, found.speed, speed, found.state.pressure, pressure, found.state.scatter / pressure,
-        found.state.volume, volume, found.state.energy, energy, found.energy_error,
-        found.shortest_step_ratio);
-    EXPECT_NEAR(found.speed / speed, 1, 2e-3);
-    EXPECT_NEAR(found.state.pressure / pressure, 1, 2e-3);
-    EXPECT_NEAR(found.state.volume / volume, 1, 1e-3);
-    EXPECT_NEAR(found.state.energy / energy, 1, 5e-3);
+        found.state.volume, volume, found.state.energy, energy, found.energy_error);
+    EXPECT_NEAR(found.speed / speed, 1, 1e-3);
+    EXPECT_NEAR(found.state.pressure / pressure, 1, 5e-4);
+    EXPECT_NEAR(found.state.volume / volume, 1, 1e-4);
+    EXPECT_NEAR(found.state.energy / energy, 1, 3e-3);
     EXPECT_LT(found.state.scatter, 0.01 * pressure);
-    EXPECT_LT(found.energy_error, 0.01);
+    EXPECT_LT(found.energy_error, 1e-3);
+    EXPECT_NEAR(found.energy_ratio, 1, 1e-3);
   }
 }
 
@@ -193,15 +201,27 @@ TEST_P(Shocks, MetalCarriesItsStrengthOnTop) {
   EXPECT_LT(found.energy_error, 0.01);
 }
 
-/// Compression stiffens copper: elements are thinner and faster behind the shock, and the step follows.
+/// The compressed copper is thinner and its waves are faster: c^2 = -v^2 dp/dv at constant entropy over rho0.
 TEST(Shocks, StepFollowsTheWaveSpeed) {
+  const auto pressure = [](double volume, double energy) {
+    const double eta = 1 - volume;
+    const double below = 1 - slope * eta;
+    return density * speed_of_sound * speed_of_sound * eta / (below * below) * (1 - gamma * eta / 2) +
+           gamma * energy;
+  };
   const double velocity = 1.5;
   const Shock found = shock(fluid(), velocity, test::execution());
-  const double speed = speed_of_sound + slope * velocity;
-  const double volume = 1 - velocity / speed;
-  // The shock front governs; behind it alone the ratio is below the volume times the speeds' ratio.
-  EXPECT_LT(found.shortest_step_ratio, volume * speed_of_sound / speed);
-  EXPECT_GT(found.shortest_step_ratio, 0.1);
+  const double volume = 1 - velocity / (speed_of_sound + slope * velocity);
+  const double energy = 0.5 * density * velocity * velocity;
+  constexpr double h = 1e-6;
+  const double over_volume = (pressure(volume + h, energy) - pressure(volume - h, energy)) / (2 * h);
+  const double wave_speed = volume * std::sqrt((gamma * pressure(volume, energy) - over_volume) / density);
+  std::printf("wave speed %.4f (%.4f) km/s\n", found.state.wave_speed, wave_speed);
+  EXPECT_NEAR(found.state.wave_speed / wave_speed, 1, 2e-3);
+  // The bulk viscosity of the front takes a little more from the step.
+  const double behind_front = bar_length / pieces * volume / wave_speed;
+  EXPECT_LE(found.limit, behind_front * 1.001);
+  EXPECT_GT(found.limit, 0.6 * behind_front);
 }
 
 TEST(Shocks, AreTheSameForAnyNumberOfThreads) {

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Blocks of rubber that bounce, columns of foam that are crushed: energies, and what both precisions make of
+// it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/meshes.hpp"
+#include "support/run.hpp"
+
+namespace crumple {
+namespace {
+
+class Soft : public ::testing::TestWithParam<Precision> {};
+INSTANTIATE_TEST_SUITE_P(Both, Soft, ::testing::Values(Precision::Double, Precision::Mixed),
+                         [](const auto& p) { return p.param == Precision::Double ? "double" : "mixed"; });
+
+double energy_error(const domain::Domain& domain, double scale) {
+  const domain::EnergyLedger& energy = domain.energy;
+  return std::fabs(energy.total() - energy.initial_total - energy.external_work) / scale;
+}
+
+/// A cube of 20 mm whose bottom is held, all else thrown at it; kg, mm, ms.
+model::Model thrown_cube(const model::ConstitutiveLaw& law, double velocity) {
+  model::Material rubber{.id = 1, .title = "rubber", .density = 1.1e-6, .law = law};
+  model::Model model = test::one_solid_part(rubber);
+  model.control.hourglass.solid_form = model::SolidHourglassForm::ExactVolumeStiffness;
+  model.control.hourglass.coefficient = 0.05;
+  model.control.end_time = 6;
+  test::add_box(model, 0, 5, 5, 5, [](double u, double v, double w) {
+    return test::Point{20 * u, 20 * v, 20 * w};
+  });
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    if (model.nodes.position[i][2] == 0)
+      model.fixed_nodes.push_back({.node = i, .translation = {true, true, true}});
+    else
+      model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -velocity}});
+  }
+  return model;
+}
+
+/// Squeezed and back, four times and more, with bulging sides that turn.
+TEST_P(Soft, RubberBouncesAndKeepsItsEnergy) {
+  const model::ConstitutiveLaw laws[] = {
+      model::BlatzKo{2 * 1.04e-3 * 1.463, 0.463},
+      model::MooneyRivlin{4 * 0.69e-3 * 1.49, 0.49, 0.55e-3, 0.14e-3},
+  };
+  for (const model::ConstitutiveLaw& law : laws) {
+    const model::Model model = thrown_cube(law, 12);
+    timeloop::Simulation simulation(model, {GetParam(), default_isa(), 1});
+    double lowest = 20;
+    double worst = 0;
+    double limit_change = 0;
+    double first_limit = 0;
+    test::run(simulation, [&](const domain::Domain& domain) {
+      for (Index i = 0; i < domain.nodes.count(); ++i)
+        if (domain.nodes.reference[i].z == 20) lowest = std::min(lowest, domain.nodes.position[i].z);
+      worst = std::max(worst, energy_error(domain, domain.energy.initial_total));
+      if (first_limit == 0) first_limit = domain.clock.element_limit;
+      limit_change = std::max(limit_change, 1 - domain.clock.element_limit / first_limit);
+    });
+    const domain::EnergyLedger& energy = simulation.domain().energy;
+    std::printf(
+        "%s: lowest %.3f mm, energy error %.1e, hourglass %.1f %%, step down by %.0f %%\n",
+        law.index() == model::ConstitutiveLaw(model::BlatzKo{}).index() ? "Blatz-Ko" : "Mooney-Rivlin",
+        lowest, worst, 100 * energy.hourglass / energy.initial_total, 100 * limit_change);
+    EXPECT_LT(lowest, 18);
+    EXPECT_GT(lowest, 5);
+    EXPECT_LT(worst, 0.01);
+    EXPECT_LT(energy.hourglass, 0.1 * energy.initial_total);
+  }
+}
+
+/// A column of foam crushed by a heavy plate: the plate's energy goes into the area below the curve.
+TEST_P(Soft, FoamTakesTheEnergyOfItsCurve) {
+  model::CrushableFoam law;
+  law.youngs_modulus = 20e-3;  // kg, mm, ms: GPa
+  law.crush = {0, 0.1, 0.6, 0.8};
+  law.yield_stress = {0.4e-3, 0.5e-3, 0.8e-3, 3e-3};
+  law.tensile_stress = 0.1e-3;
+  law.damping = 0.1;
+  model::Material foam{.id = 1, .title = "foam", .density = 6e-8, .law = law};
+  model::Model model = test::one_solid_part(foam);
+  model.control.end_time = 20;
+  test::add_box(model, 0, 2, 2, 8, [](double u, double v, double w) {
+    return test::Point{20 * u, 20 * v, 80 * w};
+  });
+  constexpr double plate = 0.3;
+  constexpr double velocity = 8;
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    const auto& x = model.nodes.position[i];
+    if (x[2] == 0) model.fixed_nodes.push_back({.node = i, .translation = {true, true, true}});
+    if (x[2] != 80) continue;
+    const double share = (x[0] == 10 ? 2 : 1) * (x[1] == 10 ? 2 : 1) / 16.0;
+    model.lumped_masses.push_back({.id = i, .node = i, .mass = plate * share});
+    model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -velocity}});
+  }
+  timeloop::Simulation simulation(model, {GetParam(), default_isa(), 1});
+  double lowest = 80;
+  double spread = 0;
+  double worst = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    for (Index i = 0; i < domain.nodes.count(); ++i) {
+      if (domain.nodes.reference[i].z == 80) lowest = std::min(lowest, domain.nodes.position[i].z);
+      spread = std::max(spread, std::fabs(domain.nodes.position[i].x - domain.nodes.reference[i].x));
+    }
+    worst = std::max(worst, energy_error(domain, domain.energy.initial_total));
+  });
+  // Without inertia of the foam: V int_0^gamma Y = m v^2 / 2.
+  const double absorbed = 0.5 * plate * velocity * velocity / (20 * 20 * 80);
+  const double gamma = 1 - lowest / 80;
+  double area = 0;
+  for (std::size_t k = 0; k + 1 < law.crush.size() && law.crush[k] < gamma; ++k) {
+    const double from = law.crush[k];
+    const double to = std::min(gamma, law.crush[k + 1]);
+    const double slope = (law.yield_stress[k + 1] - law.yield_stress[k]) / (law.crush[k + 1] - from);
+    area += (to - from) * (law.yield_stress[k] + 0.5 * slope * (to - from));
+  }
+  std::printf(
+      "crushed to %.2f mm, area below the curve over the energy %.4f, energy error %.1e, sideways %.1e\n",
+      lowest, area / absorbed, worst, spread);
+  EXPECT_NEAR(area / absorbed, 1, 0.03);
+  EXPECT_LT(worst, 1e-4);
+  EXPECT_LT(spread, 0.05);
+}
+
+}  // namespace
+}  // namespace crumple
