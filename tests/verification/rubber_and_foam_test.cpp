@@ -46,30 +46,33 @@ TEST_P(Soft, RubberBouncesAndKeepsItsEnergy) {
       model::BlatzKo{2 * 1.04e-3 * 1.463, 0.463},
       model::MooneyRivlin{4 * 0.69e-3 * 1.49, 0.49, 0.55e-3, 0.14e-3},
   };
-  for (const model::ConstitutiveLaw& law : laws) {
-    const model::Model model = thrown_cube(law, 12);
-    timeloop::Simulation simulation(model, {GetParam(), default_isa(), 1});
-    double lowest = 20;
-    double worst = 0;
-    double limit_change = 0;
-    double first_limit = 0;
-    test::run(simulation, [&](const domain::Domain& domain) {
-      for (Index i = 0; i < domain.nodes.count(); ++i)
-        if (domain.nodes.reference[i].z == 20) lowest = std::min(lowest, domain.nodes.position[i].z);
-      worst = std::max(worst, energy_error(domain, domain.energy.initial_total));
-      if (first_limit == 0) first_limit = domain.clock.element_limit;
-      limit_change = std::max(limit_change, 1 - domain.clock.element_limit / first_limit);
-    });
-    const domain::EnergyLedger& energy = simulation.domain().energy;
-    std::printf(
-        "%s: lowest %.3f mm, energy error %.1e, hourglass %.1f %%, step down by %.0f %%\n",
-        law.index() == model::ConstitutiveLaw(model::BlatzKo{}).index() ? "Blatz-Ko" : "Mooney-Rivlin",
-        lowest, worst, 100 * energy.hourglass / energy.initial_total, 100 * limit_change);
-    EXPECT_LT(lowest, 18);
-    EXPECT_GT(lowest, 5);
-    EXPECT_LT(worst, 0.01);
-    EXPECT_LT(energy.hourglass, 0.1 * energy.initial_total);
-  }
+  for (const model::ConstitutiveLaw& law : laws)
+    for (const auto form :
+         {model::SolidFormulation::OnePointHexahedron, model::SolidFormulation::SelectiveHexahedron}) {
+      model::Model model = thrown_cube(law, 12);
+      model.solid_sections[0].formulation = form;
+      timeloop::Simulation simulation(model, {GetParam(), default_isa(), 1});
+      double lowest = 20;
+      double worst = 0;
+      double limit_change = 0;
+      double first_limit = 0;
+      test::run(simulation, [&](const domain::Domain& domain) {
+        for (Index i = 0; i < domain.nodes.count(); ++i)
+          if (domain.nodes.reference[i].z == 20) lowest = std::min(lowest, domain.nodes.position[i].z);
+        worst = std::max(worst, energy_error(domain, domain.energy.initial_total));
+        if (first_limit == 0) first_limit = domain.clock.element_limit;
+        limit_change = std::max(limit_change, 1 - domain.clock.element_limit / first_limit);
+      });
+      const domain::EnergyLedger& energy = simulation.domain().energy;
+      std::printf(
+          "%s: lowest %.3f mm, energy error %.1e, hourglass %.1f %%, step down by %.0f %%\n",
+          law.index() == model::ConstitutiveLaw(model::BlatzKo{}).index() ? "Blatz-Ko" : "Mooney-Rivlin",
+          lowest, worst, 100 * energy.hourglass / energy.initial_total, 100 * limit_change);
+      EXPECT_LT(lowest, 18);
+      EXPECT_GT(lowest, 5);
+      EXPECT_LT(worst, 0.01);
+      EXPECT_LT(energy.hourglass, 0.1 * energy.initial_total);
+    }
 }
 
 /// A column of foam crushed by a heavy plate: the plate's energy goes into the area below the curve.
@@ -82,34 +85,35 @@ TEST_P(Soft, FoamTakesTheEnergyOfItsCurve) {
   law.damping = 0.1;
   model::Material foam{.id = 1, .title = "foam", .density = 6e-8, .law = law};
   model::Model model = test::one_solid_part(foam);
-  model.control.end_time = 20;
-  test::add_box(model, 0, 2, 2, 8, [](double u, double v, double w) {
-    return test::Point{20 * u, 20 * v, 80 * w};
+  model.control.end_time = 12;
+  test::add_box(model, 0, 2, 2, 4, [](double u, double v, double w) {
+    return test::Point{20 * u, 20 * v, 40 * w};
   });
-  constexpr double plate = 0.3;
+  constexpr double plate = 0.15;
   constexpr double velocity = 8;
   for (Index i = 0; i < model.nodes.count(); ++i) {
     const auto& x = model.nodes.position[i];
     if (x[2] == 0) model.fixed_nodes.push_back({.node = i, .translation = {true, true, true}});
-    if (x[2] != 80) continue;
+    if (x[2] != 40) continue;
+    model.fixed_nodes.push_back({.node = i, .translation = {true, true, false}});
     const double share = (x[0] == 10 ? 2 : 1) * (x[1] == 10 ? 2 : 1) / 16.0;
     model.lumped_masses.push_back({.id = i, .node = i, .mass = plate * share});
     model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -velocity}});
   }
   timeloop::Simulation simulation(model, {GetParam(), default_isa(), 1});
-  double lowest = 80;
+  double lowest = 40;
   double spread = 0;
   double worst = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
     for (Index i = 0; i < domain.nodes.count(); ++i) {
-      if (domain.nodes.reference[i].z == 80) lowest = std::min(lowest, domain.nodes.position[i].z);
+      if (domain.nodes.reference[i].z == 40) lowest = std::min(lowest, domain.nodes.position[i].z);
       spread = std::max(spread, std::fabs(domain.nodes.position[i].x - domain.nodes.reference[i].x));
     }
     worst = std::max(worst, energy_error(domain, domain.energy.initial_total));
   });
   // Without inertia of the foam: V int_0^gamma Y = m v^2 / 2.
-  const double absorbed = 0.5 * plate * velocity * velocity / (20 * 20 * 80);
-  const double gamma = 1 - lowest / 80;
+  const double absorbed = 0.5 * plate * velocity * velocity / (20 * 20 * 40);
+  const double gamma = 1 - lowest / 40;
   double area = 0;
   for (std::size_t k = 0; k + 1 < law.crush.size() && law.crush[k] < gamma; ++k) {
     const double from = law.crush[k];
