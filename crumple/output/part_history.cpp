@@ -28,8 +28,7 @@ class PartHistory : public History {
   /// Of a part, or of the body that it leads if the inertia of that is given.
   PartMasses::Motion motion_of(const domain::Domain& domain, Index part) const {
     for (const domain::RigidBody& body : domain.rigid_bodies)
-      if (body.part == part && body.has_given_inertia)
-        return {body.mass, body.kinetic_energy, body.velocity};
+      if (body.part == part && body.has_given_inertia) return {body.mass, body.kinetic_energy, body.velocity};
     return masses_.motion(domain.nodes, part);
   }
 
