@@ -14,6 +14,7 @@
 #include "app/foreign_arguments.hpp"
 #include "base/error.hpp"
 #include "base/isa.hpp"
+#include "deck/parameters.hpp"
 
 namespace crumple::app {
 
@@ -90,9 +91,33 @@ CLI::Validator number_that(const std::string& words, const std::function<bool(do
       "");
 }
 
+/// `thickness=1.5`.
+CLI::Validator parameter_setting() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        const std::size_t equals = text.find('=');
+        const bool good = equals != std::string::npos &&
+                          deck::Parameters().preset(text.substr(0, equals), text.substr(equals + 1));
+        return good ? std::string() : text + " is not the name of a parameter, = and a number";
+      },
+      "NAME=NUMBER");
+}
+
 /// Options of both commands.
 void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
   command.add_option("deck", options.deck, "LS-DYNA keyword deck")->required();
+  command
+      .add_option_function<std::vector<std::string>>(
+          "-P,--parameter",
+          [&options](const std::vector<std::string>& settings) {
+            for (const std::string& setting : settings) {
+              const std::size_t equals = setting.find('=');
+              options.parameters.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+            }
+          },
+          "NAME=NUMBER: value of a parameter (&NAME), before that of *PARAMETER; may be repeated")
+      ->allow_extra_args(false)
+      ->check(parameter_setting());
   command.add_flag("--allow-unsupported", options.allow_unsupported,
                    "Leave out, with a warning, what is not supported instead of refusing the deck");
   command

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace crumple::app {
@@ -18,6 +19,7 @@ struct Options {
   std::optional<std::string> isa;        ///< one of base's available_isas
   std::optional<std::string> search;     ///< one of cellsearch's methods
   std::optional<double> end_time;        ///< [time]
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< names and values, before the deck's
   bool automatic_contact = false;
   bool allow_unsupported = false;
   bool quiet = false;

@@ -24,6 +24,7 @@ void apply_options(const Options& options, model::Model& model) {
 deck::ReadResult read_with_options(const Options& options, const Console& console) {
   deck::ReadOptions reading;
   reading.allow_unsupported = options.allow_unsupported;
+  reading.parameters = options.parameters;
   reading.automatic_contact = options.automatic_contact;
   for (const cellsearch::Method method : cellsearch::methods())
     reading.search_methods.emplace_back(name_of(method));

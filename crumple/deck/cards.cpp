@@ -201,7 +201,9 @@ bool Cards::read_number(std::size_t index, Card& card) {
     substituted = parameters_->substitute(text);
     if (!substituted) {
       report_->field_error(card.where_, {field.name, std::string(text), "a parameter that is defined",
-                                         "define it with *PARAMETER before this line", "parameter"});
+                                         "define it with *PARAMETER before this line, or give it on the "
+                                         "command line with --parameter NAME=NUMBER",
+                                         "parameter"});
       return false;
     }
     text = *substituted;

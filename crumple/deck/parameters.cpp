@@ -49,6 +49,13 @@ std::optional<std::string> Parameters::substitute(std::string_view reference) co
   return fmt::format("-{}", without_sign(text));
 }
 
+bool Parameters::preset(std::string_view name, std::string_view value) {
+  if (!is_name(name) || !parse_real(value)) return false;
+  values_.insert_or_assign(upper_case(name),
+                           Value{std::string(value), {}, parse_integer(value).has_value(), true});
+  return true;
+}
+
 void Parameters::read(Cards& cards) {
   while (cards.more()) {
     const Card card = cards.next_filled(parameter_card);
@@ -148,6 +155,12 @@ void Parameters::define_by(const std::string& expression, const Name& name, cons
 void Parameters::enter(const Name& name, const std::string& text, const Where& where, Report& report) {
   const auto [entry, is_new] = values_.try_emplace(name.name, Value{text, where, name.is_whole});
   if (is_new || entry->second.text == text) return;
+  if (entry->second.is_preset) {
+    report.warning(where, "preset",
+                   fmt::format("parameter {} is \"{}\" by the command line, not \"{}\"", name.name,
+                               entry->second.text, text));
+    return;
+  }
   report.error(where, "twice",
                fmt::format("parameter {} is already set to \"{}\" at {}; give it one value", name.name,
                            entry->second.text, report.place(entry->second.where)));

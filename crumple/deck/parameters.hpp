@@ -15,6 +15,10 @@ class Cards;
 /// The values that *PARAMETER and *PARAMETER_EXPRESSION give names to. Names are not case-sensitive.
 class Parameters {
  public:
+  /// Gives a name a value, whatever the deck says of it: a block that sets it later is left out with a
+  /// warning. False if the name or the number is none.
+  bool preset(std::string_view name, std::string_view value);
+
   /// Reads a *PARAMETER block. Faults go to the cards' report.
   void read(Cards& cards);
 
@@ -32,6 +36,7 @@ class Parameters {
     std::string text;
     Where where;
     bool is_whole = false;  ///< of type I
+    bool is_preset = false;
   };
 
   /// A name with its type in front of it.

@@ -28,7 +28,9 @@ class Reading {
             source, report_, [this](const Block& block) { take(block); },
             [this](std::string_view text, const Where& where) {
               read_settings(text, where, options_.search_methods, deck_, report_);
-            }) {}
+            }) {
+    for (const auto& [name, value] : options.parameters) parameters_.preset(name, value);
+  }
 
   ReadResult run();
 

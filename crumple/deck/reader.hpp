@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "deck/diagnostic.hpp"
@@ -19,6 +20,8 @@ struct ReadOptions {
   bool allow_unsupported = false;
   /// Adds single-surface contact over all parts to a deck that has no *CONTACT.
   bool automatic_contact = false;
+  /// Parameters with their values, which go before those of the deck.
+  std::vector<std::pair<std::string, std::string>> parameters;
   /// Names that `$crumple method=` may have; empty accepts any.
   std::vector<std::string> search_methods;
 };

@@ -139,5 +139,26 @@ TEST(ParameterExpression, DefinesWhatFieldsTake) {
   EXPECT_EQ(std::get<model::Elastic>(model.materials.at(0).law).poissons_ratio, 0.3);
 }
 
+TEST(Parameter, TheCommandLineGoesBeforeTheDeck) {
+  SmallDeck deck;
+  deck.section = "*PARAMETER\nr    thick       0.5\n*SECTION_SHELL\n         1         2\n    &thick\n";
+  ReadOptions options;
+  options.parameters = {{"Thick", "0.75"}, {"unused", "3"}};
+  const ReadResult result = read_deck_text(deck.text(), options);
+  ASSERT_TRUE(result.model.has_value()) << listed(result.diagnostics);
+  EXPECT_EQ(result.model->shell_sections[0].thickness[0], 0.75);
+  EXPECT_NE(listed(result.diagnostics).find("parameter THICK is \"0.75\" by the command line, not \"0.5\""),
+            std::string::npos)
+      << listed(result.diagnostics);
+}
+
+TEST(Parameter, TheCommandLineIsEnough) {
+  SmallDeck deck;
+  deck.section = "*SECTION_SHELL\n         1         2\n    &thick\n";
+  ReadOptions options;
+  options.parameters = {{"thick", "0.75"}};
+  EXPECT_EQ(read_clean(deck.text(), options).shell_sections[0].thickness[0], 0.75);
+}
+
 }  // namespace
 }  // namespace crumple::deck::test
