@@ -152,7 +152,7 @@ void prepare_element(const model::Model& model, domain::Domain& domain, BeamBloc
   const BeamMass nodal = nodal_mass(model.materials[part.material].density, length,
                                     model.beam_sections[part.beam_section], truss);
   const double step = stable_step_of(c, nodal, length);
-  const double factor = mass_factor(model.control.mass_scaling_step, step);
+  const double factor = block.rigid ? 1 : mass_factor(model.control.mass_scaling_step, step);
   block.set_state(place, beam_state::active, place < block.elements ? 1 : 0);
   block.set_state(place, beam_state::stable_step, step * std::sqrt(factor));
   block.set_state(place, beam_state::reference_length, length);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace crumple::model {
@@ -177,8 +178,13 @@ void check_rigid_bodies(const Model& model, std::vector<std::string>& found) {
       owner = b;
     }
   }
+  std::vector<char> has_elements(model.parts.size(), 0);
+  const auto mark = [&](const auto& element) { has_elements[static_cast<std::size_t>(element.part)] = 1; };
+  std::for_each(model.shells.begin(), model.shells.end(), mark);
+  std::for_each(model.solids.begin(), model.solids.end(), mark);
+  std::for_each(model.beams.begin(), model.beams.end(), mark);
   for (std::size_t part = 0; part < model.parts.size(); ++part)
-    if (is_rigid(model, model.parts[part]) && body_of_part[part] == no_index)
+    if (has_elements[part] && is_rigid(model, model.parts[part]) && body_of_part[part] == no_index)
       found.push_back("Part " + std::to_string(model.parts[part].id) +
                       " is of rigid material and belongs to no rigid body.");
 }

@@ -62,6 +62,15 @@ TEST(RigidBodies, PartOfRigidMaterialIsABodyWithItsConstraints) {
   EXPECT_FALSE(model::is_rigid(model, model.parts[0]));
 }
 
+TEST(RigidBodies, RigidPartWithoutElementsIsNoBody) {
+  SmallDeck deck = rigid_deck();
+  deck.part += "*PART\nempty\n         3         1         2\n";
+  const ReadResult result = read_deck_text(deck.text());
+  ASSERT_TRUE(result.model.has_value()) << listed(result.diagnostics);
+  EXPECT_EQ(result.model->rigid_bodies.size(), 1U);
+  EXPECT_TRUE(model::faults(*result.model).empty());
+}
+
 TEST(RigidBodies, WithoutCmoNothingIsHeld) {
   SmallDeck deck = rigid_deck();
   deck.material.replace(deck.material.find("       1.0         4"), 20, "       0.0         4");
