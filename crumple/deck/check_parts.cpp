@@ -87,7 +87,12 @@ void check_shear_modulus(const RawPart& raw, const RawMaterial& material, Report
 void check_part(const RawPart& raw, const model::Part& part, Build& build) {
   // Beams and springs have been told which materials they take when their parts were built.
   const model::ElementKind kind = model::kind_of(part);
-  if (kind == model::ElementKind::Beam || kind == model::ElementKind::Discrete) return;
+  if (kind == model::ElementKind::Beam || kind == model::ElementKind::Discrete) {
+    if (raw.equation_of_state != 0)
+      build.report.field_error(raw.where, {"EOSID", std::to_string(raw.equation_of_state), "0",
+                                           "only solids have an equation of state", "equation"});
+    return;
+  }
   const RawMaterial& material = build.deck.materials[static_cast<std::size_t>(part.material)];
   if (part.solid_section != no_index) {
     check_solids(raw, material, build.report);

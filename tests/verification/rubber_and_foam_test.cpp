@@ -28,6 +28,9 @@ model::Model thrown_cube(const model::ConstitutiveLaw& law, double velocity) {
   model.control.hourglass.solid_form = model::SolidHourglassForm::ExactVolumeStiffness;
   model.control.hourglass.coefficient = 0.05;
   model.control.end_time = 6;
+  // The first cycles squeeze the bottom by a tenth each: at 0.9 the balance of Blatz-Ko rubber errs by 3.6 %
+  // in these and stays there, with second order in the step.
+  model.control.step_scale = 0.4;
   test::add_box(model, 0, 5, 5, 5, [](double u, double v, double w) {
     return test::Point{20 * u, 20 * v, 20 * w};
   });
@@ -70,7 +73,7 @@ TEST_P(Soft, RubberBouncesAndKeepsItsEnergy) {
           lowest, worst, 100 * energy.hourglass / energy.initial_total, 100 * limit_change);
       EXPECT_LT(lowest, 18);
       EXPECT_GT(lowest, 5);
-      EXPECT_LT(worst, 0.01);
+      EXPECT_LT(worst, 0.005);
       EXPECT_LT(energy.hourglass, 0.1 * energy.initial_total);
     }
 }
@@ -124,7 +127,7 @@ TEST_P(Soft, FoamTakesTheEnergyOfItsCurve) {
   std::printf(
       "crushed to %.2f mm, area below the curve over the energy %.4f, energy error %.1e, sideways %.1e\n",
       lowest, area / absorbed, worst, spread);
-  EXPECT_NEAR(area / absorbed, 1, 0.03);
+  EXPECT_NEAR(area / absorbed, 1, 0.005);
   EXPECT_LT(worst, 1e-4);
   EXPECT_LT(spread, 0.05);
 }
