@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What --allow-unsupported leaves out, and the guess of the units.
+#include <algorithm>
+
+#include "small_deck.hpp"
+
+namespace crumple::deck::test {
+namespace {
+
+TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
+  SmallDeck deck;
+  deck.more = "*LOAD_BODY_RX\n1,9810\n*CONTROL_SHELL\n20,0,-1,4\n";
+  EXPECT_FALSE(read_deck_text(deck.text()).model);
+  ReadOptions options;
+  options.allow_unsupported = true;
+  const ReadResult result = read_deck_text(deck.text(), options);
+  ASSERT_TRUE(result.model) << listed(result.diagnostics);
+  EXPECT_FALSE(result.model->control.thickness_change);
+  EXPECT_TRUE(result.ignored_keywords.at(0).changes_physics);
+  EXPECT_EQ(std::count_if(result.diagnostics.begin(), result.diagnostics.end(),
+                          [](const Diagnostic& d) { return d.severity == Severity::Warning; }),
+            2);
+}
+
+TEST(Unsupported, PartsOfUnsupportedMaterialsAreLeftOutWithTheirShells) {
+  SmallDeck deck;
+  deck.part = "*PART\nfirst\n1,1,1\nsecond\n2,1,2\n";
+  deck.shells = "*ELEMENT_SHELL\n11,1,1,2,3,4\n12,2,2,5,6,3\n";
+  deck.more = "*MAT_VISCOELASTIC\n2,7.83E-6,207,0.3\n";
+  EXPECT_FALSE(read_deck_text(deck.text()).model);
+  ReadOptions options;
+  options.allow_unsupported = true;
+  const ReadResult result = read_deck_text(deck.text(), options);
+  ASSERT_TRUE(result.model) << listed(result.diagnostics);
+  EXPECT_EQ(result.model->shells.size(), 1U);
+  EXPECT_EQ(result.model->parts.size(), 1U);
+}
+
+TEST(Units, GuessedFromSteel) {
+  const auto units = [](const std::string& density, const std::string& modulus) {
+    SmallDeck deck;
+    deck.material = "*MAT_ELASTIC\n1," + density + "," + modulus + ",0.3\n";
+    return read_deck_text(deck.text()).unit_system;
+  };
+  EXPECT_EQ(units("7.83E-6", "207"), "kg, mm, ms");
+  EXPECT_EQ(units("7.83E-9", "2.07E5"), "t, mm, s");
+  EXPECT_EQ(units("7.83E-3", "2.07E5"), "g, mm, ms");
+  EXPECT_EQ(units("7830", "2.07E11"), "kg, m, s");
+  EXPECT_EQ(units("2700", "7.0E10"), "kg, m, s");
+  EXPECT_EQ(units("1.0", "1.0"), "");
+}
+
+}  // namespace
+}  // namespace crumple::deck::test
