@@ -107,11 +107,13 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
     for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch,
                                            [](const SolidPlace<Real>& place, const Index* /*target*/) {
                                              gather_nodes<Formulation, Pack>(place);
-                                             if (place.task.constants.can_fail)
-                                               rest_failed_solids<Formulation, Pack>(place);
                                            });
     for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch,
                                            [](const SolidPlace<Real>& place, const Index* /*target*/) {
+                                             if constexpr (Formulation::corners == 8)
+                                               make_patterns<Pack>(place.nodes);
+                                             if (place.task.constants.can_fail)
+                                               rest_failed_solids<Formulation, Pack>(place);
                                              Formulation::template strains<Pack>(place);
                                            });
     material.state = task.state + first * material.group_stride;

@@ -65,7 +65,8 @@ CRUMPLE_INLINE PatternItems<Number> pattern_items(const Number (&node)[8]) {
   return p;
 }
 
-/// Rows that gather_solids() fills: positions at time n, then velocities at n - 1/2.
+/// Rows of positions at time n, then of velocities at n - 1/2: gather_solids() leaves the vectors from node 1
+/// to the others, make_patterns() puts the coefficients of the patterns in their place.
 namespace solid_row {
 inline constexpr int velocity = 3 * pattern::count;
 inline constexpr int count = 6 * pattern::count;
@@ -74,19 +75,12 @@ inline constexpr int count = 6 * pattern::count;
 template <class Real, int Width>
 CRUMPLE_INLINE void gather_one_solid(const domain::NodeRecord<Real>* nodes, const Index* node, int lane,
                                      Real (*rows)[Width]) {
-  for (int axis = 0; axis < 3; ++axis) {
-    double x[8];
-    Real v[8];
-    for (int k = 0; k < 8; ++k) {
-      const domain::NodeRecord<Real>& n = nodes[node[k * lanes + lane]];
-      x[k] = n.position[axis];
-      v[k] = n.velocity[axis];
-    }
-    const auto position = pattern_items<double>(x);
-    const auto velocity = pattern_items<Real>(v);
-    for (int p = 0; p < pattern::count; ++p) {
-      rows[3 * p + axis][lane] = static_cast<Real>(position.of[p]);
-      rows[solid_row::velocity + 3 * p + axis][lane] = velocity.of[p];
+  const domain::NodeRecord<Real>& first = nodes[node[lane]];
+  for (int k = 0; k < pattern::count; ++k) {
+    const domain::NodeRecord<Real>& other = nodes[node[(k + 1) * lanes + lane]];
+    for (int axis = 0; axis < 3; ++axis) {
+      rows[3 * k + axis][lane] = static_cast<Real>(other.position[axis] - first.position[axis]);
+      rows[solid_row::velocity + 3 * k + axis][lane] = other.velocity[axis] - first.velocity[axis];
     }
   }
 }
@@ -104,25 +98,24 @@ CRUMPLE_INLINE void gather_four_solids(const domain::NodeRecord<Real>* nodes, co
                                        Real (*rows)[Width]) {
   using math::Double4;
   using Item = std::conditional_t<std::is_same_v<Real, float>, math::Float4, Double4>;
-  PatternItems<Item> position[4];
-  PatternItems<Item> velocity[4];
+  Double4 x[4];
+  Item v[4];
   for (int i = 0; i < 4; ++i) {
-    Double4 x[8];
-    Item v[8];
-    for (int k = 0; k < 8; ++k) {
-      const domain::NodeRecord<Real>& n = nodes[node[k * lanes + lane + i]];
-      x[k] = math::read<Double4>(n.position);
-      v[k] = math::read<Item>(n.velocity);
-    }
-    const auto exact = pattern_items<double>(x);
-    for (int p = 0; p < pattern::count; ++p) position[i].of[p] = narrowed(exact.of[p], Real(0));
-    velocity[i] = pattern_items<Real>(v);
+    const domain::NodeRecord<Real>& first = nodes[node[lane + i]];
+    x[i] = math::read<Double4>(first.position);
+    v[i] = math::read<Item>(first.velocity);
   }
-  for (int p = 0; p < pattern::count; ++p) {
-    write_rows(&rows[3 * p][lane], Width, position[0].of[p], position[1].of[p], position[2].of[p],
-               position[3].of[p]);
-    write_rows(&rows[solid_row::velocity + 3 * p][lane], Width, velocity[0].of[p], velocity[1].of[p],
-               velocity[2].of[p], velocity[3].of[p]);
+  for (int k = 0; k < pattern::count; ++k) {
+    Item position[4];
+    Item velocity[4];
+    for (int i = 0; i < 4; ++i) {
+      const domain::NodeRecord<Real>& other = nodes[node[(k + 1) * lanes + lane + i]];
+      position[i] = narrowed(Double4(math::read<Double4>(other.position) - x[i]), Real(0));
+      velocity[i] = math::read<Item>(other.velocity) - v[i];
+    }
+    write_rows(&rows[3 * k][lane], Width, position[0], position[1], position[2], position[3]);
+    write_rows(&rows[solid_row::velocity + 3 * k][lane], Width, velocity[0], velocity[1], velocity[2],
+               velocity[3]);
   }
 }
 
@@ -140,7 +133,22 @@ CRUMPLE_INLINE void gather_solids(const domain::NodeRecord<RealOf<Pack>>* nodes,
     for (int lane = 0; lane < width; ++lane) gather_one_solid<Real, width>(nodes, node, lane, row);
 }
 
-/// What gather_solids() has left.
+/// Turns what gather_solids() has left into coefficients of patterns, in place.
+template <class Pack>
+CRUMPLE_INLINE void make_patterns(RealOf<Pack>* rows) {
+  using Real = RealOf<Pack>;
+  for (const int quantity : {0, solid_row::velocity})
+    for (int axis = 0; axis < 3; ++axis) {
+      Real* const at = rows + (quantity + axis) * width_of<Pack>;
+      Pack node[8];
+      node[0] = Pack(Real(0));
+      for (int k = 0; k < pattern::count; ++k) node[k + 1] = load<Pack>(at + 3 * k * width_of<Pack>);
+      const PatternItems<Pack> items = pattern_items<Real>(node);
+      for (int p = 0; p < pattern::count; ++p) store(at + 3 * p * width_of<Pack>, items.of[p]);
+    }
+}
+
+/// What make_patterns() has left.
 template <class Pack>
 CRUMPLE_INLINE SolidPatterns<Pack> gathered_patterns(const RealOf<Pack>* rows) {
   SolidPatterns<Pack> found;
