@@ -31,9 +31,10 @@ void check_solids(const RawPart& raw, const RawMaterial& material, Report& repor
   const model::LawUse use = model::use_of(material.material.law);
   const std::string eos = std::to_string(raw.equation_of_state);
   if (!use.solids)
-    report.field_unsupported(
-        raw.where, {"MID", std::to_string(raw.material), "a material of solids",
-                    fmt::format("{} is there for shells only", material.where.keyword), "elements"});
+    report.field_unsupported(raw.where, {"MID", std::to_string(raw.material), "a material of solids",
+                                         fmt::format("{} is there for {} only", material.where.keyword,
+                                                     use.shells ? "shells" : "beams"),
+                                         "elements"});
   else if (raw.equation_of_state != 0 && !use.takes_equation_of_state)
     report.field_error(raw.where, {"EOSID", eos, "0",
                                    fmt::format("{} brings its own pressure; an equation of state goes with "
@@ -52,9 +53,10 @@ void check_solids(const RawPart& raw, const RawMaterial& material, Report& repor
 void check_shells(const RawPart& raw, const RawMaterial& material, Report& report) {
   const model::LawUse use = model::use_of(material.material.law);
   if (!use.shells)
-    report.field_unsupported(
-        raw.where, {"MID", std::to_string(raw.material), "a material of shells",
-                    fmt::format("{} is there for solids only", material.where.keyword), "elements"});
+    report.field_unsupported(raw.where, {"MID", std::to_string(raw.material), "a material of shells",
+                                         fmt::format("{} is there for {} only", material.where.keyword,
+                                                     use.solids ? "solids" : "beams"),
+                                         "elements"});
   if (raw.equation_of_state != 0)
     report.field_error(raw.where, {"EOSID", std::to_string(raw.equation_of_state), "0",
                                    "shells have no equation of state: their stress across is zero, and the "

@@ -307,20 +307,14 @@ TEST(EosStart, GivesDensityAndWaveSpeed) {
   EXPECT_NEAR(point.wave_speed(), solid_start(fluid(), &squeezed).wave_speed, 1e-7);
 }
 
+template <class... Laws>
+std::vector<model::ConstitutiveLaw> every_law(const std::variant<Laws...>& /*any*/) {
+  return {model::ConstitutiveLaw(Laws{})...};
+}
+
 /// The deck tells from model::use_of what elements a law is for; the lists must agree.
 TEST(EosStart, ListsAgreeWithTheDescription) {
-  const std::vector<model::ConstitutiveLaw> laws{model::Elastic{},
-                                                 model::PlasticKinematic{},
-                                                 model::PiecewiseLinearPlasticity{},
-                                                 model::PowerLawPlasticity{},
-                                                 model::JohnsonCook{},
-                                                 model::OrthotropicElastic{},
-                                                 model::NullMaterial{},
-                                                 model::BlatzKo{},
-                                                 model::MooneyRivlin{},
-                                                 model::CrushableFoam{}};
-  ASSERT_EQ(laws.size(), std::variant_size_v<model::ConstitutiveLaw>);
-  for (const auto& law : laws) {
+  for (const model::ConstitutiveLaw& law : every_law(model::ConstitutiveLaw())) {
     EXPECT_EQ(model::use_of(law).shells, shell_material_kind(law) >= 0) << law.index();
     EXPECT_EQ(model::use_of(law).solids, solid_material_kind(law) >= 0) << law.index();
   }
