@@ -73,7 +73,9 @@ const char* material_words(const model::Model& model, const model::Part& part) {
   if (model::is_rigid(model, part)) return "rigid";
   if (part.spring_material != no_index)
     return model::name_of(model.spring_materials[part.spring_material].law);
-  return materials::shell_material_name(model.materials[part.material].law);
+  const model::ConstitutiveLaw& law = model.materials[part.material].law;
+  if (std::holds_alternative<model::ResultantPlasticity>(law)) return "resultant plasticity";
+  return materials::shell_material_name(law);
 }
 
 /// Words for the forms of solids, in the order of the enumeration.

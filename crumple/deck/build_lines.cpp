@@ -39,11 +39,13 @@ void check_beam_law(const RawPart& raw, const model::Part& part, Build& build) {
   const auto* plastic = std::get_if<model::PlasticKinematic>(&law);
   if (std::holds_alternative<model::Elastic>(law)) return;
   if (truss && plastic != nullptr && !plastic->viscoplastic) return;
+  if (!truss && std::holds_alternative<model::ResultantPlasticity>(law)) return;
   build.report.field_unsupported(
       raw.where,
       {"MID", std::to_string(raw.material),
-       truss ? "*MAT_ELASTIC or *MAT_PLASTIC_KINEMATIC with VP = 0" : "*MAT_ELASTIC",
-       truss ? "trusses have these laws" : "beams of resultants (ELFORM 2) are elastic", "material"});
+       truss ? "*MAT_ELASTIC or *MAT_PLASTIC_KINEMATIC with VP = 0"
+             : "*MAT_ELASTIC or *MAT_RESULTANT_PLASTICITY",
+       truss ? "trusses have these laws" : "beams of resultants (ELFORM 2) have these laws", "material"});
 }
 
 /// The orientation of a beam, where its section needs one.

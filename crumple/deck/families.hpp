@@ -25,6 +25,7 @@ void read_section_solid(Cards& cards, RawDeck& deck);
 void read_element_beam(Cards& cards, RawDeck& deck);
 void read_element_beam_orientation(Cards& cards, RawDeck& deck);
 void read_section_beam(Cards& cards, RawDeck& deck);
+void read_mat_resultant_plasticity(Cards& cards, RawDeck& deck);
 
 // read_discretes.cpp
 void read_element_discrete(Cards& cards, RawDeck& deck);

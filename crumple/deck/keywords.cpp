@@ -66,6 +66,8 @@ constexpr Keyword table[] = {
     {"EOS_GRUNEISEN", read_eos_gruneisen, title},
     {"EOS_004", read_eos_gruneisen, title},
 
+    {"MAT_RESULTANT_PLASTICITY", read_mat_resultant_plasticity, title},
+    {"MAT_028", read_mat_resultant_plasticity, title},
     {"MAT_SPRING_ELASTIC", read_mat_spring_elastic, title},
     {"MAT_S01", read_mat_spring_elastic, title},
     {"MAT_DAMPER_VISCOUS", read_mat_damper_viscous, title},

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *ELEMENT_BEAM, *SECTION_BEAM.
+// *ELEMENT_BEAM, *SECTION_BEAM, *MAT_RESULTANT_PLASTICITY.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
 #include "deck/families.hpp"
+#include "deck/material_cards.hpp"
 
 namespace crumple::deck {
 
@@ -51,6 +52,15 @@ constexpr Field truss_card[] = {
     real("A", 0, above_zero),
     only("RAMPT", {0}, "there is no dynamic relaxation with an initial stress"),
     only("STRESS", {0}, "there is no dynamic relaxation with an initial stress"),
+};
+
+constexpr Field resultant_plasticity_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("E", 0, above_zero),
+    real("PR", 0, poisson),
+    real("YIELD", 0, above_zero),
+    unused("ETAN"),  // of shells
 };
 
 /// A number of ELFORM; without a formulation it is one that is not there yet.
@@ -160,6 +170,16 @@ void read_section_beam(Cards& cards, RawDeck& deck) {
       raw.section.shear_area = size.real("SA");
     }
     if (card.good("SECID")) deck.beam_sections.push_back(std::move(raw));
+  }
+}
+
+void read_mat_resultant_plasticity(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(resultant_plasticity_card);
+    RawMaterial raw = material_of(heading, card);
+    raw.material.law = model::ResultantPlasticity{card.real("E"), card.real("PR"), card.real("YIELD")};
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
 }
 

@@ -13,7 +13,8 @@ template <class Constants, class Visit>
 void for_each_number(Constants& c, const Visit& visit) {
   for (auto* number :
        {&c.area, &c.youngs_modulus, &c.bending_s, &c.bending_t, &c.twisting, &c.shear_stiffness, &c.plastic,
-        &c.yield_stress, &c.isotropic, &c.kinematic, &c.rate, &c.rate_exponent, &c.failure_strain})
+        &c.yield_stress, &c.isotropic, &c.kinematic, &c.rate, &c.rate_exponent, &c.failure_strain,
+        &c.plastic_force, &c.plastic_moment_s, &c.plastic_moment_t})
     visit(*number);
 }
 

@@ -9,19 +9,22 @@ namespace crumple::elements {
 
 /// Numbers of a block of beams that are the same for all its elements.
 struct BeamConstants {
-  double area = 0;             ///< [length^2]
-  double youngs_modulus = 0;   ///< E [stress]
-  double bending_s = 0;        ///< E I about s [force length^2]
-  double bending_t = 0;        ///< E I about t [force length^2]
-  double twisting = 0;         ///< G J [force length^2]
-  double shear_stiffness = 0;  ///< G times the shear area [force]; zero: no transverse shear
-  double plastic = 0;          ///< 1: the law has a yield stress
-  double yield_stress = 0;     ///< [stress]
-  double isotropic = 0;        ///< isotropic part of the plastic modulus [stress]
-  double kinematic = 0;        ///< kinematic part [stress]
-  double rate = 0;             ///< C of Cowper and Symonds [1/time]; 0: no effect
-  double rate_exponent = 1;    ///< 1/p of Cowper and Symonds [-]
-  double failure_strain = 0;   ///< plastic strain at failure [-]; 0: none
+  double area = 0;              ///< [length^2]
+  double youngs_modulus = 0;    ///< E [stress]
+  double bending_s = 0;         ///< E I about s [force length^2]
+  double bending_t = 0;         ///< E I about t [force length^2]
+  double twisting = 0;          ///< G J [force length^2]
+  double shear_stiffness = 0;   ///< G times the shear area [force]; zero: no transverse shear
+  double plastic = 0;           ///< 1: the law has a yield stress
+  double yield_stress = 0;      ///< [stress]
+  double isotropic = 0;         ///< isotropic part of the plastic modulus [stress]
+  double kinematic = 0;         ///< kinematic part [stress]
+  double rate = 0;              ///< C of Cowper and Symonds [1/time]; 0: no effect
+  double rate_exponent = 1;     ///< 1/p of Cowper and Symonds [-]
+  double failure_strain = 0;    ///< plastic strain at failure [-]; 0: none
+  double plastic_force = 0;     ///< axial force at which the whole section yields [force]
+  double plastic_moment_s = 0;  ///< moment at which it does, about s [force length]
+  double plastic_moment_t = 0;  ///< about t [force length]
 };
 
 /// What every beam's state begins with; the formulation's items follow.
@@ -47,6 +50,8 @@ namespace resultant_state {
 inline constexpr Index axes = beam_state::own;       ///< of first and second end: r and s of the end, global
 inline constexpr Index deformation = axes + 12;      ///< conjugate to `resultant`
 inline constexpr Index resultant = deformation + 6;  ///< axial force, torsion, moments about s, t at each end
+inline constexpr Index plastic =
+    resultant + 6;  ///< if the law is plastic: stretch, turns about s, t at each end
 }  // namespace resultant_state
 
 /// One chunk of one block.

@@ -135,6 +135,74 @@ struct BendingStiffness {
   }
 };
 
+/// All stiffnesses of the beams of a pack, of their length at time zero.
+template <class Pack>
+struct BeamStiffness {
+  Pack axial;
+  BendingStiffness<Pack> about_s, about_t;
+
+  CRUMPLE_INLINE BeamStiffness(const BeamConstants& c, const Pack& length)
+      : axial(Pack(c.youngs_modulus * c.area) / length),
+        about_s(c.bending_s, c.shear_stiffness, length),
+        about_t(c.bending_t, c.shear_stiffness, length) {}
+  /// Moments on one end by the elastic turns of both.
+  CRUMPLE_INLINE About<Pack> moment(const About<Pack> (&turn)[2], int end) const {
+    const About<Pack>& own = turn[end];
+    const About<Pack>& other = turn[1 - end];
+    return {multiply_add(about_s.same, own.s, Pack(about_s.other * other.s)),
+            multiply_add(about_t.same, own.t, Pack(about_t.other * other.t))};
+  }
+};
+
+/// The elastic parts of the deformations.
+template <class Pack>
+struct BeamElastic {
+  Pack stretch;
+  About<Pack> turn[2];
+};
+
+/// Takes the plastic parts off the deformations, and brings them up to date: the axial force stays within its
+/// limit, then the moments of each end within theirs, (Ms / Mps)^2 + (Mt / Mpt)^2 <= (1 - (N / Np)^2)^2. An
+/// end that yields unloads the other by half at most, so that taking turns ends soon.
+template <class Pack>
+CRUMPLE_INLINE BeamElastic<Pack> less_plastic(const BeamPlace& place, const BeamStiffness<Pack>& k,
+                                              BeamElastic<Pack> e) {
+  const BeamConstants& c = place.task.constants;
+  const Pack one(1.0);
+  const Index item = resultant_state::plastic;
+  const Pack limit(c.plastic_force);
+  const Pack before = beam_item<Pack>(place, item);
+  const Pack trial = k.axial * (e.stretch - before);
+  const Pack force = larger(Pack(-limit), smaller(limit, trial));
+  const Pack plastic = before + (trial - force) / k.axial;
+  set_beam_item(place, item, plastic);
+  e.stretch = e.stretch - plastic;
+  const Pack ratio = force / limit;
+  const Pack room = larger(Pack(0.0), Pack(one - ratio * ratio));
+  About<Pack> flow[2];
+  for (int end = 0; end < 2; ++end) {
+    flow[end] = {beam_item<Pack>(place, item + 1 + 2 * end), beam_item<Pack>(place, item + 2 + 2 * end)};
+    e.turn[end] = {e.turn[end].s - flow[end].s, e.turn[end].t - flow[end].t};
+  }
+  constexpr int rounds = 16;  // each leaves a quarter of the error
+  for (int round = 0; round < rounds; ++round)
+    for (int end = 0; end < 2; ++end) {
+      const About<Pack> m = k.moment(e.turn, end);
+      const Pack s = Pack(1 / c.plastic_moment_s) * m.s;
+      const Pack t = Pack(1 / c.plastic_moment_t) * m.t;
+      const Pack size = square_root(multiply_add(s, s, Pack(t * t)));
+      const Pack excess = select<Pack>(size > room, Pack(one - room / size), Pack(0.0));
+      const About<Pack> change{excess * m.s / k.about_s.same, excess * m.t / k.about_t.same};
+      flow[end] = {flow[end].s + change.s, flow[end].t + change.t};
+      e.turn[end] = {e.turn[end].s - change.s, e.turn[end].t - change.t};
+    }
+  for (int end = 0; end < 2; ++end) {
+    set_beam_item(place, item + 1 + 2 * end, flow[end].s);
+    set_beam_item(place, item + 2 + 2 * end, flow[end].t);
+  }
+  return e;
+}
+
 /// Work of the step of one pair of conjugate numbers, added to `work`; keeps the new ones.
 template <class Pack>
 CRUMPLE_INLINE void add_work(const BeamPlace& place, Index which, const Pack& deformation,
@@ -174,14 +242,13 @@ CRUMPLE_INLINE BeamForces<Pack> BelytschkoSchwer::forces(const BeamPlace& place)
   const About<Pack> second = in_turned(turn_of(1), half_cosine, Pack(-half_sine));
 
   const Pack stretch = length - l0;
-  const Pack axial = Pack(c.youngs_modulus * c.area) / l0 * stretch;
+  const BeamStiffness<Pack> stiffness(c, l0);
   const Pack torsion = Pack(c.twisting) / l0 * twist;
-  const BendingStiffness<Pack> about_s(c.bending_s, c.shear_stiffness, l0);
-  const BendingStiffness<Pack> about_t(c.bending_t, c.shear_stiffness, l0);
-  const About<Pack> m1{multiply_add(about_s.same, first.s, Pack(about_s.other * second.s)),
-                       multiply_add(about_t.same, first.t, Pack(about_t.other * second.t))};
-  const About<Pack> m2{multiply_add(about_s.other, first.s, Pack(about_s.same * second.s)),
-                       multiply_add(about_t.other, first.t, Pack(about_t.same * second.t))};
+  BeamElastic<Pack> elastic{stretch, {first, second}};
+  if (c.plastic != 0) elastic = less_plastic(place, stiffness, elastic);
+  const Pack axial = stiffness.axial * elastic.stretch;
+  const About<Pack> m1 = stiffness.moment(elastic.turn, 0);
+  const About<Pack> m2 = stiffness.moment(elastic.turn, 1);
 
   Pack work(0.0);
   add_work(place, 0, stretch, axial, work);

@@ -36,6 +36,16 @@ void take_plastic(const model::PlasticKinematic& law, BeamConstants& c) {
   c.failure_strain = law.failure_strain;
 }
 
+/// Elastic-perfectly plastic hinges at the ends, plastic moments of the rectangle with this area and these
+/// moments of area: Z = A h / 4, h = sqrt(12 I / A).
+void take_hinges(const model::ResultantPlasticity& law, const model::BeamSection& section, BeamConstants& c) {
+  c.plastic = 1;
+  c.yield_stress = law.yield_stress;
+  c.plastic_force = law.yield_stress * section.area;
+  c.plastic_moment_s = law.yield_stress * 0.5 * std::sqrt(3 * section.area * section.inertia_s);
+  c.plastic_moment_t = law.yield_stress * 0.5 * std::sqrt(3 * section.area * section.inertia_t);
+}
+
 BeamConstants constants_of(const model::Model& model, const BeamBlock& block) {
   const model::Part& part = model.parts[block.part];
   const model::BeamSection& section = model.beam_sections[part.beam_section];
@@ -44,6 +54,9 @@ BeamConstants constants_of(const model::Model& model, const BeamBlock& block) {
   BeamConstants c;
   if (const auto* elastic = std::get_if<model::Elastic>(&law)) {
     take_elastic(elastic->youngs_modulus, elastic->poissons_ratio, section, c);
+  } else if (const auto* hinged = std::get_if<model::ResultantPlasticity>(&law); hinged && !truss) {
+    take_elastic(hinged->youngs_modulus, hinged->poissons_ratio, section, c);
+    take_hinges(*hinged, section, c);
   } else {
     const auto* plastic = std::get_if<model::PlasticKinematic>(&law);
     require(truss && plastic != nullptr, part, "its material cannot be used with these beams");
@@ -54,7 +67,7 @@ BeamConstants constants_of(const model::Model& model, const BeamBlock& block) {
   return c;
 }
 
-void declare_items(BeamBlock& block) {
+void declare_items(bool plastic, BeamBlock& block) {
   domain::add_item(block, "active", "-", 1);
   domain::add_item(block, "stable_step", "time", 1);
   domain::add_item(block, "reference_length", "length", 1);
@@ -68,6 +81,7 @@ void declare_items(BeamBlock& block) {
     domain::add_item(block, "axes", "-", 12);
     domain::add_item(block, "deformation", "length and rad", 6);
     domain::add_item(block, "resultant", "force and moment", 6);
+    if (plastic) domain::add_item(block, "plastic_deformation", "length and rad", 5);
   }
 }
 
@@ -175,7 +189,7 @@ void prepare_element(const model::Model& model, domain::Domain& domain, BeamBloc
 void prepare_beams(const model::Model& model, domain::Domain& domain) {
   for (BeamBlock& block : domain.beams) {
     const BeamConstants constants = constants_of(model, block);
-    declare_items(block);
+    declare_items(constants.plastic != 0, block);
     block.allocate(Precision::Double);
     block.element_constants = to_numbers(constants);
     for (Index place = 0; place < block.groups() * lanes; ++place)

@@ -165,12 +165,12 @@ struct CrushableFoam {
   double damping = 0;                ///< coefficient of the linear viscosity [-]
 };
 
-/// Elastic beams whose ends yield under axial force and moments (*MAT_RESULTANT_PLASTICITY).
+/// Beams whose ends are elastic-perfectly plastic under axial force and bending moments
+/// (*MAT_RESULTANT_PLASTICITY).
 struct ResultantPlasticity {
-  double youngs_modulus = 0;   ///< E [stress]
-  double poissons_ratio = 0;   ///< nu [-]
-  double yield_stress = 0;     ///< [stress]
-  double tangent_modulus = 0;  ///< slope of the uniaxial stress over total strain [stress]
+  double youngs_modulus = 0;  ///< E [stress]
+  double poissons_ratio = 0;  ///< nu [-]
+  double yield_stress = 0;    ///< [stress]
 };
 
 /// The constitutive law and its constants. A new law is one more alternative here.

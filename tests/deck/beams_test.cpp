@@ -56,6 +56,17 @@ TEST(Beams, TrussesHaveAnAreaOnly) {
   EXPECT_EQ(model.beam_sections[0].area, 25);
 }
 
+TEST(Beams, MayHaveHinges) {
+  const model::Model model = read_with(
+      "*ELEMENT_BEAM\n      11       2       1       5       4\n"
+      "*PART\nframe\n         2         2         2\n"
+      "*SECTION_BEAM\n         2         2\n      25.0      52.0      26.0\n"
+      "*MAT_RESULTANT_PLASTICITY\n         2   7.83E-6     207.0       0.3       0.2\n");
+  const auto law = std::get<model::ResultantPlasticity>(model.materials[1].law);
+  EXPECT_EQ(law.youngs_modulus, 207);
+  EXPECT_EQ(law.yield_stress, 0.2);
+}
+
 TEST(Beams, AreAmongTheNodesOfTheirPart) {
   const model::Model model =
       read_with(beams("         2         3\n      25.0\n", "      11       2       1       5\n") +

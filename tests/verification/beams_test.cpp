@@ -217,6 +217,57 @@ TEST(Beams, TumblingBeamKeepsEnergyAndAngularMomentum) {
   EXPECT_LT(math::norm(test::momentum(simulation.domain())), 1e-10);
 }
 
+/// A light cantilever with a heavy mass at its tip that moves across it; yield stress 10.
+model::Model struck_cantilever(const math::Vec3& velocity) {
+  model::Model model = cantilever(test::rectangle(0.4, 0.2, 1e-3), 2, 4);
+  model.materials[0] = {
+      .id = 1, .title = "", .density = 1e-3, .law = model::ResultantPlasticity{1e4, 0.25, 10}};
+  model.lumped_masses.push_back({.id = 1, .node = 4, .mass = 1.0});
+  model.initial_velocities.push_back({.node = 4, .velocity = {velocity.x, velocity.y, velocity.z}});
+  return model;
+}
+
+TEST(Beams, HingeAtTheFootTakesTheEnergyThatTheBeamCannot) {
+  // Plastic moment about t of the rectangle: 10 * 0.2 * 0.4^2 / 4.
+  constexpr double plastic_moment = 0.08;
+  model::Model model = struck_cantilever({0, 0.2, 0});
+  model.control.end_time = 12;
+  timeloop::Simulation simulation(model, test::execution());
+  double most = 0;
+  double turn = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    const domain::BeamBlock& block = domain.beams[0];
+    for (Index place = 0; place < block.elements; ++place)
+      if (block.element[place] == 0) {
+        most = std::max(most, std::fabs(block.state(place, block.find("resultant")->first + 3)));
+        turn = block.state(place, block.find("plastic_deformation")->first + 2);
+      }
+  });
+  EXPECT_LT(most, plastic_moment * (1 + 1e-6));
+  EXPECT_GT(most, plastic_moment * 0.999);
+  // The mass stops when moment times turn and the elastic energy M^2 L / 6 E I are its kinetic energy.
+  const double elastic = plastic_moment * plastic_moment * 2 / (6 * 1e4 * 0.2 * 0.064 / 12);
+  const double expected = (0.5 * 0.04 - elastic) / plastic_moment;
+  RecordProperty("hinge_turn_over_exact", std::to_string(std::fabs(turn) / expected));
+  EXPECT_NEAR(std::fabs(turn), expected, 0.02 * expected);
+  EXPECT_LT(simulation.domain().energy.error(), 0.01);
+}
+
+TEST(Beams, PlasticBarYieldsAtItsWholeSection) {
+  model::Model model = struck_cantilever({2.0, 0, 0});
+  model.control.end_time = 3;
+  timeloop::Simulation simulation(model, test::execution());
+  double most = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    const domain::BeamBlock& block = domain.beams[0];
+    most = std::max(most, block.state(0, block.find("resultant")->first));
+  });
+  EXPECT_NEAR(most, 10 * 0.08, 1e-9);
+  // 1/2 m v^2 = Np (stretch) less the elastic Np^2 L / 2 E A
+  const double stretch = (2.0 + 0.5 * 0.8 * 0.8 * 2 / 800) / 0.8;
+  EXPECT_GT(test::displacement(simulation.domain(), 4).x, 0.97 * stretch);
+}
+
 TEST(Beams, ShakenBeamsOfAnyProportionsStayStable) {
   for (const double slenderness : {0.2, 1.0, 5.0, 50.0})
     for (const double shear_area : {0.0, 0.8}) {
