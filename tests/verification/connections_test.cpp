@@ -66,11 +66,11 @@ TEST(SpotWeld, BreaksWhenItsPullReachesTheStrength) {
   double slip = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
     imbalance = std::max(imbalance, std::fabs(domain.energy.imbalance()));
-    if (domain.welds[0].broken) return;
     for (Index row = 0; row < 2; ++row) {
-      const Vec3 line = test::displacement(domain, strips.right_begin(row)) -
+      if (domain.welds[static_cast<std::size_t>(row)].broken) continue;
+      const Vec3 line = Vec3{gap, 0, 0} + test::displacement(domain, strips.right_begin(row)) -
                         test::displacement(domain, strips.left_end(row));
-      slip = std::max(slip, norm(line));
+      slip = std::max(slip, std::fabs(norm(line) - gap));
     }
   });
   const domain::Domain& domain = simulation.domain();
@@ -105,11 +105,18 @@ TEST(SpotWeld, BreaksWhenThePlasticStrainAroundItReachesTheLimit) {
   test::run(simulation, [&](const domain::Domain& domain) {
     if (domain.welds[0].broken) return;
     const domain::ShellBlock& block = domain.shells[0];
-    for (Index place = 0; place < block.elements; ++place)
-      if (block.element[place] == 3) before = block.state(place, block.find("plastic_strain")->first);
+    const domain::StateItem& strain = *block.find("plastic_strain");
+    before = 0;
+    for (Index place = 0; place < block.elements; ++place) {
+      // The shells beside the weld, one of each strip: a node has no other.
+      if (block.element[place] != 3 && block.element[place] != 4) continue;
+      double mean = 0;
+      for (Index point = 0; point < 3; ++point) mean += block.state(place, strain.first + point) / 3;
+      before = std::max(before, mean);
+    }
   });
   EXPECT_TRUE(simulation.domain().welds[0].broken);
-  EXPECT_NEAR(before, limit, 0.1 * limit) << "in the shell beside the weld, one step earlier";
+  EXPECT_NEAR(before, limit, 0.02 * limit) << "one step earlier";
 }
 
 /// Two masses on a massless link, beside a shell that sets the step.
@@ -129,28 +136,34 @@ model::Model dumbbell(double length) {
 TEST(Rivet, ASpinningPairKeepsItsEnergyMomentaAndLength) {
   constexpr double length = 5;
   model::Model model = dumbbell(length);
-  constexpr double spin = 20;
+  constexpr double spin = 5;
   model.initial_velocities.push_back({.node = 4, .velocity = {1, -3 * spin, 0}, .angular_velocity = {}});
   model.initial_velocities.push_back({.node = 5, .velocity = {1, 2 * spin, 0}, .angular_velocity = {}});
   constexpr double turns = 100;
   model.control.end_time = turns * 2 * std::numbers::pi / spin;
   timeloop::Simulation simulation(model, test::execution());
+  double first = 0;
   double energy = 0;
   double stretch = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
-    energy = std::max(energy, std::fabs(domain.energy.ratio() - 1));
+    // The product of two velocities half a step apart has a share of the turning in it, the same in all
+    // steps.
+    if (domain.clock.cycle == 1) first = domain.energy.ratio();
+    if (domain.clock.cycle > 0) energy = std::max(energy, std::fabs(domain.energy.ratio() - first));
     const domain::NodeFields& nodes = domain.nodes;
     stretch = std::max(
         stretch, std::fabs(norm(nodes.position[nodes.domain_node[5]] - nodes.position[nodes.domain_node[4]]) -
                            length));
   });
   const domain::NodeFields& nodes = simulation.domain().nodes;
+  EXPECT_NEAR(first, 1, 1e-5);
   EXPECT_LT(energy, 1e-6);
   EXPECT_LT(stretch, 1e-11);
   EXPECT_NEAR(test::momentum(simulation.domain()).x, 5, 1e-10);
-  // The angle after 100 turns: the centre has moved on, the pair lies as at the start.
+  // The centre has moved on, the pair lies as at the start. The angle is off by the square of the turn in a
+  // step, 0.0026 here.
   const Vec3 line = nodes.position[nodes.domain_node[5]] - nodes.position[nodes.domain_node[4]];
-  EXPECT_NEAR(std::atan2(line.y, line.x), 0, 2e-3);
+  EXPECT_NEAR(std::atan2(line.y, line.x), 0, 4e-3);
 }
 
 TEST(Rivet, APendulumHasThePeriodOfTheEllipticIntegral) {
