@@ -35,7 +35,8 @@ def colour(text):
 
 def frames_of(collection):
     entries = xml.parse(collection).getroot().iter("DataSet")
-    return [(float(entry.get("timestep")), collection.parent / entry.get("file")) for entry in entries]
+    return [(float(entry.get("timestep")), collection.parent / entry.get("file")) for entry in entries
+            if entry.get("part", "0") == "0"]
 
 
 def nearest_frame(frames, time):
@@ -169,6 +170,24 @@ def wall_actor(bounds, axis, place):
     return actor
 
 
+def shaped_walls_actor(frame):
+    """The rigid walls that are the second part of a frame; None if it has none."""
+    name, _, number = frame.stem.rpartition("_")
+    file = frame.with_name(f"{name}_walls_{number}{frame.suffix}")
+    if not file.exists():
+        return None
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(file))
+    mapper = vtkDataSetMapper()
+    mapper.SetInputConnection(reader.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.72, 0.72, 0.74)
+    actor.GetProperty().SetOpacity(0.45)
+    return actor
+
+
 def colour_bar(table, height, parts):
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
@@ -270,7 +289,7 @@ def draw(collection, arguments):
     bounds = union([grid.GetBounds() for grid in grids])
     low, high = (map(float, arguments.range.split(",")) if arguments.range else value_range(grids, arguments.field))
     width, height = (int(number) for number in arguments.size.split("x"))
-    for number, ((time, _), grid) in enumerate(zip(chosen, grids), 1):
+    for number, ((time, file), grid) in enumerate(zip(chosen, grids), 1):
         renderer = vtkRenderer()
         renderer.SetBackground(1, 1, 1)
         parts = arguments.field == "part"
@@ -278,6 +297,8 @@ def draw(collection, arguments):
         renderer.AddActor(mesh_actor(grid, arguments.field, table, not arguments.no_edges))
         if arguments.wall:
             renderer.AddActor(wall_actor(bounds, *axis_and_place(arguments.wall)))
+        if walls := shaped_walls_actor(file):
+            renderer.AddActor(walls)
         renderer.AddActor2D(colour_bar(table, height, parts))
         title = TITLES.get(arguments.field, arguments.field.replace("_", " "))
         renderer.AddActor2D(label(title, 0.024 * height, (0.985 * width, 0.825 * height), to_the_left=True))

@@ -54,12 +54,12 @@ run_tests() {
   ctest --test-dir "build/$preset" --output-on-failure --no-tests=ignore -j "$(nproc)" "$@"
 }
 
-# check NAME...: the static checks of tools/ by their short names.
+# static_checks [options of check_tidy]: the static checks of tools/.
 static_checks() {
   step "layers" tools/check_layers
   step "tools' own tests" python3 -m unittest discover -s tests/tools -p '*_test.py'
   step "style" tools/check_style
   step "format" tools/check_format
   step "headers" tools/check_headers
-  step "tidy" tools/check_tidy
+  step "tidy" tools/check_tidy "$@"
 }

@@ -39,7 +39,7 @@ class RigidWall {
   Sums stop_at(const Shape& shape, domain::Domain& domain, const AlignedArray<math::Vec3>& previous_velocity,
                double next_step);
   template <class Shape>
-  void stop_body_at(const Shape& shape, domain::Domain& domain, Index body, double next_step, Sums& sums);
+  void stop_body_at(const Shape& shape, domain::Domain& domain, Index place, double next_step, Sums& sums);
   math::Vec3 displacement_after(const domain::Clock& clock, const math::Vec3& now, double next_step) const;
 
   const model::Model* model_;

@@ -46,7 +46,7 @@ class Owners {
 
 /// Both nodes, or nothing with a message.
 std::vector<Index> find_pair(Build& build, const std::array<UserId, 2>& ids, const Where& where) {
-  const std::vector<Index> pair = {build.find(Item::Node, {ids[0], "N1", where}),
+  std::vector<Index> pair = {build.find(Item::Node, {ids[0], "N1", where}),
                                    build.find(Item::Node, {ids[1], "N2", where})};
   if (pair[0] == no_index || pair[1] == no_index) return {};
   if (pair[0] == pair[1]) {

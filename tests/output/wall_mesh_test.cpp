@@ -13,7 +13,6 @@
 namespace crumple::output {
 namespace {
 
-using math::Vec3;
 using model::WallShape;
 
 /// Volume inside faces whose normals point outward, by the divergence theorem.
