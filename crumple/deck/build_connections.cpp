@@ -47,7 +47,7 @@ class Owners {
 /// Both nodes, or nothing with a message.
 std::vector<Index> find_pair(Build& build, const std::array<UserId, 2>& ids, const Where& where) {
   std::vector<Index> pair = {build.find(Item::Node, {ids[0], "N1", where}),
-                                   build.find(Item::Node, {ids[1], "N2", where})};
+                             build.find(Item::Node, {ids[1], "N2", where})};
   if (pair[0] == no_index || pair[1] == no_index) return {};
   if (pair[0] == pair[1]) {
     build.report.field_error(where, {"N2", std::to_string(ids[1]), "another node than N1",

@@ -133,7 +133,8 @@ Shock shock(const model::ConstitutiveLaw& law, double velocity, const domain::Ex
   const double pressure = density * expected * velocity;
   const double early = 0.4 * bar_length / expected;
   const double late = 0.8 * bar_length / expected;
-  timeloop::Simulation simulation(flying_bar(law, velocity, late, form), execution);
+  const model::Model model = flying_bar(law, velocity, late, form);
+  timeloop::Simulation simulation(model, execution);
   double place = 0;
   double time = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
