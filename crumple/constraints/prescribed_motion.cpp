@@ -76,7 +76,8 @@ KineticChange PrescribedMotions::impose(Domain& domain, double interval, double 
       continue;
     }
     domain::RigidBody& body = domain.rigid_bodies[given.body];
-    motion.before = (given.rotation ? body.previous_spin : body.previous_velocity)[given.axis];
+    motion.before = dot(body.held_axes.column[static_cast<std::size_t>(given.axis)],
+                        given.rotation ? body.previous_spin : body.previous_velocity);
     const double target = velocity(motion, time, interval, next_step);
     if (given.rotation)
       hold_rotation(body, given.axis, target);

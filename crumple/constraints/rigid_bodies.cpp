@@ -86,7 +86,7 @@ void hold_fixed(RigidBody& body) {
   body.held_rotation = body.fixed_rotation;
   body.prescribed_velocity = body.prescribed_spin = Vec3{};
   for (int axis = 0; axis < 3; ++axis)
-    if (body.fixed_translation[static_cast<std::size_t>(axis)]) body.velocity[axis] = 0;
+    if (body.fixed_translation[static_cast<std::size_t>(axis)]) hold_translation(body, axis, 0);
 }
 
 void take_given_inertia(const model::RigidInertia& given, const std::vector<Index>& added, Domain& domain,
@@ -262,6 +262,7 @@ RigidBodies::RigidBodies(const model::Model& model, Domain& domain)
     if (!given.parts.empty()) body.part = given.parts.front();
     body.fixed_translation = given.fixed_translation;
     body.fixed_rotation = given.fixed_rotation;
+    for (std::size_t axis = 0; axis < 3; ++axis) body.held_axes.column[axis] = to_vec3(given.held_axes[axis]);
     body.has_given_inertia = given.inertia.has_value();
     if (given.inertia) take_given_inertia(*given.inertia, in_domain(given.added_nodes), domain, body);
     add_body(domain, std::move(body));

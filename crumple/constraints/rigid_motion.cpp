@@ -29,8 +29,18 @@ bool any(const std::array<bool, 3>& axes) {
   return axes[0] || axes[1] || axes[2];
 }
 
-/// Angular velocity for the momentum where some axes are held at the angular velocity `held`.
-Vec3 held_spin(const RigidBody& body, const Matrix3& inertia, const Vec3& momentum, const Vec3& held) {
+/// The tensor of inertia in the axes that are held.
+Matrix3 held_inertia(const RigidBody& body, const Quaternion& turn) {
+  const Matrix3 tensor = inertia_tensor(body, turn);
+  Matrix3 turned;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    turned.column[axis] = math::transposed_product(body.held_axes, tensor * body.held_axes.column[axis]);
+  return turned;
+}
+
+/// Angular velocity for the momentum where some axes are held at the angular velocity `held`; all components
+/// are along the axes that are held.
+Vec3 held_components(const RigidBody& body, const Matrix3& inertia, const Vec3& momentum, const Vec3& held) {
   Vec3 driven;
   for (int axis = 0; axis < 3; ++axis)
     if (body.held_rotation[static_cast<std::size_t>(axis)]) driven[axis] = held[axis];
@@ -47,6 +57,21 @@ Vec3 held_spin(const RigidBody& body, const Matrix3& inertia, const Vec3& moment
     right[axis] = is_held ? held[axis] : 0.0;
   }
   return math::solve(matrix, right);
+}
+
+/// The same in global axes, the momentum too.
+Vec3 held_spin(const RigidBody& body, const Quaternion& turn, const Vec3& momentum, const Vec3& held) {
+  return body.held_axes * held_components(body, held_inertia(body, turn),
+                                          math::transposed_product(body.held_axes, momentum), held);
+}
+
+/// What is left of a change of the centre's velocity where some axes are held.
+Vec3 free_change(const RigidBody& body, const Vec3& change) {
+  if (!any(body.held_translation)) return change;
+  Vec3 components = math::transposed_product(body.held_axes, change);
+  for (int axis = 0; axis < 3; ++axis)
+    if (body.held_translation[static_cast<std::size_t>(axis)]) components[axis] = 0;
+  return body.held_axes * components;
 }
 
 /// Mean momentum of the step in the body's axes: mu = m + step/2 mu x (inverse mu), by Newton's method.
@@ -102,8 +127,7 @@ Matrix3 inertia_tensor(const RigidBody& body, const Quaternion& turn) {
 }
 
 Vec3 spin_of(const RigidBody& body, const Quaternion& turn, const Vec3& momentum) {
-  if (any(body.held_rotation))
-    return held_spin(body, inertia_tensor(body, turn), momentum, body.prescribed_spin);
+  if (any(body.held_rotation)) return held_spin(body, turn, momentum, body.prescribed_spin);
   const Matrix3 axes = math::matrix_of(turn);
   return axes * by_axis(inverse_inertia(body), math::transposed_product(axes, momentum));
 }
@@ -116,23 +140,18 @@ Vec3 response_at(const RigidBody& body, const Vec3& arm, const Vec3& direction) 
   const Vec3 moment = cross(arm, direction);
   Vec3 spin;
   if (any(body.held_rotation)) {
-    spin = held_spin(body, inertia_tensor(body, body.turn), moment, Vec3{});
+    spin = held_spin(body, body.turn, moment, Vec3{});
   } else {
     const Matrix3 axes = math::matrix_of(body.turn);
     spin = axes * by_axis(inverse_inertia(body), math::transposed_product(axes, moment));
   }
-  Vec3 change = cross(spin, arm);
-  for (int axis = 0; axis < 3; ++axis)
-    if (!body.held_translation[static_cast<std::size_t>(axis)]) change[axis] += direction[axis] / body.mass;
-  return change;
+  return cross(spin, arm) + free_change(body, (1 / body.mass) * direction);
 }
 
 void give_impulse(RigidBody& body, const Vec3& arm, const Vec3& impulse) {
   body.impulse += impulse;
   body.angular_impulse += cross(arm, impulse);
-  for (int axis = 0; axis < 3; ++axis)
-    if (!body.held_translation[static_cast<std::size_t>(axis)])
-      body.velocity[axis] += impulse[axis] / body.mass;
+  body.velocity += free_change(body, (1 / body.mass) * impulse);
   body.angular_momentum += cross(arm, impulse);
   body.spin = spin_of(body, body.turn, body.angular_momentum);
 }
@@ -140,7 +159,9 @@ void give_impulse(RigidBody& body, const Vec3& arm, const Vec3& impulse) {
 void hold_translation(RigidBody& body, int axis, double velocity) {
   body.held_translation[static_cast<std::size_t>(axis)] = true;
   body.prescribed_velocity[axis] = velocity;
-  body.velocity[axis] = velocity;
+  Vec3 components = math::transposed_product(body.held_axes, body.velocity);
+  components[axis] = velocity;
+  body.velocity = body.held_axes * components;
 }
 
 void hold_rotation(RigidBody& body, int axis, double spin) {

@@ -24,7 +24,8 @@ math::Vec3 response_at(const domain::RigidBody& body, const math::Vec3& arm, con
 /// Changes the momenta by an impulse on a point; held axes take up their part of it.
 void give_impulse(domain::RigidBody& body, const math::Vec3& arm, const math::Vec3& impulse);
 
-/// Prescribes the velocity of the centre along a global axis, or the angular velocity about it, at n + 1/2.
+/// Prescribes the velocity of the centre along one of held_axes, or the angular velocity about it, at n +
+/// 1/2.
 void hold_translation(domain::RigidBody& body, int axis, double velocity);
 void hold_rotation(domain::RigidBody& body, int axis, double spin);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/build.hpp"
+#include "deck/coordinates.hpp"
 
 #include <fmt/format.h>
 
@@ -40,6 +41,7 @@ const ItemWords& words(Item item) {
       {"discrete element", "*ELEMENT_DISCRETE", "*ELEMENT_DISCRETE_", ""},
       {"orientation", "*DEFINE_SD_ORIENTATION", "*DEFINE_SD_ORIENTATION_", ""},
       {"equation of state", "*EOS_GRUNEISEN or *EOS_LINEAR_POLYNOMIAL", "*EOS_", ""},
+      {"coordinate system", "*DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR", "*DEFINE_COORDINATE_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -115,6 +117,7 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_properties(build);
   check_materials(build);
   build_nodes(build);
+  enter_coordinate_systems(build);
   build_parts(build);
   build_shells(build);
   build_solids(build);

@@ -38,6 +38,7 @@ enum class Item {
   Discrete,
   Orientation,
   EquationOfState,
+  CoordinateSystem,
   Count,  ///< how many there are
 };
 

@@ -9,12 +9,11 @@
 #include "base/counted.hpp"
 #include "deck/build.hpp"
 #include "deck/rigid_inertia.hpp"
+#include "deck/vector.hpp"
 
 namespace crumple::deck {
 
 namespace {
-
-using Vector = std::array<double, 3>;
 
 std::vector<Index> velocity_nodes(Build& build, const RawVelocity& raw) {
   const Reference reference{raw.id, raw.is_generation ? "ID" : "NSID", raw.where};

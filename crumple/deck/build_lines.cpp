@@ -8,24 +8,11 @@
 #include <vector>
 
 #include "deck/build.hpp"
+#include "deck/vector.hpp"
 
 namespace crumple::deck {
 
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double length_of(const Vector& a) {
-  return std::hypot(a[0], a[1], a[2]);
-}
 
 const Vector& position_of(const Build& build, Index node) {
   return build.model.nodes.position[static_cast<std::size_t>(node)];

@@ -7,24 +7,11 @@
 #include <cmath>
 
 #include "deck/build.hpp"
+#include "deck/vector.hpp"
 
 namespace crumple::deck {
 
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector difference(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// Turns the nodes of a triangle so that the third is the one given twice; its thickness holds twice, too.
 void turn_triangle(model::ShellElement& shell) {

@@ -17,12 +17,24 @@ std::vector<Index> moved_nodes(const RawPrescribedMotion& raw, Build& build) {
   return set == no_index ? std::vector<Index>() : build.model.node_sets[static_cast<std::size_t>(set)].nodes;
 }
 
+/// A motion along a global axis and constraints along others would have to be solved together.
+void refuse_local_axes(const RawPrescribedMotion& raw, Index index, Build& build) {
+  const model::RigidBody& body = build.model.rigid_bodies[static_cast<std::size_t>(index)];
+  if (body.held_axes == model::RigidBody{}.held_axes) return;
+  build.report.field_unsupported(
+      raw.where,
+      {"PID", std::to_string(raw.id), "a rigid body that is free or held in global axes",
+       fmt::format("CMO of rigid body {} is -1, and a motion is along or about a global axis", body.id),
+       "rigid"});
+}
+
 void build_prescribed_motion(const RawPrescribedMotion& raw, const std::vector<Index>& body_of_node,
                              Build& build) {
   model::PrescribedMotion motion = raw.motion;
   motion.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
   if (raw.target == RawPrescribedMotion::Target::Body) {
     motion.body = build.find(Item::RigidBody, {raw.id, "PID", raw.where});
+    if (motion.body != no_index) refuse_local_axes(raw, motion.body, build);
     if (motion.body != no_index && motion.curve != no_index) build.model.prescribed_motions.push_back(motion);
     return;
   }

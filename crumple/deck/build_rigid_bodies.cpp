@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "deck/build.hpp"
+#include "deck/coordinates.hpp"
 
 namespace crumple::deck {
 
@@ -35,6 +36,7 @@ class Bodies {
     return merged_into_.back();
   }
   void take_inertia(const RawInertia& raw, model::RigidBody& body);
+  void take_held_axes(UserId system, const Where& where, model::RigidBody& body);
   void check_nodes();
 
   Build& build_;
@@ -50,6 +52,11 @@ void Bodies::take_inertia(const RawInertia& raw, model::RigidBody& body) {
   if (raw.centre_node == 0) return;
   const Index node = build_.find(Item::Node, {raw.centre_node, "NODEID", raw.where});
   if (node != no_index) body.inertia->centre = build_.model.nodes.position[static_cast<std::size_t>(node)];
+}
+
+void Bodies::take_held_axes(UserId system, const Where& where, model::RigidBody& body) {
+  if (system == 0) return;
+  if (const auto axes = find_axes(build_, system, "CON1", where)) body.held_axes = *axes;
 }
 
 void Bodies::take_parts() {
@@ -79,6 +86,8 @@ void Bodies::take_parts() {
     body.parts = {index};
     body.fixed_translation = rigid->fixed_translation;
     body.fixed_rotation = rigid->fixed_rotation;
+    const RawMaterial& material = build_.deck.materials[static_cast<std::size_t>(part.material)];
+    take_held_axes(material.held_system, material.where, body);
     if (raw.inertia) take_inertia(*raw.inertia, body);
     body_of_part_[static_cast<std::size_t>(index)] = add(std::move(body), raw.where);
   }
@@ -156,6 +165,7 @@ void Bodies::take_nodal_bodies() {
     body.title = raw.title;
     body.fixed_translation = raw.held.fixed_translation;
     body.fixed_rotation = raw.held.fixed_rotation;
+    take_held_axes(raw.held_system, raw.where, body);
     body.nodes = build_.model.node_sets[static_cast<std::size_t>(set)].nodes;
     if (raw.inertia) take_inertia(*raw.inertia, body);
     if (body.nodes.empty()) {

@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "deck/build.hpp"
+#include "deck/vector.hpp"
 
 namespace crumple::deck {
 
 namespace {
 
-using Vector = std::array<double, 3>;
 using Corners = std::array<Vector, 8>;
 
 /// Places of the corners in the parent cube, in units of half its side.
@@ -124,7 +124,7 @@ void check_shape(const model::SolidElement& solid, const Where& where, Build& bu
     x[i] = build.model.nodes.position[static_cast<std::size_t>(solid.node[i])];
   double longest = 0;
   for (const Vector& a : x)
-    for (const Vector& b : x) longest = std::max(longest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
+    for (const Vector& b : x) longest = std::max(longest, length_of(difference(a, b)));
   const Shape shape = shape_of(x);
   constexpr double flat = 1e-9;
   if (std::fabs(shape.volume) <= flat * longest * longest * longest)

@@ -7,12 +7,11 @@
 
 #include "base/counted.hpp"
 #include "deck/build.hpp"
+#include "deck/vector.hpp"
 
 namespace crumple::deck {
 
 namespace {
-
-using Vector = std::array<double, 3>;
 
 void warn_of_nodes_behind(const model::RigidWall& wall, const Where& where, Build& build) {
   const auto& positions = build.model.nodes.position;

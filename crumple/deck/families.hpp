@@ -69,6 +69,11 @@ void read_define_curve(Cards& cards, RawDeck& deck);
 void read_define_table(Cards& cards, RawDeck& deck);
 void read_define_table_2d(Cards& cards, RawDeck& deck);
 
+// coordinates.cpp
+void read_define_coordinate_system(Cards& cards, RawDeck& deck);
+void read_define_coordinate_nodes(Cards& cards, RawDeck& deck);
+void read_define_coordinate_vector(Cards& cards, RawDeck& deck);
+
 // read_sets.cpp
 void read_define_box(Cards& cards, RawDeck& deck);
 void read_set_node_list(Cards& cards, RawDeck& deck);

@@ -132,6 +132,7 @@ struct RawSpringMaterial {
 
 struct RawMaterial {
   model::Material material;
+  UserId held_system = 0;  ///< of a rigid material: the coordinate system of what is held; 0 is global axes
   UserId hardening_curve = 0;  ///< a curve or a table; of foam that of its crush
   UserId rate_curve = 0;
   Where where;
@@ -164,6 +165,15 @@ struct RawTable {
 };
 
 /// A box with sides along the global axes.
+/// Axes that are fixed in space, by two vectors or by three nodes.
+struct RawCoordinateSystem {
+  UserId id = 0;
+  std::array<double, 3> first{};  ///< along the x axis
+  std::array<double, 3> other{};  ///< in the xy plane
+  std::array<UserId, 3> node{};   ///< origin, on the x axis, in the xy plane; 0: the vectors count
+  Where where;
+};
+
 struct RawBox {
   UserId id = 0;
   std::array<double, 3> lowest{};
@@ -293,6 +303,7 @@ struct RawNodalBody {
   std::string title;
   UserId node_set = 0;
   model::RigidMaterial held{};
+  UserId held_system = 0;  ///< as in RawMaterial
   std::optional<RawInertia> inertia{};
   Where where;
 };
@@ -385,6 +396,7 @@ struct RawDeck {
   std::vector<RawSet> solid_sets;
   std::vector<RawSet> segment_sets;
   std::vector<RawBox> boxes;
+  std::vector<RawCoordinateSystem> coordinate_systems;
   std::vector<RawFixed> fixed;
   std::vector<RawVelocity> velocities;
   std::vector<RawNodalLoad> nodal_loads;

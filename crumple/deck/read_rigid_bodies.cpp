@@ -26,9 +26,9 @@ constexpr Field rigid_card[] = {
 };
 
 constexpr Field constraint_card[] = {
-    only("CMO", {0, 1}, "0 is free, 1 holds global axes; constraints in local axes are not supported"),
-    integer("CON1", 0, within(0, 7, "1, 2, 3 are x, y, z, 4 is xy, 5 yz, 6 zx, 7 all")),
-    integer("CON2", 0, within(0, 7, "1, 2, 3 are x, y, z, 4 is xy, 5 yz, 6 zx, 7 all")),
+    only("CMO", {0, 1, -1}, "0 is free, 1 holds global axes, -1 those of a coordinate system"),
+    integer("CON1"),
+    integer("CON2"),
 };
 
 constexpr Field output_axes_card[] = {
@@ -68,11 +68,46 @@ void read_extra_nodes(Cards& cards, RawDeck& deck, bool is_set) {
 }
 
 /// What a card with CMO, CON1 and CON2 holds.
-model::RigidMaterial held_of(const Card& card) {
-  model::RigidMaterial held;
-  if (card.real("CMO") != 1) return held;
-  held.fixed_translation = held_axes(card.integer("CON1"));
-  held.fixed_rotation = held_axes(card.integer("CON2"));
+struct Held {
+  model::RigidMaterial axes;
+  UserId system = 0;  ///< in whose axes; 0 is the global ones
+};
+
+/// CMO = 1: codes of global axes.
+void take_codes(const Card& card, Held& held, Report& report) {
+  for (const std::string_view field : {"CON1", "CON2"})
+    if (card.good(field) && (card.integer(field) < 0 || card.integer(field) > 7))
+      report.field_error(card.where(), {field, std::string(card.text(field)), "0 to 7",
+                                        "1, 2, 3 are x, y, z, 4 is xy, 5 yz, 6 zx, 7 all", "code"});
+  held.axes.fixed_translation = held_axes(card.integer("CON1"));
+  held.axes.fixed_rotation = held_axes(card.integer("CON2"));
+}
+
+/// CMO = -1: a coordinate system and six digits of 0 or 1.
+void take_digits(const Card& card, Held& held, Report& report) {
+  held.system = card.integer("CON1");
+  if (card.good("CON1") && held.system <= 0)
+    report.field_error(card.where(),
+                       {"CON1", std::string(card.text("CON1")), "a coordinate system",
+                        "CMO is -1: CON1 is the id of the system whose axes are held", "system"});
+  std::int64_t digits = card.integer("CON2");
+  bool good = digits >= 0;
+  for (std::size_t place = 6; place-- > 0; digits /= 10) {
+    good = good && digits % 10 <= 1;
+    (place < 3 ? held.axes.fixed_translation : held.axes.fixed_rotation)[place % 3] = digits % 10 == 1;
+  }
+  if (card.good("CON2") && (!good || digits != 0))
+    report.field_error(card.where(),
+                       {"CON2", std::string(card.text("CON2")), "six digits of 0 or 1",
+                        "CMO is -1: the digits hold x, y, z and the rotations about them, as in "
+                        "110001",
+                        "digits"});
+}
+
+Held held_of(const Card& card, Report& report) {
+  Held held;
+  if (card.real("CMO") == 1) take_codes(card, held, report);
+  if (card.real("CMO") == -1) take_digits(card, held, report);
   return held;
 }
 
@@ -90,7 +125,11 @@ void read_nodal_bodies(Cards& cards, RawDeck& deck, const NodalBodyOptions& opti
     body.id = card.integer("PID");
     body.node_set = card.integer("NSID") != 0 ? card.integer("NSID") : body.id;
     body.where = card.where();
-    if (options.constraints) body.held = held_of(cards.next(constraint_card));
+    if (options.constraints) {
+      const Held held = held_of(cards.next(constraint_card), cards.report());
+      body.held = held.axes;
+      body.held_system = held.system;
+    }
     if (options.inertia) body.inertia = read_inertia(cards);
     if (card.good("PID") && card.good("NSID")) deck.nodal_bodies.push_back(std::move(body));
   }
@@ -111,7 +150,9 @@ void read_mat_rigid(Cards& cards, RawDeck& deck) {
     cards.next(output_axes_card);
     RawMaterial raw = material_of(heading, card);
     raw.material.law = model::Elastic{card.real("E"), card.real("PR")};
-    raw.material.rigid = held_of(constraint);
+    const Held held = held_of(constraint, cards.report());
+    raw.material.rigid = held.axes;
+    raw.held_system = held.system;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "deck/families.hpp"
+#include "deck/vector.hpp"
 
 namespace crumple::deck {
 
@@ -12,8 +13,6 @@ namespace {
 
 using namespace row;
 using model::WallShape;
-using Vector = std::array<double, 3>;
-
 constexpr Check friction_range =
     within(0, 1, "0 slides, 1 sticks; nodes that stay welded (2, 3) are not supported");
 
@@ -74,10 +73,6 @@ constexpr Field motion_card[] = {
 
 // What LS-DYNA draws the wall with.
 constexpr Field display_card[] = {unused("PID"), unused("RO"), unused("E"), unused("PR")};
-
-double length_of(const Vector& v) {
-  return std::hypot(v[0], v[1], v[2]);
-}
 
 /// The unit vector from the tail to the head; reports one without length unless the wall has no use for it.
 Vector direction(const Card& card, Report& report) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/rigid_inertia.hpp"
 
-#include <cmath>
-
+#include "deck/coordinates.hpp"
 #include "deck/families.hpp"
 
 namespace crumple::deck {
@@ -10,7 +9,6 @@ namespace crumple::deck {
 namespace {
 
 using namespace row;
-using Vector = std::array<double, 3>;
 
 constexpr Field centre_card[] = {
     real("XC"),
@@ -37,37 +35,24 @@ constexpr Field axes_card[] = {
     only("CID", {0}, "give the local axes by XL to ZLIP"),
 };
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// Makes the length one; false if it is zero.
-bool normalise(Vector& a) {
-  const double length = std::hypot(a[0], a[1], a[2]);
-  if (!(length > 0)) return false;
-  for (double& x : a) x /= length;
-  return true;
-}
-
 /// The tensor in global axes, given in axes whose first is `first` and whose plane has `other`.
 void turn_tensor(const Card& card, model::RigidInertia& inertia, Report& report) {
-  Vector x = {card.real("XL"), card.real("YL"), card.real("ZL")};
-  Vector z = cross(x, {card.real("XLIP"), card.real("YLIP"), card.real("ZLIP")});
-  if (!normalise(x) || !normalise(z)) {
+  const auto axes = local_axes({card.real("XL"), card.real("YL"), card.real("ZL")},
+                               {card.real("XLIP"), card.real("YLIP"), card.real("ZLIP")});
+  if (!axes) {
     report.field_error(card.where(), {"XL", std::string(card.text("XL")), "two vectors that span a plane",
                                       "IRCS is 1: XL, YL, ZL is the local x axis, XLIP, YLIP, ZLIP lies in "
                                       "the local xy plane",
                                       "axes"});
     return;
   }
-  const std::array<Vector, 3> axis = {x, cross(z, x), z};
   const auto& t = inertia.tensor;
   const std::array<Vector, 3> local = {Vector{t[0], t[1], t[2]}, Vector{t[1], t[3], t[4]},
                                        Vector{t[2], t[4], t[5]}};
   const auto global = [&](std::size_t i, std::size_t j) {
     double sum = 0;
     for (std::size_t a = 0; a < 3; ++a)
-      for (std::size_t b = 0; b < 3; ++b) sum += axis[a][i] * local[a][b] * axis[b][j];
+      for (std::size_t b = 0; b < 3; ++b) sum += (*axes)[a][i] * local[a][b] * (*axes)[b][j];
     return sum;
   };
   inertia.tensor = {global(0, 0), global(0, 1), global(0, 2), global(1, 1), global(1, 2), global(2, 2)};

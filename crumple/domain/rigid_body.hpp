@@ -21,8 +21,9 @@ struct RigidBody {
   std::vector<math::Vec3> arm;     ///< of each node from the centre, in the body's axes [length]
   double mass = 0;                 ///< [mass]
   math::Vec3 principal_inertia;    ///< about the body's axes [mass * length^2]
-  std::array<bool, 3> fixed_translation{};
-  std::array<bool, 3> fixed_rotation{};
+  math::Matrix3 held_axes = math::unit_matrix();  ///< columns: the directions of what is fixed or held
+  std::array<bool, 3> fixed_translation{};        ///< along each of them
+  std::array<bool, 3> fixed_rotation{};           ///< about each of them
 
   math::Vec3 centre;            ///< centre of mass at time n [length]
   math::Quaternion turn;        ///< from the body's axes to the global ones at time n
@@ -42,8 +43,8 @@ struct RigidBody {
   // Within a step, between the kick of the momenta and the placing of the nodes.
   std::array<bool, 3> held_translation{};  ///< fixed, or prescribed
   std::array<bool, 3> held_rotation{};
-  math::Vec3 prescribed_velocity;  ///< along held axes; zero where fixed
-  math::Vec3 prescribed_spin;      ///< about held axes
+  math::Vec3 prescribed_velocity;  ///< components along held_axes; zero where fixed
+  math::Vec3 prescribed_spin;      ///< components about held_axes
   math::Vec3 previous_velocity;    ///< v(n-1/2)
   math::Vec3 previous_spin;        ///< of the momentum of n - 1/2 at the place of time n
   math::Vec3 previous_momentum;    ///< angular, of n - 1/2

@@ -37,6 +37,10 @@ struct Matrix3 {
   std::array<Vec3, 3> column{};
 };
 
+inline Matrix3 unit_matrix() {
+  return {{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}};
+}
+
 inline Vec3 operator*(const Matrix3& a, const Vec3& b) {
   return b.x * a.column[0] + b.y * a.column[1] + b.z * a.column[2];
 }

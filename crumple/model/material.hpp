@@ -187,10 +187,10 @@ struct LawUse {
 };
 LawUse use_of(const ConstitutiveLaw& law);
 
-/// What the parts of a rigid material may not do, in global axes (CMO = 1 of *MAT_RIGID).
+/// What the parts of a rigid material may not do (CMO = 1 or -1 of *MAT_RIGID).
 struct RigidMaterial {
-  std::array<bool, 3> fixed_translation{};
-  std::array<bool, 3> fixed_rotation{};
+  std::array<bool, 3> fixed_translation{};  ///< of the centre of mass along the held axes of the body
+  std::array<bool, 3> fixed_rotation{};     ///< about them
 };
 
 struct Material {

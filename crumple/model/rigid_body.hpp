@@ -27,8 +27,10 @@ struct RigidBody {
   std::string title;
   std::vector<Index> parts;                 ///< parts of rigid material, the leading one first; may be empty
   std::vector<Index> nodes;                 ///< all nodes, ascending, none twice
-  std::array<bool, 3> fixed_translation{};  ///< of the centre of mass, global axes
-  std::array<bool, 3> fixed_rotation{};     ///< about the global axes
+  std::array<bool, 3> fixed_translation{};  ///< of the centre of mass along each of held_axes
+  std::array<bool, 3> fixed_rotation{};     ///< about each of held_axes
+  /// Of unit length, right-handed, fixed in space; prescribed motions are along and about them as well.
+  std::array<std::array<double, 3>, 3> held_axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::optional<RigidInertia> inertia{};    ///< absent: of the masses at the nodes
   /// Nodes whose masses are added to a given inertia (IFLAG of *CONSTRAINED_EXTRA_NODES), ascending.
   std::vector<Index> added_nodes{};

@@ -26,6 +26,7 @@ class Simulation {
   /// Builds the domain and everything that acts on it. The model must outlive the simulation. Throws Error if
   /// the model cannot be run.
   Simulation(const model::Model& model, const domain::Execution& execution);
+  Simulation(const model::Model&& model, const domain::Execution& execution) = delete;
 
   /// Forces, energies and the first step size at time zero; velocities then are half a step ahead.
   void start();

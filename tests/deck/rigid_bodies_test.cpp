@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "small_deck.hpp"
 
@@ -78,12 +79,64 @@ TEST(RigidBodies, WithoutCmoNothingIsHeld) {
   EXPECT_EQ(model.rigid_bodies[0].fixed_translation, (Axes{false, false, false}));
 }
 
-TEST(RigidBodies, LocalConstraintsAreRefused) {
+SmallDeck locally_held(const std::string& digits, const std::string& system) {
   SmallDeck deck = rigid_deck();
-  deck.material.replace(deck.material.find("       1.0         4"), 20, "      -1.0         4");
-  const std::vector<std::string> found = messages(deck);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_TRUE(has(found[0], "CMO") && has(found[0], "local axes")) << found[0];
+  const std::size_t at = deck.material.find("       1.0         4");
+  deck.material.replace(at, deck.material.find('\n', at) - at, "      -1.0         9" + digits);
+  deck.more = system;
+  return deck;
+}
+
+TEST(RigidBodies, AxesOfASystemAreHeld) {
+  const std::string points =
+      "*DEFINE_COORDINATE_SYSTEM\n         9       1.0       1.0       1.0       1.0       5.0       1.0\n"
+      "      -2.0       7.0       1.0\n";
+  const std::string vectors =
+      "*DEFINE_COORDINATE_VECTOR\n         9       0.0       2.0       0.0      -1.0       1.0\n";
+  for (const std::string& system : {points, vectors}) {
+    const model::Model model = read_clean(locally_held("    100011", system).text());
+    const model::RigidBody& body = model.rigid_bodies.at(0);
+    EXPECT_EQ(body.fixed_translation, (Axes{true, false, false})) << system;
+    EXPECT_EQ(body.fixed_rotation, (Axes{false, true, true})) << system;
+    const std::array<std::array<double, 3>, 3> turned = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};
+    EXPECT_EQ(body.held_axes, turned) << system;
+  }
+}
+
+TEST(RigidBodies, AxesOfThreeNodesAreHeld) {
+  // Nodes 1, 4 and 2 of the plate: x is global y or x, as the plate lies.
+  const model::Model model = read_clean(
+      locally_held("         1", "*DEFINE_COORDINATE_NODES\n         9         1         4         2\n")
+          .text());
+  const model::RigidBody& body = model.rigid_bodies.at(0);
+  EXPECT_EQ(body.fixed_rotation, (Axes{false, false, true}));
+  const auto& position = model.nodes.position;
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(
+        body.held_axes[0][i] * std::hypot(position[3][0] - position[0][0], position[3][1] - position[0][1]),
+        position[3][i] - position[0][i], 1e-14);
+  EXPECT_EQ(std::fabs(body.held_axes[2][2]), 1);
+}
+
+TEST(RigidBodies, FaultsOfLocalConstraintsAreTold) {
+  const std::string line =
+      "*DEFINE_COORDINATE_VECTOR\n         9       0.0       2.0       0.0       0.0       1.0\n";
+  const std::string plane =
+      "*DEFINE_COORDINATE_VECTOR\n         9       0.0       2.0       0.0       1.0       1.0\n";
+  EXPECT_TRUE(has(messages(locally_held("    100000", "")).at(0), "coordinate system 9"));
+  EXPECT_TRUE(has(messages(locally_held("    100000", line)).at(0), "on one line"));
+  EXPECT_TRUE(has(messages(locally_held("    100200", plane)).at(0), "six digits"));
+  EXPECT_TRUE(has(messages(locally_held("   1000000", plane)).at(0), "six digits"));
+  SmallDeck deck = rigid_deck();
+  deck.material.replace(deck.material.find("       1.0         4"), 20, "       1.0         8");
+  EXPECT_TRUE(has(messages(deck).at(0), "0 to 7"));
+}
+
+TEST(RigidBodies, MotionOfALocallyHeldBodyIsRefused) {
+  const std::string plane =
+      "*DEFINE_COORDINATE_VECTOR\n         9       0.0       2.0       0.0       1.0       1.0\n";
+  const std::string motion = "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n         2         1         0         1\n";
+  EXPECT_TRUE(has(messages(locally_held("    100000", plane + motion)).at(0), "CMO of rigid body 2 is -1"));
 }
 
 TEST(RigidBodies, ExtraNodesAndSetsJoinTheBody) {

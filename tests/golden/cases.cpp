@@ -190,12 +190,17 @@ model::Model bent_laminate() {
 }  // namespace
 
 const std::vector<Case>& cases() {
-  static const std::vector<Case> all{{"crushed_tube_BelytschkoTsay", tube_of_belytschko_tsay},
-                                     {"crushed_tube_HughesLiu", tube_of_hughes_liu},
-                                     {"crushed_tube_FullyIntegrated", tube_fully_integrated},
-                                     {"torn_strips", torn_strips},
-                                     {"pressed_panel", pressed_panel},
-                                     {"bent_laminate", bent_laminate}};
+  static const std::vector<Case> shells{{"crushed_tube_BelytschkoTsay", tube_of_belytschko_tsay},
+                                        {"crushed_tube_HughesLiu", tube_of_hughes_liu},
+                                        {"crushed_tube_FullyIntegrated", tube_fully_integrated},
+                                        {"torn_strips", torn_strips, true},
+                                        {"pressed_panel", pressed_panel},
+                                        {"bent_laminate", bent_laminate}};
+  static const std::vector<Case> all = [] {
+    std::vector<Case> both = shells;
+    both.insert(both.end(), solid_cases().begin(), solid_cases().end());
+    return both;
+  }();
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "constraints/rigid_bodies.hpp"
+#include "constraints/rigid_motion.hpp"
 #include "support/rigid.hpp"
 #include "support/run.hpp"
 
@@ -369,6 +370,49 @@ TEST(RigidBody, HeldAxesStay) {
   EXPECT_NEAR(moved.y, 0.5 * 2 / block_mass * domain.clock.time * domain.clock.time, 1e-9 * moved.y);
   EXPECT_NEAR(domain.rigid_bodies[0].reaction.x, -1, 1e-12);
   EXPECT_NEAR(domain.rigid_bodies[0].reaction.z, -3, 1e-12);
+}
+
+/// A point that slides along a line in space, and a turn about it.
+TEST(RigidBody, AxesHeldInSpaceLeaveALineAndATurnAboutIt) {
+  model::Model model = block();
+  model::RigidBody& body = model.rigid_bodies[0];
+  const double c = std::cos(0.6);
+  const double s = std::sin(0.6);
+  body.held_axes = {{{c, s, 0}, {-s, c, 0}, {0, 0, 1}}};
+  body.fixed_translation = {false, true, true};
+  body.fixed_rotation = {false, true, true};
+  const Index curve = test::add_constant_curve(model, 1.0);
+  const Vec3 force{1, 2, 3};
+  const Vec3 moment{4, -3, 2};
+  model.rigid_body_loads.push_back({.body = 0,
+                                    .force = {force.x, force.y, force.z},
+                                    .moment = {moment.x, moment.y, moment.z},
+                                    .curve = curve});
+  model.control.end_time = 0.2;
+  timeloop::Simulation simulation(model, test::execution());
+  const Vec3 start = simulation.domain().rigid_bodies[0].centre;
+  const Vec3 line{c, s, 0};
+  // The body turns about the line: its inertia about the line stays what it is.
+  const double inertia = dot(line, constraints::inertia_tensor(simulation.domain().rigid_bodies[0],
+                                                               simulation.domain().rigid_bodies[0].turn) *
+                                       line);
+  test::run(simulation);
+  const domain::Domain& domain = simulation.domain();
+  const domain::RigidBody& moved = domain.rigid_bodies[0];
+  const double time = domain.clock.time;
+  const Vec3 path = moved.centre - start;
+  const double expected = 0.5 * dot(force, line) / block_mass * time * time;
+  EXPECT_NEAR(dot(path, line), expected, 1e-9 * expected);
+  EXPECT_LT(norm(path - dot(path, line) * line), 1e-12 * expected);
+  const double spin = dot(moment, line) / inertia * (time - 0.5 * domain.clock.step);
+  EXPECT_LT(norm(moved.angular_velocity - spin * line), 1e-9 * std::fabs(spin));
+  EXPECT_LT(norm(moved.reaction + force - dot(force, line) * line), 1e-12);
+  // The kinetic energy of time zero is not in product form, once (as under a constant force).
+  const double step = domain.clock.step;
+  const double at_start =
+      step * step / 8 *
+      (dot(force, line) * dot(force, line) / block_mass + dot(moment, line) * dot(moment, line) / inertia);
+  EXPECT_NEAR(std::fabs(domain.energy.imbalance()), at_start, 1e-3 * at_start);
 }
 
 TEST(RigidBody, GivenInertiaGoesBeforeThatOfTheNodes) {
