@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -107,6 +108,9 @@ TEST(GoldenCases, DoWhatTheyAreFor) {
     }
     Index eroded = 0;
     for (const domain::ElementBlock* block : domain.blocks()) eroded += block->eroded;
+    const auto broken = std::count_if(domain.rigid_bodies.begin(), domain.rigid_bodies.end(),
+                                      [](const domain::RigidBody& body) { return !body.active; });
+    EXPECT_EQ(broken, model.spot_welds.size()) << one_case.name;
     EXPECT_EQ(eroded > 0, one_case.erodes) << one_case.name << ' ' << eroded;
   }
 }

@@ -248,7 +248,7 @@ model::Model frame_with_bodies() {
   for (Index i = 0; i < model.nodes.count(); ++i) ball.nodes.push_back(i);
   model.rigid_walls.push_back(ball);
   model.control.end_time = 100.0;
-  model.control.end_cycle = 2000;
+  model.control.end_cycle = 800;
   return model;
 }
 
