@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -126,6 +128,14 @@ void build_fixed_nodes(Build& build);
 void build_velocities(Build& build);
 // build_connections.cpp
 void build_connections(Build& build);
+/// A spot weld, rivet or constrained set, to a node that it moves.
+struct Connection {
+  std::string name;                   ///< "spot weld 7"
+  std::array<bool, 3> translation{};  ///< global axes along which it changes the node's velocity
+  bool is_body = false;               ///< it sets all of the node's motion, whatever is held
+};
+/// The connections of the model by node.
+std::map<Index, Connection> connections_of_nodes(const Build& build);
 // build_walls.cpp
 void build_walls(Build& build);
 // build_rigid_bodies.cpp

@@ -65,6 +65,15 @@ void refuse_rigid_node(Index node, Index body, const Where& where, Build& build)
                   build.model.rigid_bodies[static_cast<std::size_t>(body)].id));
 }
 
+/// The body that a weld is does not know what holds its nodes.
+void refuse_welded_node(Index node, const Connection& weld, const Where& where, Build& build) {
+  build.report.unsupported(
+      where, "weld",
+      fmt::format("node {} belongs to {}, and degrees of freedom of its nodes cannot be held; take a free "
+                  "node for the weld, or *CONSTRAINED_NODAL_RIGID_BODY_SPC",
+                  build.model.nodes.id[static_cast<std::size_t>(node)], weld.name));
+}
+
 /// The nodes with all others of the rigid bodies that have some of them, ascending.
 std::vector<Index> with_whole_bodies(const Build& build, const std::vector<Index>& nodes,
                                      const std::vector<Index>& body_of_node) {
@@ -157,10 +166,15 @@ void build_masses(Build& build) {
 void build_fixed_nodes(Build& build) {
   std::map<Index, model::FixedNode> fixed;
   const std::vector<Index> body_of_node = bodies_of_nodes(build);
+  const std::map<Index, Connection> connections = connections_of_nodes(build);
   const auto fix = [&](Index node, const std::array<bool, 3>& translation,
                        const std::array<bool, 3>& rotation, const Where& where) {
     if (const Index body = body_of_node[static_cast<std::size_t>(node)]; body != no_index) {
       refuse_rigid_node(node, body, where, build);
+      return;
+    }
+    if (const auto weld = connections.find(node); weld != connections.end() && weld->second.is_body) {
+      refuse_welded_node(node, weld->second, where, build);
       return;
     }
     model::FixedNode& entry = fixed[node];

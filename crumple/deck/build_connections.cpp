@@ -126,6 +126,21 @@ void build_node_sets(Build& build, Owners& owners) {
 
 }  // namespace
 
+std::map<Index, Connection> connections_of_nodes(const Build& build) {
+  std::map<Index, Connection> found;
+  const auto take = [&](const auto& nodes, const Connection& connection) {
+    for (const Index node : nodes) found[node] = connection;
+  };
+  constexpr std::array<bool, 3> all{true, true, true};
+  for (const model::SpotWeld& weld : build.model.spot_welds)
+    take(weld.nodes, {fmt::format("spot weld {}", weld.id), all, true});
+  for (const model::Rivet& rivet : build.model.rivets)
+    take(rivet.node, {fmt::format("rivet {}", rivet.id), all, false});
+  for (const model::ConstrainedNodeSet& set : build.model.constrained_node_sets)
+    take(set.nodes, {"a constrained node set", set.direction, false});
+  return found;
+}
+
 void build_connections(Build& build) {
   if (build.deck.welds.empty() && build.deck.rivets.empty() && build.deck.constrained_sets.empty()) return;
   Owners owners(build);

@@ -28,8 +28,35 @@ void refuse_local_axes(const RawPrescribedMotion& raw, Index index, Build& build
        "rigid"});
 }
 
-void build_prescribed_motion(const RawPrescribedMotion& raw, const std::vector<Index>& body_of_node,
-                             Build& build) {
+/// What else moves the nodes of the model: each has room for one.
+struct Movers {
+  std::vector<Index> body_of_node;
+  std::map<Index, Connection> connections;
+};
+
+/// False, with a message, if a rigid body or a connection sets the same degree of freedom of a node.
+bool may_move(Index node, const RawPrescribedMotion& raw, const Movers& movers, Build& build) {
+  const UserId id = build.model.nodes.id[static_cast<std::size_t>(node)];
+  if (const Index body = movers.body_of_node[static_cast<std::size_t>(node)]; body != no_index) {
+    build.report.error(raw.where, "rigid",
+                       fmt::format("node {} belongs to the rigid body {}; move the body with "
+                                   "*BOUNDARY_PRESCRIBED_MOTION_RIGID",
+                                   id, build.model.rigid_bodies[static_cast<std::size_t>(body)].id));
+    return false;
+  }
+  const auto found = movers.connections.find(node);
+  if (found == movers.connections.end()) return true;
+  const Connection& connection = found->second;
+  const bool along = connection.translation[static_cast<std::size_t>(raw.motion.axis)];
+  if (!connection.is_body && (raw.motion.rotation || !along)) return true;
+  build.report.error(raw.where, "connection",
+                     fmt::format("node {} belongs to {}, which moves it as well; move another node of what "
+                                 "it joins",
+                                 id, connection.name));
+  return false;
+}
+
+void build_prescribed_motion(const RawPrescribedMotion& raw, const Movers& movers, Build& build) {
   model::PrescribedMotion motion = raw.motion;
   motion.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
   if (raw.target == RawPrescribedMotion::Target::Body) {
@@ -39,15 +66,7 @@ void build_prescribed_motion(const RawPrescribedMotion& raw, const std::vector<I
     return;
   }
   for (const Index node : moved_nodes(raw, build)) {
-    const Index body = body_of_node[static_cast<std::size_t>(node)];
-    if (body != no_index) {
-      build.report.error(raw.where, "rigid",
-                         fmt::format("node {} belongs to the rigid body {}; move the body with "
-                                     "*BOUNDARY_PRESCRIBED_MOTION_RIGID",
-                                     build.model.nodes.id[static_cast<std::size_t>(node)],
-                                     build.model.rigid_bodies[static_cast<std::size_t>(body)].id));
-      continue;
-    }
+    if (!may_move(node, raw, movers, build)) continue;
     motion.node = node;
     if (motion.curve != no_index) build.model.prescribed_motions.push_back(motion);
   }
@@ -68,9 +87,9 @@ void build_rigid_body_load(const RawRigidBodyLoad& raw, Build& build) {
 }  // namespace
 
 void build_motions(Build& build) {
-  const std::vector<Index> body_of_node = bodies_of_nodes(build);
+  const Movers movers{bodies_of_nodes(build), connections_of_nodes(build)};
   for (const RawPrescribedMotion& raw : build.deck.prescribed_motions)
-    build_prescribed_motion(raw, body_of_node, build);
+    build_prescribed_motion(raw, movers, build);
   for (const RawBodyLoad& raw : build.deck.body_loads) {
     model::BodyLoad load = raw.load;
     load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});

@@ -107,6 +107,7 @@ void read_constrained_rivet(Cards& cards, RawDeck& deck) {
 
 void read_constrained_node_set(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
+    cards.heading();
     const Card card = cards.next_filled(node_set_card);
     if (!card.good("NSID") || !card.good("DOF")) continue;
     deck.constrained_sets.push_back(

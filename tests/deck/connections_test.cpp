@@ -43,6 +43,14 @@ TEST(Connections, RivetsAndNodeSets) {
   EXPECT_EQ(model.constrained_node_sets[0].direction, (std::array<bool, 3>{false, true, true}));
 }
 
+TEST(Connections, NodeSetsMayHaveANumber) {
+  const model::Model model = read_with(
+      "*CONSTRAINED_NODE_SET_ID\n        31\n         8         5\n*SET_NODE_LIST\n         8\n         2"
+      "         3\n");
+  ASSERT_EQ(model.constrained_node_sets.size(), 1U);
+  EXPECT_EQ(model.constrained_node_sets[0].nodes, (std::vector<Index>{1, 2}));
+}
+
 void expect_one(const std::string& cards, const std::string& text) {
   const auto messages = messages_with(cards);
   ASSERT_EQ(messages.size(), 1U) << cards;
@@ -61,6 +69,31 @@ TEST(Connections, WhatDoesNotGoTogetherIsNamed) {
       "*CONSTRAINED_GENERALIZED_WELD_SPOT\n         8\n                           3.0\n"
       "*SET_NODE_LIST\n         8\n         2         3         4\n",
       "failure by forces needs two nodes at different places");
+}
+
+TEST(Connections, NodesAreNotMovedBySomethingElseToo) {
+  const std::string weld = "*CONSTRAINED_SPOTWELD\n         6         2\n";
+  const std::string rivet = "*CONSTRAINED_RIVET\n         6         2\n";
+  const std::string set =
+      "*CONSTRAINED_NODE_SET\n         8         1\n*SET_NODE_LIST\n         8\n         6         2\n";
+  const std::string held = "*BOUNDARY_SPC_NODE\n         6         0         1\n";
+  const std::string curve =
+      "*DEFINE_CURVE\n         1\n                 0.0                 1.0\n"
+      "                 1.0                 1.0\n";
+  const std::string along_x =
+      curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n         6         1         0         1\n";
+  const std::string along_y =
+      curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n         6         2         0         1\n";
+  const std::string about_x =
+      curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n         6         5         0         1\n";
+  expect_one(weld + held,
+             "node 6 belongs to spot weld 1, and degrees of freedom of its nodes cannot be held");
+  EXPECT_EQ(read_with(rivet + held).fixed_nodes.size(), 1U);
+  expect_one(weld + about_x, "node 6 belongs to spot weld 1, which moves it as well");
+  expect_one(rivet + along_y, "node 6 belongs to rivet 1, which moves it as well");
+  EXPECT_EQ(read_with(rivet + about_x).prescribed_motions.size(), 1U);
+  expect_one(set + along_x, "node 6 belongs to a constrained node set, which moves it as well");
+  EXPECT_EQ(read_with(set + along_y).prescribed_motions.size(), 1U);
 }
 
 }  // namespace
