@@ -101,8 +101,9 @@ void build_beams(Build& build) {
     if (complete) {
       const auto part = static_cast<std::size_t>(beam.part);
       check_orientation(beam, raw.where, build);
-      if (const RawPart* its = raw_part(build, raw.part); its != nullptr && !checked[part])
-        check_beam_law(*its, build.model.parts[part], build);
+      if (!checked[part])
+        if (const RawPart* its = raw_part(build, raw.part))
+          check_beam_law(*its, build.model.parts[part], build);
       checked[part] = 1;
       ++build.lines_of_part[part];
     }

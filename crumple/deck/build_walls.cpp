@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/counted.hpp"
 #include "deck/build.hpp"
@@ -55,8 +56,10 @@ bool find_nodes(Build& build, const RawWall& raw, std::vector<Index>& nodes) {
     });
   }
   if (raw.exempt_set != 0) {
-    if (const std::vector<Index>* exempt = set_nodes(build, {raw.exempt_set, "NSIDEX", raw.where}))
-      for (const Index node : *exempt) std::erase(nodes, node);
+    if (const std::vector<Index>* exempt = set_nodes(build, {raw.exempt_set, "NSIDEX", raw.where})) {
+      const std::set<Index> out(exempt->begin(), exempt->end());
+      std::erase_if(nodes, [&](Index node) { return out.count(node) > 0; });
+    }
   }
   return true;
 }
