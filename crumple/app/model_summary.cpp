@@ -46,18 +46,20 @@ std::string held_words(const domain::RigidBody& body) {
   return axes(body.fixed_translation) + "/" + axes(body.fixed_rotation);
 }
 
-void print_rigid_bodies(std::ostream& out, const domain::Domain& domain) {
+/// The bodies of the model, which stand before those of welds.
+void print_rigid_bodies(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
   constexpr std::size_t rows = 20;
   const auto& bodies = domain.rigid_bodies;
-  if (bodies.empty()) return;
+  const std::size_t count = model.rigid_bodies.size();
+  if (count == 0) return;
   fmt::print(out, "  {:>10} {:>8} {:>11}  {:<35} {:<35} held\n", "rigid body", "nodes", "mass",
              "centre of mass", "principal moments of inertia");
   const auto three = [](const math::Vec3& v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); };
-  for (std::size_t b = 0; b < std::min(rows, bodies.size()); ++b)
+  for (std::size_t b = 0; b < std::min(rows, count); ++b)
     fmt::print(out, "  {:>10} {:>8} {:>11.4g}  {:<35} {:<35} {}\n", bodies[b].id, bodies[b].nodes.size(),
                bodies[b].mass, three(bodies[b].centre), three(bodies[b].principal_inertia),
                held_words(bodies[b]));
-  if (bodies.size() > rows) fmt::print(out, "  ... and {} more\n", bodies.size() - rows);
+  if (count > rows) fmt::print(out, "  ... and {} more\n", count - rows);
 }
 
 void print_conditions(std::ostream& out, const model::Model& model) {
@@ -71,6 +73,10 @@ void print_conditions(std::ostream& out, const model::Model& model) {
     fmt::print(out, "  loads on rigid bodies {}\n", model.rigid_body_loads.size());
   if (!model.prescribed_motions.empty())
     fmt::print(out, "  prescribed motions    {}\n", model.prescribed_motions.size());
+  if (!model.spot_welds.empty()) fmt::print(out, "  spot welds            {}\n", model.spot_welds.size());
+  if (!model.rivets.empty()) fmt::print(out, "  rivets                {}\n", model.rivets.size());
+  if (!model.constrained_node_sets.empty())
+    fmt::print(out, "  constrained sets      {}\n", model.constrained_node_sets.size());
   for (const model::RigidWall& wall : model.rigid_walls)
     fmt::print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
                wall.motion.curve == no_index ? "" : ", moves", counted(wall.nodes.size(), "node"),
@@ -113,7 +119,7 @@ void print_model(std::ostream& out, const model::Model& model, const domain::Dom
              box.lowest[0], box.highest[0], box.lowest[1], box.highest[1], box.lowest[2], box.highest[2]);
   print_conditions(out, model);
   print_parts(out, model, domain);
-  print_rigid_bodies(out, domain);
+  print_rigid_bodies(out, model, domain);
 }
 
 }  // namespace crumple::app

@@ -18,9 +18,12 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   if (!view.domain.contacts.empty())
     entries.push_back({"rcforc.csv", "time,interface,side,fx,fy,fz,mass", asked.rcforc_interval,
                        make_contact_history(view)});
-  if (!view.domain.rigid_bodies.empty())
+  if (!view.model.rigid_bodies.empty())
     entries.push_back({"rbdout.csv", "time,body,x,y,z,vx,vy,vz,wx,wy,wz,kinetic,fx,fy,fz",
                        asked.glstat_interval, make_rigid_body_history()});
+  if (!view.domain.welds.empty())
+    entries.push_back(
+        {"swforc.csv", "time,weld,axial,shear,broken", asked.glstat_interval, make_weld_history()});
   if (!asked.history_nodes.empty())
     entries.push_back({"nodout.csv", "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z", asked.nodout_interval,
                        make_node_history()});

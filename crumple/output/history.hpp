@@ -42,6 +42,9 @@ std::unique_ptr<History> make_node_history();
 /// Motion of the rigid bodies, and the forces that hold or move them as prescribed.
 std::unique_ptr<History> make_rigid_body_history();
 
+/// Tension and shear in the spot welds, and whether they are broken.
+std::unique_ptr<History> make_weld_history();
+
 /// Every history that has something to show in this model.
 std::vector<HistoryEntry> histories_of(const View& view);
 

@@ -8,12 +8,14 @@ namespace {
 class RigidBodyHistory : public History {
  public:
   void add_rows(const View& view, CsvFile& table) override {
-    for (const domain::RigidBody& body : view.domain.rigid_bodies)
-      if (body.active)
-        table.add_row(view.domain.clock.time, body.id, body.centre.x, body.centre.y, body.centre.z,
-                      body.velocity.x, body.velocity.y, body.velocity.z, body.angular_velocity.x,
-                      body.angular_velocity.y, body.angular_velocity.z, body.kinetic_energy, body.reaction.x,
-                      body.reaction.y, body.reaction.z);
+    // Those of the model come first; the others are welds.
+    for (std::size_t i = 0; i < view.model.rigid_bodies.size(); ++i) {
+      const domain::RigidBody& body = view.domain.rigid_bodies[i];
+      table.add_row(view.domain.clock.time, body.id, body.centre.x, body.centre.y, body.centre.z,
+                    body.velocity.x, body.velocity.y, body.velocity.z, body.angular_velocity.x,
+                    body.angular_velocity.y, body.angular_velocity.z, body.kinetic_energy, body.reaction.x,
+                    body.reaction.y, body.reaction.z);
+    }
   }
 };
 

@@ -18,18 +18,23 @@ std::vector<std::string> cells(const std::string& line) {
   return result;
 }
 
-/// The sample with a wall, a contact and a history node.
+/// The sample with a wall, a contact, a history node, a rigid body and a broken weld.
 class HistoriesTest : public SampleTest {
  protected:
   HistoriesTest() : SampleTest(with_conditions()) {
     domain_.walls.push_back({.id = 4, .force = {}, .impulse = {}});
     domain_.contacts.push_back({.id = 2, .method = "linked-cell"});
+    domain_.welds.push_back({.id = 31, .axial = 0, .shear = 0, .broken = true, .failure_time = 0.5});
+    domain_.rigid_bodies.resize(2);
+    domain_.rigid_bodies[0].id = 8;
+    domain_.rigid_bodies[1].id = 31;
   }
   static model::Model with_conditions() {
     model::Model model = sample_model();
     model.rigid_walls.push_back({.id = 4, .title = "", .nodes = {0, 1}, .point = {}, .normal = {0, 0, 1}});
     model.contacts.push_back({.id = 2, .title = "", .parts = {0}});
     model.output.history_nodes = {5, 0};
+    model.rigid_bodies.push_back({.id = 8, .title = "", .parts = {}, .nodes = {0, 1}});
     return model;
   }
   void record(Recorder& recorder, double time, long cycle) {
@@ -48,6 +53,21 @@ TEST_F(HistoriesTest, HeadersAreTheDocumentedOnes) {
   EXPECT_EQ(lines(folder_ / "rwforc.csv")[0], "time,wall,normal,fx,fy,fz");
   EXPECT_EQ(lines(folder_ / "rcforc.csv")[0], "time,interface,side,fx,fy,fz,mass");
   EXPECT_EQ(lines(folder_ / "nodout.csv")[0], "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z");
+  EXPECT_EQ(lines(folder_ / "rbdout.csv")[0], "time,body,x,y,z,vx,vy,vz,wx,wy,wz,kinetic,fx,fy,fz");
+  EXPECT_EQ(lines(folder_ / "swforc.csv")[0], "time,weld,axial,shear,broken");
+}
+
+TEST_F(HistoriesTest, WeldsHaveRowsOfTheirOwnAndNoneOfBodies) {
+  domain_.welds.push_back({.id = 32, .axial = 2, .shear = 3});
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  const auto welds = lines(folder_ / "swforc.csv");
+  ASSERT_EQ(welds.size(), 3U);
+  EXPECT_EQ(cells(welds[1]), (std::vector<std::string>{"0", "31", "0", "0", "1"}));
+  EXPECT_EQ(cells(welds[2]), (std::vector<std::string>{"0", "32", "2", "3", "0"}));
+  const auto bodies = lines(folder_ / "rbdout.csv");
+  ASSERT_EQ(bodies.size(), 2U);
+  EXPECT_EQ(cells(bodies[1])[1], "8");
 }
 
 TEST_F(HistoriesTest, EveryRowHasAsManyCellsAsTheHeader) {
