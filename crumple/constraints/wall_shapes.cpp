@@ -5,17 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "math/to_vec3.hpp"
+
 namespace crumple::constraints {
 
+using math::to_vec3;
 using math::Vec3;
 
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-
-Vec3 to_vec3(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
-}
 
 double or_endless(double length) {
   return length > 0 ? length : endless;

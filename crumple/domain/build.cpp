@@ -6,9 +6,12 @@
 
 #include "base/error.hpp"
 #include "domain/numbering.hpp"
+#include "math/to_vec3.hpp"
 
 namespace crumple::domain {
 namespace {
+
+using math::to_vec3;
 
 void require_sound(const model::Model& model) {
   const std::vector<std::string> found = model::faults(model);
@@ -16,10 +19,6 @@ void require_sound(const model::Model& model) {
   std::string text = "The model cannot be run:";
   for (const std::string& fault : found) text += "\n  " + fault;
   throw Error(text);
-}
-
-Vec3 to_vec3(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
 }
 
 void place_nodes(const model::Model& model, Domain& domain) {
@@ -91,29 +90,32 @@ void connect(ElementBlock& block, const NodeFields& nodes, const Corners& corner
   }
 }
 
-ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index part,
-                      const std::vector<Index>& shells) {
-  ShellBlock block;
-  const model::ShellSection& section = model.shell_sections[model.parts[part].section];
+/// A block of some elements of a part, without its connectivity.
+template <class Block>
+Block begin_block(const model::Model& model, Index part, const std::vector<Index>& elements) {
+  Block block;
   block.part = part;
   block.rigid = model::is_rigid(model, model.parts[part]);
+  block.elements = static_cast<Index>(elements.size());
+  block.element = elements;
+  return block;
+}
+
+ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index part,
+                      const std::vector<Index>& shells) {
+  auto block = begin_block<ShellBlock>(model, part, shells);
+  const model::ShellSection& section = model.shell_sections[model.parts[part].section];
   block.formulation =
       is_triangle(model.shells[shells.front()]) ? model::ShellFormulation::Triangle : section.formulation;
   block.thickness_points = section.thickness_points;
-  block.elements = static_cast<Index>(shells.size());
-  block.element = shells;
   connect(block, nodes, [&](Index shell) { return triangle_last(model.shells[shell].node); });
   return block;
 }
 
 SolidBlock make_solid_block(const model::Model& model, const NodeFields& nodes, Index part,
                             const std::vector<Index>& solids) {
-  SolidBlock block;
-  block.part = part;
-  block.rigid = model::is_rigid(model, model.parts[part]);
+  auto block = begin_block<SolidBlock>(model, part, solids);
   block.formulation = model.solid_sections[model.parts[part].solid_section].formulation;
-  block.elements = static_cast<Index>(solids.size());
-  block.element = solids;
   if (model::is_tetrahedral(block.formulation)) {
     block.corners = 4;
     connect(block, nodes, [&](Index solid) {
@@ -129,23 +131,16 @@ SolidBlock make_solid_block(const model::Model& model, const NodeFields& nodes, 
 
 BeamBlock make_beam_block(const model::Model& model, const NodeFields& nodes, Index part,
                           const std::vector<Index>& beams) {
-  BeamBlock block;
-  block.part = part;
-  block.rigid = model::is_rigid(model, model.parts[part]);
+  auto block = begin_block<BeamBlock>(model, part, beams);
   block.formulation = model.beam_sections[model.parts[part].beam_section].formulation;
-  block.elements = static_cast<Index>(beams.size());
-  block.element = beams;
   connect(block, nodes, [&](Index beam) { return model.beams[beam].node; });
   return block;
 }
 
 DiscreteBlock make_discrete_block(const model::Model& model, const NodeFields& nodes, Index part,
                                   const std::vector<Index>& discretes) {
-  DiscreteBlock block;
-  block.part = part;
+  auto block = begin_block<DiscreteBlock>(model, part, discretes);
   block.torsional = model.discrete_sections[model.parts[part].discrete_section].torsional;
-  block.elements = static_cast<Index>(discretes.size());
-  block.element = discretes;
   connect(block, nodes, [&](Index discrete) { return model.discretes[discrete].node; });
   return block;
 }

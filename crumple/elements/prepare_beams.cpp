@@ -7,11 +7,13 @@
 #include "base/error.hpp"
 #include "elements/beam_task.hpp"
 #include "elements/prepare.hpp"
+#include "math/to_vec3.hpp"
 
 namespace crumple::elements {
 namespace {
 
 using domain::BeamBlock;
+using math::to_vec3;
 using math::Vec3;
 
 void take_elastic(double young, double poisson, const model::BeamSection& section, BeamConstants& c) {
@@ -85,17 +87,13 @@ void declare_items(bool plastic, BeamBlock& block) {
   }
 }
 
-Vec3 vector_of(const std::array<double, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
-
 /// The direction s of a beam along `r`: towards the orientation node or along the orientation vector, across
 /// the beam; without either any direction.
 Vec3 direction_s(const model::Model& model, const model::BeamElement& beam, const Vec3& r) {
-  Vec3 towards = vector_of(beam.orientation);
+  Vec3 towards = to_vec3(beam.orientation);
   if (beam.orientation_node != no_index)
-    towards = vector_of(model.nodes.position[beam.orientation_node]) -
-              vector_of(model.nodes.position[beam.node[0]]);
+    towards =
+        to_vec3(model.nodes.position[beam.orientation_node]) - to_vec3(model.nodes.position[beam.node[0]]);
   Vec3 s = towards - dot(towards, r) * r;
   constexpr double parallel = 1e-6;
   if (norm(s) > parallel * norm(towards)) return normalised(s);

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "elements/discrete_elements.hpp"
 #include "elements/prepare.hpp"
+#include "math/to_vec3.hpp"
 
 namespace crumple::elements {
 namespace {
@@ -50,7 +51,7 @@ void prepare_element(const model::DiscreteElement& discrete, const domain::Domai
                      DiscreteBlock& block, Index place) {
   const auto [first, second] = block.nodes_of(place);
   const auto& x = domain.nodes.position;
-  const Vec3 axis{discrete.axis[0], discrete.axis[1], discrete.axis[2]};
+  const Vec3 axis = math::to_vec3(discrete.axis);
   const bool oriented = dot(axis, axis) > 0;
   const Vec3 span = (discrete.grounded ? Vec3{} : x[second]) - x[first];
   const double distance = oriented ? dot(span, axis) : norm(span);

@@ -5,18 +5,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/to_vec3.hpp"
+
 namespace crumple::output {
 
+using math::to_vec3;
 using math::Vec3;
 
 namespace {
 
 constexpr int sectors = 48;
 constexpr int rings = 24;
-
-Vec3 to_vec3(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
-}
 
 /// Where the model begins and ends along an axis, seen from a point.
 struct Extent {
