@@ -38,6 +38,26 @@ struct SmallDeck {
   }
 };
 
+/// The same with a cube of side 1 of one solid, number 21.
+struct CubeDeck : SmallDeck {
+  CubeDeck() {
+    nodes =
+        "*NODE\n"
+        "       1             0.0             0.0             0.0\n"
+        "       2             1.0             0.0             0.0\n"
+        "       3             1.0             1.0             0.0\n"
+        "       4             0.0             1.0             0.0\n"
+        "       5             0.0             0.0             1.0\n"
+        "       6             1.0             0.0             1.0\n"
+        "       7             1.0             1.0             1.0\n"
+        "       8             0.0             1.0             1.0\n";
+    section = "*SECTION_SOLID\n         1\n";
+    shells =
+        "*ELEMENT_SOLID\n"
+        "      21       1       1       2       3       4       5       6       7       8\n";
+  }
+};
+
 inline std::string listed(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
   for (const Diagnostic& diagnostic : diagnostics) text += to_string(diagnostic) + "\n";

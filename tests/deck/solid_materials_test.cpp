@@ -9,25 +9,6 @@
 namespace crumple::deck::test {
 namespace {
 
-/// A cube of one solid.
-struct CubeDeck : SmallDeck {
-  CubeDeck() {
-    nodes =
-        "*NODE\n"
-        "       1             0.0             0.0             0.0\n"
-        "       2             1.0             0.0             0.0\n"
-        "       3             1.0             1.0             0.0\n"
-        "       4             0.0             1.0             0.0\n"
-        "       5             0.0             0.0             1.0\n"
-        "       6             1.0             0.0             1.0\n"
-        "       7             1.0             1.0             1.0\n"
-        "       8             0.0             1.0             1.0\n";
-    section = "*SECTION_SOLID\n         1\n";
-    shells =
-        "*ELEMENT_SOLID\n      21       1       1       2       3       4       5       6       7       8\n";
-  }
-};
-
 constexpr const char* gruneisen = "*EOS_GRUNEISEN\n4,3940,1.489,0.1,0.2,2.02,0.47,0.5\n0.9\n";
 constexpr const char* water = "*MAT_NULL\n1,1.0E-6,-1E-6,1E-9,1.2,0.8\n";
 constexpr const char* copper =

@@ -13,25 +13,9 @@ namespace {
 using model::SolidHourglassForm;
 using Corners = std::array<Index, 8>;
 
-/// A cube of side 1 on nodes 1 to 8, node 9 above the middle of its top.
-struct SolidDeck : SmallDeck {
-  SolidDeck() {
-    nodes =
-        "*NODE\n"
-        "       1             0.0             0.0             0.0\n"
-        "       2             1.0             0.0             0.0\n"
-        "       3             1.0             1.0             0.0\n"
-        "       4             0.0             1.0             0.0\n"
-        "       5             0.0             0.0             1.0\n"
-        "       6             1.0             0.0             1.0\n"
-        "       7             1.0             1.0             1.0\n"
-        "       8             0.0             1.0             1.0\n"
-        "       9             0.5             0.5             2.0\n";
-    section = "*SECTION_SOLID\n         1\n";
-    shells =
-        "*ELEMENT_SOLID\n"
-        "      21       1       1       2       3       4       5       6       7       8\n";
-  }
+/// A cube on nodes 1 to 8, node 9 above the middle of its top.
+struct SolidDeck : CubeDeck {
+  SolidDeck() { nodes += "       9             0.5             0.5             2.0\n"; }
 };
 
 model::Model with_elements(const std::string& elements) {
