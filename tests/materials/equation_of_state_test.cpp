@@ -8,11 +8,12 @@
 #include "materials/gruneisen.hpp"
 #include "materials/linear_polynomial.hpp"
 #include "materials/motion_driver.hpp"
+#include "support/copper.hpp"
 
 namespace crumple::materials::testing {
 namespace {
 
-constexpr double density = 8.93;  // g/cm^3; mm, us, mg: km/s, GPa
+constexpr double density = test::copper_density;
 
 model::Gruneisen copper() {
   return {3.94, {1.489, 0, 0}, 2.02, 0.47};
@@ -33,19 +34,6 @@ model::Material material(const model::ConstitutiveLaw& law) {
 model::Material fluid(double least_pressure = 0) {
   return material(model::NullMaterial{0, 0, least_pressure});
 }
-/// OFHC copper of Johnson & Cook (1983).
-model::JohnsonCook ofhc() {
-  model::JohnsonCook law;
-  law.youngs_modulus = 124;
-  law.poissons_ratio = 0.34;
-  law.yield_stress = 0.09;
-  law.hardening = 0.292;
-  law.exponent = 0.31;
-  law.rate_coefficient = 0.025;
-  law.reference_rate = 1e-6;
-  return law;
-}
-
 EosPoint<double> gruneisen_at(const model::Gruneisen& law, double mu) {
   return GruneisenEquation::at<double>(GruneisenEquation::constants(law, fluid()).data(), mu);
 }
@@ -188,7 +176,7 @@ TEST_P(Eos, ViscousWorkTakesTheStateToTheHugoniot) {
 /// plastic work in its energy.
 TEST_P(Eos, JohnsonCookKeepsItsDeviator) {
   const auto law = equation(copper());
-  const auto metal = material(ofhc());
+  const auto metal = material(test::ofhc_copper());
   MotionDriver<double> point(metal, GetParam(), &law);
   MotionDriver<double> elastic(metal, GetParam());
   for (int i = 1; i <= 200; ++i) {
@@ -223,7 +211,7 @@ TEST_P(Eos, PressureCutOffIsKept) {
   EXPECT_NEAR(water.pressure(), 2.02 * water.item("internal_energy"), 1e-9);
   for (const auto spall : {model::JohnsonCook::Spall::None, model::JohnsonCook::Spall::Stress,
                            model::JohnsonCook::Spall::Pressure}) {
-    auto metal = ofhc();
+    auto metal = test::ofhc_copper();
     metal.least_pressure = -1.2;
     metal.spall = spall;
     MotionDriver<double> point(material(metal), GetParam(), &law);
@@ -243,11 +231,11 @@ TEST_P(Eos, PressureCutOffIsKept) {
 TEST_P(Eos, SpallByStressLooksAtTheLargestPrincipalStress) {
   const auto law = equation(copper());
   const auto volume_at_spall = [&](model::JohnsonCook::Spall spall) {
-    auto metal = ofhc();
+    auto metal = test::ofhc_copper();
     metal.least_pressure = -1.2;
     metal.spall = spall;
     MotionDriver<double> point(material(metal), GetParam(), &law);
-    MotionDriver<double> whole(material(ofhc()), GetParam(), &law);
+    MotionDriver<double> whole(material(test::ofhc_copper()), GetParam(), &law);
     const Matrix q = rotation({0.6, 0, 0.8}, 0.7);
     for (int i = 1;; ++i) {
       Matrix f = unit;
@@ -292,7 +280,7 @@ TEST_P(Eos, FluidHasTheViscousDeviatorAndErodesByVolume) {
 
 TEST(EosStart, GivesDensityAndWaveSpeed) {
   const auto law = equation(copper());
-  auto metal = ofhc();
+  auto metal = test::ofhc_copper();
   metal.shear_modulus = 47;
   const SolidStart start = solid_start(material(metal), &law);
   EXPECT_TRUE(start.varies);

@@ -9,13 +9,14 @@
 #include <cmath>
 #include <vector>
 
+#include "support/copper.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 
 namespace crumple {
 namespace {
 
-constexpr double density = 8.93;  // mg/mm^3; mm, us: km/s, GPa
+constexpr double density = test::copper_density;
 constexpr double speed_of_sound = 3.94;
 constexpr double slope = 1.489;
 constexpr double gamma = 2.02;
@@ -33,14 +34,7 @@ model::ConstitutiveLaw fluid() {
   return model::NullMaterial{};
 }
 model::ConstitutiveLaw metal() {
-  model::JohnsonCook law;
-  law.youngs_modulus = 124;
-  law.poissons_ratio = 0.34;
-  law.yield_stress = 0.09;
-  law.hardening = 0.292;
-  law.exponent = 0.31;
-  law.rate_coefficient = 0.025;
-  law.reference_rate = 1e-6;
+  model::JohnsonCook law = test::ofhc_copper();
   law.thermal_exponent = 1.09;
   law.melting_rise = 1062;
   law.heat_capacity = 383e-6;

@@ -83,12 +83,19 @@ model::Model bar_with_mass(const model::ConstitutiveLaw& law, double speed) {
   return model;
 }
 
+/// Yields at half a percent of strain, perfectly plastic.
+model::PlasticKinematic soft_metal() {
+  return {.youngs_modulus = 100,
+          .poissons_ratio = 0.3,
+          .yield_stress = 0.5,
+          .tangent_modulus = 0.0,
+          .isotropic_fraction = 1.0};
+}
+
 TEST(Trusses, PlasticBarStopsTheMassWhereItsWorkIsDone) {
-  const model::PlasticKinematic law{.youngs_modulus = 100,
-                                    .poissons_ratio = 0.3,
-                                    .yield_stress = 0.5,
-                                    .tangent_modulus = 1.0,
-                                    .isotropic_fraction = 0.0};
+  model::PlasticKinematic law = soft_metal();
+  law.tangent_modulus = 1.0;
+  law.isotropic_fraction = 0.0;
   model::Model model = bar_with_mass(law, 0.5);
   model.control.end_time = 10;
   timeloop::Simulation simulation(model, test::execution());
@@ -118,13 +125,9 @@ TEST(Trusses, PlasticBarStopsTheMassWhereItsWorkIsDone) {
 }
 
 TEST(Trusses, RateRaisesTheYieldStress) {
-  const model::PlasticKinematic law{.youngs_modulus = 100,
-                                    .poissons_ratio = 0.3,
-                                    .yield_stress = 0.5,
-                                    .tangent_modulus = 0.0,
-                                    .isotropic_fraction = 1.0,
-                                    .cowper_symonds_rate = 0.02,
-                                    .cowper_symonds_exponent = 2.0};
+  model::PlasticKinematic law = soft_metal();
+  law.cowper_symonds_rate = 0.02;
+  law.cowper_symonds_exponent = 2.0;
   model::Model model = bar_with_mass(law, 1.0);
   model.control.end_time = 0.3;
   timeloop::Simulation simulation(model, test::execution());
@@ -137,12 +140,8 @@ TEST(Trusses, RateRaisesTheYieldStress) {
 }
 
 TEST(Trusses, FailAndGiveTheirEnergyToTheEroded) {
-  const model::PlasticKinematic law{.youngs_modulus = 100,
-                                    .poissons_ratio = 0.3,
-                                    .yield_stress = 0.5,
-                                    .tangent_modulus = 0.0,
-                                    .isotropic_fraction = 1.0,
-                                    .failure_strain = 0.01};
+  model::PlasticKinematic law = soft_metal();
+  law.failure_strain = 0.01;
   model::Model model = bar_with_mass(law, 1.0);
   model.control.end_time = 2;
   timeloop::Simulation simulation(model, test::execution());
