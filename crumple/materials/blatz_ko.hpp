@@ -9,17 +9,11 @@
 namespace crumple::materials {
 
 /// Compressible rubber of Blatz & Ko, solid form (docs/theory/rubber.md).
-struct BlatzKoLaw {
+struct BlatzKoLaw : TotalDeformationLaw {
   using Model = model::BlatzKo;
   static constexpr const char* name = "Blatz-Ko rubber";
-  static constexpr bool wave_speed_varies = true;
 
-  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& block,
-                              Index /*tensor*/) {
-    declare_deformation(block);
-  }
   static std::vector<double> constants(const model::Material& material);
-  static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
 
   enum Place { Shear, VolumeExponent, PerDensity, Count };
 

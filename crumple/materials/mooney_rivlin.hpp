@@ -8,17 +8,11 @@
 namespace crumple::materials {
 
 /// Nearly incompressible rubber of Mooney & Rivlin (docs/theory/rubber.md).
-struct MooneyRivlinLaw {
+struct MooneyRivlinLaw : TotalDeformationLaw {
   using Model = model::MooneyRivlin;
   static constexpr const char* name = "Mooney-Rivlin rubber";
-  static constexpr bool wave_speed_varies = true;
 
-  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& block,
-                              Index /*tensor*/) {
-    declare_deformation(block);
-  }
   static std::vector<double> constants(const model::Material& material);
-  static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
 
   enum Place { First, Second, Third, Fourth, PerDensity, Count };
 
@@ -70,9 +64,8 @@ struct MooneyRivlinLaw {
       return now;
     }
 
-    /// An upper bound of lambda_i^2 W_ii over all axes i: 2 A lambda_i^2 + 2 B (I2 - I3 / lambda_i^2) + 4
-    /// I3^2 h''
-    /// + 2 I3 h' with h = C (I3^-2 - 1) + D (I3 - 1)^2.
+    /// An upper bound of lambda_i^2 W_ii over all axes i: 2 A lambda_i^2 + 2 B (I2 - I3 / lambda_i^2) +
+    /// 4 I3^2 h'' + 2 I3 h' with h = C (I3^-2 - 1) + D (I3 - 1)^2.
     CRUMPLE_INLINE Pack stiffness(const SolidStress<Pack>& b, const Pack& trace, const Pack& i3,
                                   const Pack& over) const {
       const Pack one(Real(1));

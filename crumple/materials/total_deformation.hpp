@@ -14,6 +14,17 @@ inline void declare_deformation(domain::ElementBlock& block) {
   domain::add_item(block, "deformation_rest", "-", 9 * block.points);
 }
 
+/// What the descriptions of such laws have in common: they derive from this.
+struct TotalDeformationLaw {
+  static constexpr bool wave_speed_varies = true;
+
+  static void declare_history(const model::ConstitutiveLaw& /*law*/, domain::ElementBlock& block,
+                              Index /*tensor*/) {
+    declare_deformation(block);
+  }
+  static bool can_fail(const model::ConstitutiveLaw& /*law*/) { return false; }
+};
+
 /// Determinant of I + D, less 1.
 template <class Pack>
 CRUMPLE_INLINE Pack volume_excess(const Turn<Pack>& d) {
