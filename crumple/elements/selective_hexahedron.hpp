@@ -3,23 +3,20 @@
 
 #include "elements/solid_geometry.hpp"
 #include "elements/solid_resistance.hpp"
+#include "elements/tangents.hpp"
 
 namespace crumple::elements {
 
-/// Tangents of the trilinear map at one of the eight points, and the vector areas across them.
+/// Vector areas across the tangents of the trilinear map at one of the eight points.
 template <class Pack>
 struct PointGeometry {
-  math::PackVec3<Pack> area[3];  ///< over the Jacobian the gradients of xi, eta, zeta
+  ThreeVectors<Pack> area;
   Pack jacobian;
 };
 
 /// Derivatives of a field along xi, eta and zeta at a point.
 template <class Pack>
-struct PointTangents {
-  math::PackVec3<Pack> of[3];
-};
-template <class Pack>
-CRUMPLE_INLINE PointTangents<Pack> tangents_at(const SolidPatterns<Pack>& f, Pack xi, Pack eta, Pack zeta) {
+CRUMPLE_INLINE ThreeVectors<Pack> tangents_at(const SolidPatterns<Pack>& f, Pack xi, Pack eta, Pack zeta) {
   using math::multiply_add;
   using namespace pattern;
   return {{multiply_add(eta, multiply_add(zeta, f.of[xi_eta_zeta], f.of[xi_eta]),
@@ -30,13 +27,9 @@ CRUMPLE_INLINE PointTangents<Pack> tangents_at(const SolidPatterns<Pack>& f, Pac
                         multiply_add(eta, f.of[eta_zeta], f.of[pattern::zeta]))}};
 }
 template <class Pack>
-CRUMPLE_INLINE PointGeometry<Pack> geometry_at(const PointTangents<Pack>& t) {
-  PointGeometry<Pack> g;
-  g.area[0] = math::cross(t.of[1], t.of[2]);
-  g.area[1] = math::cross(t.of[2], t.of[0]);
-  g.area[2] = math::cross(t.of[0], t.of[1]);
-  g.jacobian = math::dot(t.of[0], g.area[0]);
-  return g;
+CRUMPLE_INLINE PointGeometry<Pack> geometry_at(const ThreeVectors<Pack>& t) {
+  const ThreeVectors<Pack> area = areas_across(t);
+  return {area, math::dot(t.of[0], area.of[0])};
 }
 
 /// Visits the eight points with their places as packs.
@@ -75,8 +68,6 @@ struct SelectiveHexahedron {
 template <class Pack>
 CRUMPLE_INLINE void SelectiveHexahedron::strains(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
-  using Vec = math::PackVec3<Pack>;
-  using math::multiply_add;
   const SolidPatterns<Pack> v = gathered_velocities<Pack>(place.nodes);
   const SolidPatterns<Pack> x = middle_positions(gathered_patterns<Pack>(place.nodes), v, place.task.step);
   const SolidGeometry<Pack> whole = solid_geometry(x, true);
@@ -86,15 +77,7 @@ CRUMPLE_INLINE void SelectiveHexahedron::strains(const SolidPlace<RealOf<Pack>>&
   resist_early(place, whole.volume, dilatation);
   for_each_point<Pack>([&](int point, const Pack& xi, const Pack& eta, const Pack& zeta) {
     const PointGeometry<Pack> g = geometry_at(tangents_at(x, xi, eta, zeta));
-    const PointTangents<Pack> rate = tangents_at(v, xi, eta, zeta);
-    const Pack share = Pack(Real(1)) / g.jacobian;
-    const auto row = [&](auto component) {
-      Vec sum = component(rate.of[0]) * g.area[0];
-      for (int s = 1; s < 3; ++s) sum = multiply_add(component(rate.of[s]), g.area[s], sum);
-      return share * sum;
-    };
-    PackMatrix<Pack> l{row([](const Vec& u) { return u.x; }), row([](const Vec& u) { return u.y; }),
-                       row([](const Vec& u) { return u.z; })};
+    PackMatrix<Pack> l = gradient_of(tangents_at(v, xi, eta, zeta), g.area, Pack(Pack(Real(1)) / g.jacobian));
     lessen_diagonal(l, Pack(Pack(Real(1.0 / 3.0)) * (trace(l) - dilatation)));
     leave_strains(place, point, l);
     keep_row(place, row_jacobian + point, g.jacobian);
@@ -126,7 +109,7 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
     spherical = multiply_add(g.jacobian, mean, spherical);
     work = multiply_add(Pack(active * kept_row<Pack>(place, solid_scratch::material_energy + point)),
                         kept_row<Pack>(place, row_jacobian + point), work);
-    const Vec f[3] = {stress * g.area[0], stress * g.area[1], stress * g.area[2]};
+    const Vec f[3] = {stress * g.area.of[0], stress * g.area.of[1], stress * g.area.of[2]};
     const auto add = [&](int p, const Vec& more) { conjugate.of[p] = conjugate.of[p] + more; };
     add(pattern::xi, f[0]);
     add(pattern::eta, f[1]);
@@ -136,8 +119,9 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
     add(xi_eta, multiply_add(eta, f[0], xi * f[1]));
     add(xi_eta_zeta,
         multiply_add(Pack(eta * zeta), f[0], multiply_add(Pack(xi * zeta), f[1], Pack(xi * eta) * f[2])));
-    const Pack largest = larger(math::dot(g.area[0], g.area[0]),
-                                larger(math::dot(g.area[1], g.area[1]), math::dot(g.area[2], g.area[2])));
+    const Pack largest =
+        larger(math::dot(g.area.of[0], g.area.of[0]),
+               larger(math::dot(g.area.of[1], g.area.of[1]), math::dot(g.area.of[2], g.area.of[2])));
     narrowest = smaller(narrowest, Pack(g.jacobian * absolute(g.jacobian) / largest));
   });
   keep_row(place, solid_scratch::internal_energy, work);

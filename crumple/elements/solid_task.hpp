@@ -21,13 +21,13 @@ struct SolidConstants {
   bool exact_volume = false;        ///< mean gradients over the volume in the place of those at the centre
   bool without_linear_part = true;  ///< hourglass control spares linear velocity fields that are no patterns
   bool viscous = true;              ///< hourglass form: viscous, else stiffness
-  bool assumed_strain = false;      ///< stiffness form in the element's own axes, see assumed_strain.hpp
-  Real hourglass = 0;               ///< see hourglass_modulus(); with assumed strains QM mu
-  Real plane_stress = 0;            ///< 1 / (1 - nu), for assumed strains [-]
-  Real anticlastic = 0;             ///< nu / (1 - nu), the same [-]
-  Real uniaxial = 0;                ///< (1 + nu) / 3, the same [-]
-  Real density = 0;                 ///< at time zero [mass/volume]
-  Real wave_speed = 0;  ///< of longitudinal waves without lateral strain, at time zero [length/time]
+  bool assumed_strain = false;  ///< stiffness form in the element's own axes, see hexahedron_hourglass.hpp
+  Real hourglass = 0;           ///< see hourglass_modulus(); with assumed strains QM mu
+  Real plane_stress = 0;        ///< 1 / (1 - nu), for assumed strains [-]
+  Real anticlastic = 0;         ///< nu / (1 - nu), the same [-]
+  Real uniaxial = 0;            ///< (1 + nu) / 3, the same [-]
+  Real density = 0;             ///< at time zero [mass/volume]
+  Real wave_speed = 0;          ///< of longitudinal waves without lateral strain, at time zero [length/time]
   /// Component of the state with the wave speed at the end of the last step, where the material tells a new
   /// one every step; 0: it does not vary.
   Index present_wave_speed = 0;

@@ -26,22 +26,14 @@ CRUMPLE_INLINE Pack state_mean_stress(const SolidPlace<RealOf<Pack>>& place) {
 template <class Pack, bool Averages>
 CRUMPLE_INLINE void tetrahedron_strains(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
-  using Vec = math::PackVec3<Pack>;
-  using math::multiply_add;
   const ThreeVectors<Pack> v = gathered_sides<Pack>(place.nodes + tetrahedron_row::velocity * width_of<Pack>);
   ThreeVectors<Pack> side = gathered_sides<Pack>(place.nodes);
   const Pack back(-(Real(0.5) * place.task.step));
-  for (int s = 0; s < 3; ++s) side.of[s] = multiply_add(back, v.of[s], side.of[s]);
+  for (int s = 0; s < 3; ++s) side.of[s] = math::multiply_add(back, v.of[s], side.of[s]);
   const ThreeVectors<Pack> area = areas_across(side);
   const Pack six_volumes = math::dot(side.of[0], area.of[0]);
   const Pack share = Pack(Real(1)) / six_volumes;
-  const auto row = [&](auto component) {
-    Vec sum = component(v.of[0]) * area.of[0];
-    for (int s = 1; s < 3; ++s) sum = multiply_add(component(v.of[s]), area.of[s], sum);
-    return share * sum;
-  };
-  PackMatrix<Pack> l{row([](const Vec& u) { return u.x; }), row([](const Vec& u) { return u.y; }),
-                     row([](const Vec& u) { return u.z; })};
+  PackMatrix<Pack> l = gradient_of(v, area, share);
   const Pack dilatation = trace(l);
   keep_row(place, tetrahedron_kept::volume, Pack(Pack(Real(1.0 / 6.0)) * six_volumes));
   keep_row(place, tetrahedron_kept::dilatation, dilatation);
@@ -88,14 +80,12 @@ CRUMPLE_INLINE SolidForces<Pack, 4> tetrahedron_forces(const SolidPlace<RealOf<P
   return force;
 }
 
-/// The tetrahedron with one point and constant stress: docs/theory/tetrahedra.md.
-struct Tetrahedron {
-  static constexpr model::SolidFormulation formulation = model::SolidFormulation::Tetrahedron;
-  static constexpr const char* name = "tetrahedron";
+/// What both tetrahedra have in common.
+template <bool Averages>
+struct AnyTetrahedron {
   static constexpr int points = 1;
   static constexpr int corners = 4;
-  static constexpr KeptItem kept{};
-  static constexpr bool averages = false;
+  static constexpr bool averages = Averages;
   static constexpr int rows = tetrahedron_kept::count;
 
   template <class Pack>
@@ -108,25 +98,19 @@ struct Tetrahedron {
   }
 };
 
+/// The tetrahedron with one point and constant stress: docs/theory/tetrahedra.md.
+struct Tetrahedron : AnyTetrahedron<false> {
+  static constexpr model::SolidFormulation formulation = model::SolidFormulation::Tetrahedron;
+  static constexpr const char* name = "tetrahedron";
+  static constexpr KeptItem kept{};
+};
+
 /// The same with the dilatation averaged at the nodes (Bonet & Burton, Commun. Numer. Meth. Engng 14 (1998)
 /// 437-449), of the nodes' mean: docs/theory/tetrahedra.md.
-struct NodalPressureTetrahedron {
+struct NodalPressureTetrahedron : AnyTetrahedron<true> {
   static constexpr model::SolidFormulation formulation = model::SolidFormulation::NodalPressureTetrahedron;
   static constexpr const char* name = "nodal pressure tetrahedron";
-  static constexpr int points = 1;
-  static constexpr int corners = 4;
   static constexpr KeptItem kept{"mean_dilatation_rate", "1/time", 1};
-  static constexpr bool averages = true;
-  static constexpr int rows = tetrahedron_kept::count;
-
-  template <class Pack>
-  static void strains(const SolidPlace<RealOf<Pack>>& place) {
-    tetrahedron_strains<Pack, averages>(place);
-  }
-  template <class Pack>
-  static SolidForces<Pack, 4> forces(const SolidPlace<RealOf<Pack>>& place) {
-    return tetrahedron_forces<Pack, averages>(place);
-  }
 };
 
 }  // namespace crumple::elements

@@ -3,6 +3,7 @@
 
 #include "elements/gather.hpp"
 #include "elements/solid_patterns.hpp"
+#include "elements/tangents.hpp"
 
 // What a tetrahedron has of its nodes: the three sides from the first to the others.
 namespace crumple::elements {
@@ -66,12 +67,6 @@ CRUMPLE_INLINE void gather_tetrahedra(const domain::NodeRecord<RealOf<Pack>>* no
     for (int lane = 0; lane < width; ++lane) gather_one_tetrahedron<Real, width>(nodes, node, lane, row);
 }
 
-/// Three vectors: the sides of a tetrahedron, their rates, or the vector areas across them.
-template <class Pack>
-struct ThreeVectors {
-  math::PackVec3<Pack> of[3];
-};
-
 /// What gather_tetrahedra() has left from `rows` on.
 template <class Pack>
 CRUMPLE_INLINE ThreeVectors<Pack> gathered_sides(const RealOf<Pack>* rows) {
@@ -83,17 +78,10 @@ CRUMPLE_INLINE ThreeVectors<Pack> gathered_sides(const RealOf<Pack>* rows) {
   return found;
 }
 
-/// Vector areas of the three faces at the first node, twice: over six volumes they are the gradients of the
-/// shape functions of the other nodes.
-template <class Pack>
-CRUMPLE_INLINE ThreeVectors<Pack> areas_across(const ThreeVectors<Pack>& side) {
-  return {{math::cross(side.of[1], side.of[2]), math::cross(side.of[2], side.of[0]),
-           math::cross(side.of[0], side.of[1])}};
-}
-
-/// What a wave must cross in one step: 1 / sqrt of the largest eigenvalue of the sum of g g^T over the
-/// gradients g of the four shape functions, or less. With m a third of the trace and p^2 a sixth of the
-/// squares of the deviator no eigenvalue of a symmetric matrix is above m + 2 p.
+/// What a wave must cross in one step, from areas_across() the sides at the first node: 1 / sqrt of the
+/// largest eigenvalue of the sum of g g^T over the gradients g of the four shape functions, or less. With m a
+/// third of the trace and p^2 a sixth of the squares of the deviator no eigenvalue of a symmetric matrix is
+/// above m + 2 p.
 template <class Pack>
 CRUMPLE_INLINE Pack tetrahedron_length(const ThreeVectors<Pack>& area, const Pack& six_volumes) {
   using Real = RealOf<Pack>;
