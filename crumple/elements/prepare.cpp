@@ -28,7 +28,9 @@ void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) 
   for (const domain::ElementBlock* block : domain.blocks()) {
     const model::Part& part = model.parts[block->part];
     const bool spring = part.material == no_index;
-    if (!block->rigid && (spring || materials::has_stiffness(model.materials[part.material].law))) return;
+    const bool fluid = part.equation_of_state != no_index;
+    if (block->rigid) continue;
+    if (spring || fluid || materials::has_stiffness(model.materials[part.material].law)) return;
   }
   const auto look = [&](const auto& block) {
     if (block.rigid)

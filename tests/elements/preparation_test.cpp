@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "shell_harness.hpp"
+#include "support/rigid.hpp"
 
 namespace crumple::elements::testing {
 namespace {
@@ -152,6 +153,26 @@ TEST(Preparation, ThicknessFollowsTheStretchIfAsked) {
         [](const Vec3&) { return Vec3{}; });
     EXPECT_EQ(rigid.item("thickness", 0), thickness);
   }
+}
+
+/// A fluid has no stiffness of its own; its equation of state sets the step, and small rigid elements do not.
+TEST(Preparation, RigidElementsBesideAFluidDoNotLimitTheStep) {
+  model::Model model =
+      test::one_solid_part({.id = 1, .title = "water", .density = 1e-6, .law = model::NullMaterial{}});
+  model.equations_of_state.push_back(
+      {.id = 1, .title = "water", .law = model::LinearPolynomial{{0, 2.2, 0, 0, 0, 0, 0}}});
+  model.parts[0].equation_of_state = 0;
+  model.materials.push_back(elastic());
+  model.parts.push_back({.id = 2, .title = "rigid", .solid_section = 0, .material = 1});
+  const auto box = [](double side, double x) {
+    return [=](double u, double v, double w) { return test::Point{x + side * u, side * v, side * w}; };
+  };
+  test::add_box(model, 0, 1, 1, 1, box(2, 0));
+  test::add_box(model, 1, 1, 1, 1, box(0.01, 5));
+  test::make_rigid(model, 1);
+  Driven body(model, {});
+  body.update(0);
+  EXPECT_NEAR(body.domain.clock.element_limit, 2 / std::sqrt(2.2 / 1e-6), 1e-12);
 }
 
 }  // namespace
