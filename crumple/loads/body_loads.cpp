@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "math/to_vec3.hpp"
 
 namespace crumple::loads {
 
@@ -13,9 +14,11 @@ namespace {
 
 constexpr Index piece = 1024;
 
-/// Adds -m a to every node that no rigid body moves; returns the momentum of these nodes.
-Vec3 push_nodes(domain::NodeFields& nodes, const Vec3& acceleration, int threads) {
-  std::vector<Vec3> momenta(static_cast<std::size_t>(pieces(nodes.count(), piece)));
+/// Adds -m a to every node that no rigid body moves; returns the momentum of these nodes. `momenta` is room
+/// for that of each piece.
+Vec3 push_nodes(domain::NodeFields& nodes, const Vec3& acceleration, int threads,
+                std::vector<Vec3>& momenta) {
+  momenta.assign(static_cast<std::size_t>(pieces(nodes.count(), piece)), Vec3{});
   parallel_for(pieces(nodes.count(), piece), threads, [&](Index p) {
     for (Index i = p * piece; i < std::min((p + 1) * piece, nodes.count()); ++i) {
       if (!nodes.is_free(i)) continue;
@@ -35,7 +38,7 @@ void BodyLoads::add_forces(domain::Domain& domain) {
   Vec3 acceleration;
   for (const model::BodyLoad& load : model_->body_loads)
     acceleration[load.axis] += load.scale * model_->curves[load.curve].at(domain.clock.time);
-  Vec3 momentum = push_nodes(domain.nodes, acceleration, domain.execution.threads);
+  Vec3 momentum = push_nodes(domain.nodes, acceleration, domain.execution.threads, momenta_);
   for (domain::RigidBody& body : domain.rigid_bodies) {
     if (!body.active) continue;
     body.force -= body.mass * acceleration;
@@ -50,8 +53,8 @@ void RigidBodyLoads::add_forces(domain::Domain& domain) {
     const model::RigidBodyLoad& load = model_->rigid_body_loads[i];
     domain::RigidBody& body = domain.rigid_bodies[load.body];
     const double factor = model_->curves[load.curve].at(domain.clock.time);
-    const Vec3 force{load.force[0], load.force[1], load.force[2]};
-    const Vec3 moment{load.moment[0], load.moment[1], load.moment[2]};
+    const Vec3 force = math::to_vec3(load.force);
+    const Vec3 moment = math::to_vec3(load.moment);
     body.force += factor * force;
     body.moment += factor * moment;
     const double rate = dot(force, body.velocity) + dot(moment, body.angular_velocity);

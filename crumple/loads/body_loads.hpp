@@ -21,7 +21,8 @@ class BodyLoads {
 
  private:
   const model::Model* model_;
-  math::Vec3 previous_;  ///< acceleration of the frame at time n-1
+  math::Vec3 previous_;              ///< acceleration of the frame at time n-1
+  std::vector<math::Vec3> momenta_;  ///< of the pieces of nodes; kept for its room alone
 };
 
 /// Forces and moments on rigid bodies that follow curves in time (*LOAD_RIGID_BODY). Books their work in the

@@ -87,9 +87,13 @@ void Simulation::choose_step() {
 }
 
 void Simulation::kick(double interval) {
-  spot_welds_.break_overloaded(domain_);
-  rigid_bodies_.kick(domain_, interval);
+  {
+    const StageTimer timer(domain_.times.constraints);
+    spot_welds_.break_overloaded(domain_);
+    rigid_bodies_.kick(domain_, interval);
+  }
   accelerate_free_nodes(interval);
+  const StageTimer timer(domain_.times.constraints);
   join_nodes();
   impose_motions(interval);
   stop_at_walls(interval);
@@ -98,7 +102,6 @@ void Simulation::kick(double interval) {
 
 void Simulation::impose_motions(double interval) {
   if (prescribed_motions_.empty()) return;
-  const StageTimer timer(domain_.times.constraints);
   const constraints::KineticChange change = prescribed_motions_.impose(domain_, interval, next_step_);
   kick_energy_.translational += change.translational;
   kick_energy_.rotational += change.rotational;
@@ -117,14 +120,12 @@ bool Simulation::changes_velocities() const {
 }
 
 void Simulation::join_nodes() {
-  const StageTimer timer(domain_.times.constraints);
   node_sets_.constrain(domain_);
   rivets_.constrain(domain_, next_step_);
 }
 
 void Simulation::stop_at_walls(double interval) {
   if (!changes_velocities()) return;
-  const StageTimer timer(domain_.times.constraints);
   for (constraints::RigidWall& wall : walls_)
     wall.stop_nodes(domain_, previous_velocity_, interval, next_step_);
   kick_energy_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity);
