@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "elements/body_response.hpp"
 #include "elements/discrete_elements.hpp"
 #include "elements/prepare.hpp"
 #include "math/to_vec3.hpp"
@@ -82,49 +83,62 @@ Index moving_ends(const DiscreteBlock& block, Index place) {
   return block.state(place, discrete_state::grounded) != 0 ? 1 : 2;
 }
 
+/// What the ends of springs have to move.
+struct Ends {
+  const model::Model& model;
+  const domain::NodeFields& nodes;
+  BodyResponse bodies;
+};
+
 /// Half the mass of a node, the other half being the other elements', is shared by its springs as their
-/// stiffness, and by its dampers likewise. Returns the sum of 1 / mass over both ends.
-double per_mass(const model::Model& model, const domain::Domain& domain, const DiscreteBlock& block,
-                Index place, const std::vector<double>& sum, double own) {
-  const domain::NodeFields& nodes = domain.nodes;
+/// stiffness, and by its dampers likewise; in the place of a node without mass stands the rigid body that it
+/// belongs to. Returns the sum of 1 / mass over both ends.
+double per_mass(const Ends& ends, const DiscreteBlock& block, Index place, const std::vector<double>& sum,
+                double own) {
+  const domain::NodeFields& nodes = ends.nodes;
   const auto& masses = block.torsional ? nodes.inertia : nodes.mass;
   double result = 0;
   for (Index end = 0; end < moving_ends(block, place); ++end) {
     const Index node = block.node_of(place, end);
     if (is_held(nodes, node, block.torsional)) continue;
-    if (!(masses[node] > 0))
-      throw Error("Node " + std::to_string(model.nodes.id[nodes.model_node[node]]) + " of discrete element " +
-                  std::to_string(model.discretes[block.element[place]].id) +
+    if (masses[node] > 0) {
+      result += 2 * sum[node] / (own * masses[node]);
+      continue;
+    }
+    const double response = ends.bodies.at(node, block.torsional);
+    if (!(response > 0))
+      throw Error("Node " + std::to_string(ends.model.nodes.id[nodes.model_node[node]]) +
+                  " of discrete element " + std::to_string(ends.model.discretes[block.element[place]].id) +
                   (block.torsional ? " has no rotary inertia: give it one with *ELEMENT_INERTIA, or hold it."
                                    : " has no mass: give it one with *ELEMENT_MASS, or hold it."));
-    result += 2 * sum[node] / (own * masses[node]);
+    result += 2 * sum[ends.bodies.shared_node(node, block.torsional)] / own * response;
   }
   return result;
 }
 
-void add_to_sums(const DiscreteBlock& block, const DiscreteLaw& law, Sums& sums) {
+void add_to_sums(const Ends& ends, const DiscreteBlock& block, const DiscreteLaw& law, Sums& sums) {
   for (Index place = 0; place < block.elements; ++place) {
     const double scale = std::fabs(block.state(place, discrete_state::scale));
     for (Index end = 0; end < moving_ends(block, place); ++end) {
-      sums.stiffness[block.node_of(place, end)] += scale * law.stiffness();
-      sums.damping[block.node_of(place, end)] += scale * law.damping();
+      const Index node = ends.bodies.shared_node(block.node_of(place, end), block.torsional);
+      sums.stiffness[node] += scale * law.stiffness();
+      sums.damping[node] += scale * law.damping();
     }
   }
 }
 
 /// 2 / frequency of a spring between its shares of the masses; of a damper the time in which half the
 /// relative velocity of the ends would be gone.
-double stable_step_of(const model::Model& model, const domain::Domain& domain, const DiscreteBlock& block,
-                      Index place, const Sums& sums) {
+double stable_step_of(const Ends& ends, const DiscreteBlock& block, Index place, const Sums& sums) {
   const DiscreteLaw law(block.material_constants);
   const double scale = std::fabs(block.state(place, discrete_state::scale));
   double step = 1e30;
   if (const double k = scale * law.stiffness(); k > 0) {
-    const double inverse = per_mass(model, domain, block, place, sums.stiffness, k);
+    const double inverse = per_mass(ends, block, place, sums.stiffness, k);
     if (inverse > 0) step = std::min(step, 2 / std::sqrt(k * inverse));
   }
   if (const double c = scale * law.damping(); c > 0) {
-    const double inverse = per_mass(model, domain, block, place, sums.damping, c);
+    const double inverse = per_mass(ends, block, place, sums.damping, c);
     if (inverse > 0) step = std::min(step, 1 / (c * inverse));
   }
   return step;
@@ -133,6 +147,7 @@ double stable_step_of(const model::Model& model, const domain::Domain& domain, c
 }  // namespace
 
 void prepare_discretes(const model::Model& model, domain::Domain& domain) {
+  const Ends ends{model, domain.nodes, BodyResponse(model, domain)};
   Sums forces(domain.nodes.count());
   Sums moments(domain.nodes.count());
   for (DiscreteBlock& block : domain.discretes) {
@@ -146,12 +161,12 @@ void prepare_discretes(const model::Model& model, domain::Domain& domain) {
       prepare_element(discrete, domain, block, place);
       if (discrete.offset != 0) block.internal_energy += stretch(law, block, place, discrete.offset);
     }
-    add_to_sums(block, law, block.torsional ? moments : forces);
+    add_to_sums(ends, block, law, block.torsional ? moments : forces);
   }
   for (DiscreteBlock& block : domain.discretes)
     for (Index place = 0; place < block.elements; ++place)
       block.set_state(place, discrete_state::stable_step,
-                      stable_step_of(model, domain, block, place, block.torsional ? moments : forces));
+                      stable_step_of(ends, block, place, block.torsional ? moments : forces));
 }
 
 }  // namespace crumple::elements

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "support/lines.hpp"
+#include "support/rigid.hpp"
 
 namespace crumple {
 namespace {
@@ -231,6 +232,52 @@ TEST(Springs, OffsetPullsAtTimeZeroAndCounts) {
   // A spring that is too long pulls its node along the axis, by twice the offset until it rests again.
   EXPECT_NEAR(test::displacement(domain, 0).x, -1.0, 1e-3);
   EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-3);
+}
+
+/// A rigid block of mass 2 and, without mass of its own, a node that belongs to it.
+model::Model rigid_block(const model::SpringLaw& law, const test::Point& massless) {
+  model::Model model = test::one_spring_part(law);
+  model.materials.push_back({.id = 2, .title = "", .density = 2.0, .law = model::Elastic{1e3, 0.3}});
+  model.solid_sections.emplace_back().id = 2;
+  model.parts.push_back({.id = 2, .title = "block", .solid_section = 0, .material = 0});
+  test::add_box(model, 1, 1, 1, 1, [](double u, double v, double w) {
+    return test::Point{u - 0.5, v - 0.5, w - 0.5};
+  });
+  model.nodes.id.push_back(9);
+  model.nodes.position.push_back(massless);
+  test::make_rigid(model, 1).nodes.push_back(8);
+  return model;
+}
+
+TEST(Springs, OnAMasslessNodeOfARigidBodyMoveTheBody) {
+  constexpr double k = 8.0;  // omega = 2
+  model::Model model = rigid_block(model::LinearSpring{k}, {3, 0, 0});
+  model.discretes.push_back({.id = 1, .part = 0, .node = {8, 8}, .grounded = true, .axis = {-1, 0, 0}});
+  for (Index node = 0; node < 8; ++node)
+    model.initial_velocities.push_back({.node = node, .velocity = {0.5, 0, 0}});
+  model.control.step_scale = 0.02;
+  model.control.end_time = 0.25 * pi;
+  timeloop::Simulation simulation(model, test::execution());
+  test::run(simulation);
+  EXPECT_NEAR(test::displacement(simulation.domain(), 8).x, 0.5 / 2, 1e-4);
+  EXPECT_LT(std::fabs(simulation.domain().energy.imbalance()), 1e-4 * 0.25);
+}
+
+TEST(Springs, OnAnArmOfARigidBodyHaveAStableStep) {
+  model::Model model = rigid_block(model::LinearSpring{8.0}, {20, 0, 0});
+  for (const Index id : {1, 2})
+    model.discretes.push_back({.id = id, .part = 0, .node = {8, 8}, .grounded = true, .axis = {0, 1, 0}});
+  timeloop::Simulation simulation(model, test::execution());
+  simulation.start();
+  // Masses at the corners of the cube: inertia 2 * (0.25 + 0.25). Two springs, half of the mass.
+  EXPECT_NEAR(simulation.next_step(), 0.9 * 2 / std::sqrt(2 * 16 * (0.5 + 400)), 1e-12);
+  model.initial_velocities.push_back({.node = 0, .velocity = {0, 1, 0}});
+  model.control.end_time = 5;
+  timeloop::Simulation shaken(model, test::execution());
+  test::run(shaken);
+  const domain::EnergyLedger& energy = shaken.domain().energy;
+  RecordProperty("imbalance_over_initial", test::figure(energy.imbalance() / energy.initial_total));
+  EXPECT_LT(std::fabs(energy.imbalance()), 1e-3 * energy.initial_total);
 }
 
 TEST(Springs, MassesThatAreMissingAreNamed) {
