@@ -3,6 +3,7 @@
 
 #include "elements/solid_formulation.hpp"
 #include "elements/solid_geometry.hpp"
+#include "elements/solid_resistance.hpp"
 
 // Hourglass control of the one-point hexahedron: docs/theory/one_point_hexahedron.md.
 namespace crumple::elements {
@@ -33,16 +34,16 @@ CRUMPLE_INLINE math::PackVec3<Pack> in_global_axes(const PackMatrix<Pack>& axes,
   return math::multiply_add(v.x, axes.x, math::multiply_add(v.y, axes.y, v.z * axes.z));
 }
 
-/// Rates of the modes' forces by assumed strains (Belytschko & Bindeman, CMAME 105 (1993) 225-260): the
-/// energy of the elastic law in the strains of the modes, without the shear of those that bend, and with the
-/// lateral strains of plane stress. `rate` and the result are in the element's axes; the element counts as a
-/// box of half sides a, b, c.
+/// Rates of the modes' forces, all sums over the nodes, by assumed strains (Belytschko & Bindeman, CMAME 105
+/// (1993) 225-260): the energy of the elastic law in the strains of the modes, without the shear of those
+/// that bend, and with the lateral strains of plane stress. `rate` and the result are in the element's axes;
+/// the element counts as a box of half sides a, b, c.
 template <class Pack>
 CRUMPLE_INLINE HourglassVectors<Pack> assumed_strain_rates(const SolidConstants<RealOf<Pack>>& constants,
                                                            const Pack& a, const Pack& b, const Pack& c,
                                                            const HourglassVectors<Pack>& rate) {
   using Real = RealOf<Pack>;
-  const Pack m = Pack(constants.hourglass * Real(8.0 / 3.0));  // QM mu, and the factor of every H
+  const Pack m = Pack(constants.hourglass * Real(1.0 / 24));  // QM mu, 8/3 of every H, 1/64 for the sums
   const Pack hxx = b * c / a;
   const Pack hyy = c * a / b;
   const Pack hzz = a * b / c;
@@ -98,16 +99,24 @@ CRUMPLE_INLINE HourglassForces<Pack> hourglass_forces(const SolidPlace<RealOf<Pa
                                                       const Pack& modulus) {
   using Vec = math::PackVec3<Pack>;
   const Pack step(place.task.step);
-  const PackMatrix<Pack> turned = left_rotation<Pack>(place, 0);
   HourglassForces<Pack> found;
   found.work = Pack(RealOf<Pack>(0));
-  for (int mode = 0; mode < 4; ++mode) {
-    const Vec rate = kept_vector<Pack>(place, row_rates + 3 * mode);
-    const Vec before = own_vector<Pack>(place, solid_state::own + 3 * mode);
-    const Vec old = before + turned * before;
-    const Vec now =
-        place.task.constants.viscous ? modulus * rate : math::multiply_add(Pack(modulus * step), rate, old);
-    keep_hourglass(place, mode, old, rate, now, found);
+  const auto old_force = [&](int mode) { return own_vector<Pack>(place, solid_state::own + 3 * mode); };
+  const auto rate_of = [&](int mode) { return kept_vector<Pack>(place, row_rates + 3 * mode); };
+  if (place.task.constants.viscous) {
+    for (int mode = 0; mode < 4; ++mode) {
+      const Vec rate = rate_of(mode);
+      keep_hourglass(place, mode, old_force(mode), rate, modulus * rate, found);
+    }
+  } else {
+    const PackMatrix<Pack> turned = left_rotation<Pack>(place, 0);
+    const Pack stiffness = modulus * step;
+    for (int mode = 0; mode < 4; ++mode) {
+      const Vec rate = rate_of(mode);
+      const Vec before = old_force(mode);
+      const Vec old = before + turned * before;
+      keep_hourglass(place, mode, old, rate, math::multiply_add(stiffness, rate, old), found);
+    }
   }
   found.work = step * found.work;
   return found;
@@ -121,11 +130,14 @@ CRUMPLE_INLINE HourglassForces<Pack> assumed_strain_forces(const SolidPlace<Real
   using Vec = math::PackVec3<Pack>;
   const Pack step = active * Pack(place.task.step);
   const PackMatrix<Pack> axes = side_axes(x);
+  const auto half_side = [&](const Vec& axis, int p) {
+    return Pack(RealOf<Pack>(0.125)) * math::dot(axis, x.of[p]);
+  };
   HourglassVectors<Pack> rate;
   for (int mode = 0; mode < 4; ++mode) rate.of[mode] = kept_vector<Pack>(place, row_rates + 3 * mode);
-  const HourglassVectors<Pack> change = assumed_strain_rates(
-      place.task.constants, math::dot(axes.x, x.of[pattern::xi]), math::dot(axes.y, x.of[pattern::eta]),
-      math::dot(axes.z, x.of[pattern::zeta]), rate);
+  const HourglassVectors<Pack> change =
+      assumed_strain_rates(place.task.constants, half_side(axes.x, pattern::xi),
+                           half_side(axes.y, pattern::eta), half_side(axes.z, pattern::zeta), rate);
   HourglassForces<Pack> found;
   found.work = Pack(RealOf<Pack>(0));
   for (int mode = 0; mode < 4; ++mode) {
@@ -137,18 +149,18 @@ CRUMPLE_INLINE HourglassForces<Pack> assumed_strain_forces(const SolidPlace<Real
   return found;
 }
 
-/// Force per rate (viscous) or per displacement (stiffness) of a mode's coefficient. Viscous: 16 Q rho c
-/// V^(2/3) (Goudreau & Hallquist 1982: Q rho c V^(2/3) / 4 at a node for the sum over the nodes); stiffness:
-/// 1/2 Q (lambda + 2 mu) G.G / V, G the derivatives of the volume (Flanagan & Belytschko 1981).
+/// Force per rate (viscous) or per displacement (stiffness) of a mode's sum over the nodes. Viscous: Q rho c
+/// V^(2/3) / 4 (Goudreau & Hallquist 1982); stiffness: 1/2 Q (lambda + 2 mu) B.B / V, B the derivatives of
+/// the volume (Flanagan & Belytschko 1981).
 template <class Pack>
 CRUMPLE_INLINE Pack hourglass_modulus(const SolidConstants<RealOf<Pack>>& constants,
-                                      const SolidGeometry<Pack>& g, const Pack& density, const Pack& length) {
+                                      const SolidGeometry<Pack>& g, const Resistance<Pack>& resistance) {
   const Pack factor(constants.hourglass);
-  if (constants.viscous) return factor * density * (length * length);
+  if (constants.viscous) return factor * resistance.density * (resistance.length * resistance.length);
   Pack squares = math::dot(g.gradient[0], g.gradient[0]);
   for (int p = 1; p < patterns_of_gradient(constants.exact_volume); ++p)
     squares = squares + math::dot(g.gradient[p], g.gradient[p]);
-  return factor * squares / g.volume;
+  return factor * squares * resistance.per_volume;
 }
 
 }  // namespace crumple::elements

@@ -35,7 +35,7 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
     return;
   }
   const double modulus = constants.density * constants.wave_speed * constants.wave_speed;
-  constants.hourglass = constants.viscous ? 16 * control.coefficient * constants.wave_speed
+  constants.hourglass = constants.viscous ? 0.25 * control.coefficient * constants.wave_speed
                                           : 0.5 * control.coefficient * modulus;
 }
 

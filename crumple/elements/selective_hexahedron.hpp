@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/hexahedron_gather.hpp"
 #include "elements/solid_geometry.hpp"
 #include "elements/solid_resistance.hpp"
 #include "elements/tangents.hpp"
 
 namespace crumple::elements {
 
-/// Vector areas across the tangents of the trilinear map at one of the eight points.
+/// Vector areas across the tangents of the trilinear map at one of the eight points, an eighth of them, as
+/// fields are given by sums over the nodes.
 template <class Pack>
 struct PointGeometry {
   ThreeVectors<Pack> area;
   Pack jacobian;
 };
 
-/// Derivatives of a field along xi, eta and zeta at a point.
+/// Derivatives of a field along xi, eta and zeta at a point, eight times.
 template <class Pack>
 CRUMPLE_INLINE ThreeVectors<Pack> tangents_at(const SolidPatterns<Pack>& f, Pack xi, Pack eta, Pack zeta) {
   using math::multiply_add;
@@ -28,7 +30,8 @@ CRUMPLE_INLINE ThreeVectors<Pack> tangents_at(const SolidPatterns<Pack>& f, Pack
 }
 template <class Pack>
 CRUMPLE_INLINE PointGeometry<Pack> geometry_at(const ThreeVectors<Pack>& t) {
-  const ThreeVectors<Pack> area = areas_across(t);
+  ThreeVectors<Pack> area = areas_across(t);
+  for (math::PackVec3<Pack>& a : area.of) a = Pack(RealOf<Pack>(1.0 / 512)) * a;
   return {area, math::dot(t.of[0], area.of[0])};
 }
 
@@ -68,8 +71,14 @@ struct SelectiveHexahedron {
 template <class Pack>
 CRUMPLE_INLINE void SelectiveHexahedron::strains(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
+<<<<<<< HEAD
   const SolidPatterns<Pack> v = gathered_velocities<Pack>(place.nodes);
   const SolidPatterns<Pack> x = middle_positions(gathered_patterns<Pack>(place.nodes), v, place.task.step);
+=======
+  using Vec = math::PackVec3<Pack>;
+  using math::multiply_add;
+  const auto [x, v] = gathered_motion<Pack>(place, kept.count);
+>>>>>>> fec0769 (Gather hexahedra without a stop in memory, scatter corner after corner, take the linear part of hourglass forces from the stress)
   const SolidGeometry<Pack> whole = solid_geometry(x, true);
   const Pack dilatation = trace(velocity_gradient(whole, v, true));
   keep_row(place, row_volume, whole.volume);
@@ -89,7 +98,7 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
   using math::multiply_add;
-  const SolidPatterns<Pack> x = gathered_patterns<Pack>(place.nodes);
+  const SolidPatterns<Pack> x = left_positions<Pack>(place);
   const SolidGeometry<Pack> whole = solid_geometry(x, true);
   const Pack zero(Real(0));
   const Pack active = own_item<Pack>(place, solid_state::active);
@@ -103,7 +112,7 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
   for_each_point<Pack>([&](int point, const Pack& xi, const Pack& eta, const Pack& zeta) {
     using namespace pattern;
     const PointGeometry<Pack> g = geometry_at(tangents_at(x, xi, eta, zeta));
-    PackMatrix<Pack> stress = stress_of<Pack>(place, point);
+    PackMatrix<Pack> stress = stress_of<Pack>(place, point, active);
     const Pack mean = Pack(Real(1.0 / 3.0)) * trace(stress);
     lessen_diagonal(stress, mean);
     spherical = multiply_add(g.jacobian, mean, spherical);
@@ -126,10 +135,8 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
   });
   keep_row(place, solid_scratch::internal_energy, work);
   keep_row(place, solid_scratch::hourglass_energy, zero);
-  const Pack pressure = spherical / whole.volume - resistance.pressure;
-  for (int p = 0; p < 6; ++p)
-    conjugate.of[p] = active * multiply_add(pressure, whole.gradient[p], conjugate.of[p]);
-  conjugate.of[pattern::xi_eta_zeta] = active * conjugate.of[pattern::xi_eta_zeta];
+  const Pack pressure = multiply_add(spherical, resistance.per_volume, Pack(-resistance.pressure));
+  for (int p = 0; p < 6; ++p) conjugate.of[p] = multiply_add(pressure, whole.gradient[p], conjugate.of[p]);
   // One that is inside out at a point ends the run.
   const Pack length = whole.volume / square_root(largest_face_squared(x));
   leave_limit(place, active, select<Pack>(narrowest > zero, length, narrowest), resistance.speed);

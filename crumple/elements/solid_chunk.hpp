@@ -2,8 +2,8 @@
 #pragma once
 
 #include "elements/erode.hpp"
+#include "elements/hexahedron_gather.hpp"
 #include "elements/solid_formulation.hpp"
-#include "elements/solid_patterns.hpp"
 #include "elements/tetrahedron_nodes.hpp"
 
 // As in chunk.hpp every template has the pack among its parameters.
@@ -18,44 +18,40 @@ struct SolidScratch {
   Real* nodes;
 };
 
-/// Rows of what a formulation gathers from the nodes.
+/// Rows of what a formulation keeps of the nodes.
 template <class Formulation>
-inline constexpr int node_rows = Formulation::corners == 8 ? solid_row::count : tetrahedron_row::count;
+inline constexpr int node_rows = Formulation::corners == 8 ? hexahedron_rows : tetrahedron_row::count;
 
-template <class Formulation, class Pack>
-CRUMPLE_INLINE void gather_nodes(const SolidPlace<RealOf<Pack>>& place) {
-  if constexpr (Formulation::corners == 8)
-    gather_solids<Pack>(place.task.nodes, place.node, place.nodes);
-  else
-    gather_tetrahedra<Pack>(place.task.nodes, place.node, place.nodes);
+/// A loop over the packs of one group of a tile, with the place of their first element in the group.
+template <class Formulation, class Pack, class Visit>
+CRUMPLE_INLINE void for_each_pack_of_group(const SolidTask<RealOf<Pack>>& task, Index first_group,
+                                           Index group, const SolidScratch<RealOf<Pack>>& scratch,
+                                           const Visit& visit) {
+  const std::ptrdiff_t at = first_group + group;
+  for (Index lane = 0; lane < lanes; lane += width_of<Pack>)
+    visit(SolidPlace<RealOf<Pack>>{task, task.node + at * Formulation::corners * lanes + lane,
+                                   task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes +
+                                       lane,
+                                   scratch.strain + group * lanes + lane, scratch.turn + group * lanes + lane,
+                                   scratch.rows + group * lanes + lane,
+                                   scratch.nodes + (group * lanes + lane) * node_rows<Formulation>},
+          lane);
 }
-
 /// A loop over the packs of one tile.
 template <class Formulation, class Pack, class Visit>
 CRUMPLE_INLINE void for_each_solid_pack(const SolidTask<RealOf<Pack>>& task, Index first_group, Index groups,
                                         const SolidScratch<RealOf<Pack>>& scratch, const Visit& visit) {
   for (Index group = 0; group < groups; ++group)
-    for (Index lane = 0; lane < lanes; lane += width_of<Pack>) {
-      const std::ptrdiff_t at = first_group + group;
-      visit(SolidPlace<RealOf<Pack>>{task, task.node + at * Formulation::corners * lanes + lane,
-                                     task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes +
-                                         lane,
-                                     scratch.strain + group * lanes + lane,
-                                     scratch.turn + group * lanes + lane, scratch.rows + group * lanes + lane,
-                                     scratch.nodes + (group * lanes + lane) * node_rows<Formulation>},
-            task.target + at * Formulation::corners * lanes + lane);
-    }
+    for_each_pack_of_group<Formulation, Pack>(
+        task, first_group, group, scratch,
+        [&](const SolidPlace<RealOf<Pack>>& place, Index /*lane*/) { visit(place); });
 }
 
-/// Puts a cube, or its corner, at rest in the place of failed elements, as rest_failed() does for shells.
+/// Puts the corner of a cube at rest in the place of failed tetrahedra, as rest_failed() does for shells.
 template <class Formulation, class Pack>
-CRUMPLE_INLINE void rest_failed_solids(const SolidPlace<RealOf<Pack>>& place) {
+CRUMPLE_INLINE void rest_failed_tetrahedra(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
-  const Pack zero(Real(0));
-  auto gone = own_item<Pack>(place, solid_state::active) == zero &&
-              own_item<Pack>(place, solid_state::bulk_viscosity) == zero;
-  for (Index c = 0; c < Formulation::kept.count; ++c)
-    gone = gone && own_item<Pack>(place, solid_state::own + c) == zero;
+  const MaskOf<Pack> gone = gone_for_ever<Pack>(place, Formulation::kept.count);
   if (!any<Pack>(gone)) return;
   for (int row = 0; row < node_rows<Formulation>; ++row) {
     // The first three vectors are the axes of the cube.
@@ -98,31 +94,33 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
   alignas(cache_line) Real rows[Formulation::rows * tile_lanes];
   alignas(cache_line) Real nodes[node_rows<Formulation> * tile_lanes];
   const SolidScratch<Real> scratch{strain, turn, rows, nodes};
+  GroupForces<Real, Formulation::corners> forces;
   LaneSums<Pack> lane_sums;
   sums = {};
   sums.shortest_step = 1e30;
   materials::SolidMaterialTask<Real> material = solid_material_task<Pack>(task, scratch);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
-    for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch,
-                                           [](const SolidPlace<Real>& place, const Index* /*target*/) {
-                                             gather_nodes<Formulation, Pack>(place);
-                                           });
-    for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch,
-                                           [](const SolidPlace<Real>& place, const Index* /*target*/) {
-                                             if constexpr (Formulation::corners == 8)
-                                               make_patterns<Pack>(place.nodes);
-                                             if (place.task.constants.can_fail)
-                                               rest_failed_solids<Formulation, Pack>(place);
-                                             Formulation::template strains<Pack>(place);
-                                           });
+    if constexpr (Formulation::corners == 4)
+      for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch, [](const SolidPlace<Real>& place) {
+        gather_tetrahedra<Pack>(place.task.nodes, place.node, place.nodes);
+        if (place.task.constants.can_fail) rest_failed_tetrahedra<Formulation, Pack>(place);
+      });
+    for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch, [](const SolidPlace<Real>& place) {
+      Formulation::template strains<Pack>(place);
+    });
     material.state = task.state + first * material.group_stride;
     material.groups = groups;
     task.material(material);
-    for_each_solid_pack<Formulation, Pack>(
-        task, first, groups, scratch, [&](const SolidPlace<Real>& place, const Index* target) {
-          scatter_solids(task.force, target, Formulation::template forces<Pack>(place));
-        });
+    for (Index group = 0; group < groups; ++group) {
+      for_each_pack_of_group<Formulation, Pack>(
+          task, first, group, scratch, [&](const SolidPlace<Real>& place, Index lane) {
+            keep_forces<Pack>(forces, lane, Formulation::template forces<Pack>(place));
+          });
+      scatter_group<Pack>(
+          task.force, task.target + static_cast<std::ptrdiff_t>(first + group) * Formulation::corners * lanes,
+          forces);
+    }
     for (Index group = 0; group < groups; ++group) {
       lane_sums.add_group(rows + group * lanes);
       if (task.constants.can_fail) {

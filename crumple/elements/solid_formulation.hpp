@@ -47,7 +47,7 @@ struct SolidPlace {
   Real* strain;       ///< [point][6][tile_lanes]
   Real* turn;         ///< [point][9][tile_lanes], rotation less the unit matrix
   Real* rows;         ///< [row][tile_lanes]
-  Real* nodes;        ///< what gather_solids() has left
+  Real* nodes;        ///< what the formulation keeps of the nodes from strains() to forces()
 };
 
 template <class Pack>
@@ -88,6 +88,17 @@ CRUMPLE_INLINE void keep_vector(const SolidPlace<RealOf<Pack>>& place, int row,
 template <class Pack>
 CRUMPLE_INLINE math::PackVec3<Pack> kept_vector(const SolidPlace<RealOf<Pack>>& place, int row) {
   return {kept_row<Pack>(place, row), kept_row<Pack>(place, row + 1), kept_row<Pack>(place, row + 2)};
+}
+
+/// Where elements have been off for long enough that every force that they keep, of `own_items` items, is
+/// zero.
+template <class Pack>
+CRUMPLE_INLINE MaskOf<Pack> gone_for_ever(const SolidPlace<RealOf<Pack>>& place, Index own_items) {
+  const Pack zero(RealOf<Pack>(0));
+  MaskOf<Pack> gone = own_item<Pack>(place, solid_state::active) == zero &&
+                      own_item<Pack>(place, solid_state::bulk_viscosity) == zero;
+  for (Index c = 0; c < own_items; ++c) gone = gone && own_item<Pack>(place, solid_state::own + c) == zero;
+  return gone;
 }
 
 /// A 3x3 matrix by rows.
@@ -168,11 +179,12 @@ CRUMPLE_INLINE PackMatrix<Pack> left_rotation(const SolidPlace<RealOf<Pack>>& pl
   return {row(0), row(1), row(2)};
 }
 
-/// Symmetric stress of one point as a matrix.
+/// Symmetric stress of one point as a matrix, times `factor`.
 template <class Pack>
-CRUMPLE_INLINE PackMatrix<Pack> stress_of(const SolidPlace<RealOf<Pack>>& place, int point) {
+CRUMPLE_INLINE PackMatrix<Pack> stress_of(const SolidPlace<RealOf<Pack>>& place, int point,
+                                          const Pack& factor) {
   const auto component = [&](int c) {
-    return load<Pack>(place.state + (point * materials::solid_components + c) * lanes);
+    return factor * load<Pack>(place.state + (point * materials::solid_components + c) * lanes);
   };
   const Pack xy = component(3);
   const Pack yz = component(4);

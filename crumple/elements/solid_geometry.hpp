@@ -6,8 +6,8 @@
 
 namespace crumple::elements {
 
-/// Volume of a hexahedron and its derivatives by the patterns of the positions. Over the volume they are the
-/// gradient operator: grad f = sum of f_p gradient_p / volume.
+/// Volume of a hexahedron and its derivatives by the patterns of the positions, which are sums over the
+/// nodes. Over the volume they are the gradient operator: grad f = sum of f_p gradient_p / volume.
 template <class Pack>
 struct SolidGeometry {
   math::PackVec3<Pack> gradient[6];  ///< for the patterns up to xi eta; the volume does not know the last
@@ -30,21 +30,21 @@ CRUMPLE_INLINE SolidGeometry<Pack> solid_geometry(const SolidPatterns<Pack>& x, 
   const Vec& xi = x.of[pattern::xi];
   const Vec& eta = x.of[pattern::eta];
   const Vec& zeta = x.of[pattern::zeta];
-  const Pack eight(Real(8));
+  const Pack share(Real(1.0 / 64));  // eight times that of the coefficients, 8 det, over 8^3
   const Pack zero(Real(0));
   SolidGeometry<Pack> g;
-  g.gradient[pattern::xi] = eight * cross(eta, zeta);
-  g.gradient[pattern::eta] = eight * cross(zeta, xi);
-  g.gradient[pattern::zeta] = eight * cross(xi, eta);
+  g.gradient[pattern::xi] = share * cross(eta, zeta);
+  g.gradient[pattern::eta] = share * cross(zeta, xi);
+  g.gradient[pattern::zeta] = share * cross(xi, eta);
   for (int p = pattern::hourglass; p < 6; ++p) g.gradient[p] = {zero, zero, zero};
   g.volume = math::dot(xi, g.gradient[pattern::xi]);
   if (!exact_volume) return g;
   const Vec& h1 = x.of[pattern::eta_zeta];
   const Vec& h2 = x.of[pattern::xi_zeta];
   const Vec& h3 = x.of[pattern::xi_eta];
-  const Pack share(Real(8.0 / 3.0));
+  const Pack third(Real(1.0 / 192));
   const auto add = [&](int p, const Vec& more) {
-    g.gradient[p] = math::multiply_add(share, more, g.gradient[p]);
+    g.gradient[p] = math::multiply_add(third, more, g.gradient[p]);
   };
   add(pattern::xi, cross(h3, h2));
   add(pattern::eta, cross(h1, h3));
@@ -93,7 +93,7 @@ CRUMPLE_INLINE Pack largest_face_squared(const SolidPatterns<Pack>& x) {
   pair(x.of[xi], x.of[xi_zeta], x.of[eta], x.of[eta_zeta]);
   pair(x.of[xi], x.of[xi_eta], x.of[zeta], x.of[eta_zeta]);
   pair(x.of[eta], x.of[xi_eta], x.of[zeta], x.of[xi_zeta]);
-  return Pack(RealOf<Pack>(16)) * largest;
+  return Pack(RealOf<Pack>(1.0 / 256)) * largest;
 }
 
 }  // namespace crumple::elements

@@ -69,7 +69,8 @@ struct Resistance {
   Pack speed;    ///< see BulkViscosity
   Pack density;  ///< [mass/volume]
   Pack length;   ///< third root of the volume
-  Pack mean;     ///< of the pressure over the step
+  Pack per_volume;
+  Pack mean;  ///< of the pressure over the step
 };
 template <class Pack>
 CRUMPLE_INLINE Resistance<Pack> resist(const SolidPlace<RealOf<Pack>>& place, const Pack& active,
@@ -77,7 +78,9 @@ CRUMPLE_INLINE Resistance<Pack> resist(const SolidPlace<RealOf<Pack>>& place, co
   using Real = RealOf<Pack>;
   const SolidConstants<Real>& constants = place.task.constants;
   Resistance<Pack> found;
-  found.density = Pack(constants.density) * own_item<Pack>(place, solid_state::reference_volume) / volume;
+  found.per_volume = Pack(Real(1)) / volume;
+  found.density =
+      Pack(constants.density) * own_item<Pack>(place, solid_state::reference_volume) * found.per_volume;
   found.length = math::cube_root(volume);
   const Pack wave_speed = wave_speed_of<Pack>(place);
   const BulkViscosity<Pack> bulk =

@@ -9,15 +9,12 @@
 namespace crumple::elements {
 
 SolidPatterns<double> patterns_of(const std::array<math::Vec3, 8>& node) {
-  PatternItems<double> items[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    double values[8] = {};
-    for (std::size_t k = 0; k < 8; ++k) values[k] = node[k][axis];
-    items[axis] = pattern_items<double>(values);
+  SolidSides<double> side{};
+  for (std::size_t k = 1; k < 8; ++k) {
+    const math::Vec3 d = node[k] - node[0];
+    side.of[k - 1] = {d.x, d.y, d.z};
   }
-  SolidPatterns<double> x{};
-  for (int p = 0; p < pattern::count; ++p) x.of[p] = {items[0].of[p], items[1].of[p], items[2].of[p]};
-  return x;
+  return patterns_of_sides(side);
 }
 
 namespace {

@@ -8,7 +8,7 @@
 
 namespace crumple::elements {
 
-/// Coefficients of the patterns of eight vectors, one element at a time.
+/// Patterns of eight vectors, one element at a time.
 SolidPatterns<double> patterns_of(const std::array<math::Vec3, 8>& node);
 
 struct SolidSize {

@@ -70,12 +70,11 @@ CRUMPLE_INLINE SolidForces<Pack, 4> tetrahedron_forces(const SolidPlace<RealOf<P
   keep_row(place, solid_scratch::internal_energy,
            Pack(work * kept_row<Pack>(place, tetrahedron_kept::volume)));
   keep_row(place, solid_scratch::hourglass_energy, Pack(Real(0)));
-  PackMatrix<Pack> stress = stress_of<Pack>(place, 0);
+  PackMatrix<Pack> stress = stress_of<Pack>(place, 0, active);
   lessen_diagonal(stress, resistance.pressure);
   leave_limit(place, active, tetrahedron_length(area, six_volumes), resistance.speed);
   SolidForces<Pack, 4> force;
-  const Pack share = active * sixth;
-  for (int s = 0; s < 3; ++s) force.of[s + 1] = share * (stress * area.of[s]);
+  for (int s = 0; s < 3; ++s) force.of[s + 1] = sixth * (stress * area.of[s]);
   force.of[0] = -(force.of[1] + (force.of[2] + force.of[3]));
   return force;
 }

@@ -2,8 +2,12 @@
 #pragma once
 
 #include "elements/gather.hpp"
+<<<<<<< HEAD
 #include "elements/solid_patterns.hpp"
 #include "elements/tangents.hpp"
+=======
+#include "elements/solid_scatter.hpp"
+>>>>>>> fec0769 (Gather hexahedra without a stop in memory, scatter corner after corner, take the linear part of hourglass forces from the stress)
 
 // What a tetrahedron has of its nodes: the three sides from the first to the others.
 namespace crumple::elements {
@@ -42,7 +46,7 @@ CRUMPLE_INLINE void gather_four_tetrahedra(const domain::NodeRecord<Real>* nodes
     const Item v = math::read<Item>(first.velocity);
     for (int s = 0; s < 3; ++s) {
       const domain::NodeRecord<Real>& end = nodes[node[(s + 1) * lanes + lane + i]];
-      side[s][i] = narrowed(Double4(math::read<Double4>(end.position) - x), Real(0));
+      side[s][i] = math::narrowed(Double4(math::read<Double4>(end.position) - x), Real(0));
       rate[s][i] = math::read<Item>(end.velocity) - v;
     }
   }
