@@ -101,6 +101,8 @@ KickEnergy kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
     const Double4 moment = math::read<Double4>(forces[i].moment);
     math::write(forces[i].force, Double4{});
     math::write(forces[i].moment, Double4{});
+    // Nodes of solids alone: nothing turns them.
+    const bool turns = inertia[i] > 0;
     // A node that a rigid body moves keeps its velocities here, and its energy is the body's.
     const bool free = (fixed[i] & domain::moved_by_body) == 0;
     const double m = free ? mass[i] : 0.0;
@@ -109,12 +111,14 @@ KickEnergy kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
     const Double4 a = held(per[0] * force, fixed[i]);
     const Double4 old_v = read3(velocity + 3 * i);
     const Double4 new_v = old_v + kick.interval * a;
-    const Double4 old_w = read3(angular + 3 * i);
-    const Double4 new_w = held(old_w + kick.interval * (per[1] * moment), fixed[i] >> 3U);
     translational += m * (old_v * new_v);
-    rotational += own * (old_w * new_w);
     write3(velocity + 3 * i, new_v);
-    write3(angular + 3 * i, new_w);
+    if (turns) {
+      const Double4 old_w = read3(angular + 3 * i);
+      const Double4 new_w = held(old_w + kick.interval * (per[1] * moment), fixed[i] >> 3U);
+      rotational += own * (old_w * new_w);
+      write3(angular + 3 * i, new_w);
+    }
     if (acceleration != nullptr) write3(acceleration + 3 * i, a);
     if (previous != nullptr) write3(previous + 3 * i, old_v);
   }
