@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "constraints/rigid_motion.hpp"
+#include "math/to_vec3.hpp"
 
 namespace crumple::constraints {
 
@@ -16,15 +17,12 @@ using domain::Domain;
 using domain::NodeFields;
 using domain::RigidBody;
 using math::Matrix3;
+using math::to_vec3;
 using math::Vec3;
 
 namespace {
 
 constexpr Index piece = 1024;
-
-Vec3 to_vec3(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
-}
 
 bool any(const std::array<bool, 3>& axes) {
   return axes[0] || axes[1] || axes[2];
@@ -121,25 +119,35 @@ struct ForceSum {
   Vec3 moment;
 };
 
-ForceSum sum_forces(const NodeFields& nodes, const RigidBody& body, int threads) {
+ForceSum sum_piece(const NodeFields& nodes, const RigidBody& body, Index p) {
+  ForceSum sum;
   const auto count = static_cast<Index>(body.nodes.size());
-  std::vector<ForceSum> sums(static_cast<std::size_t>(pieces(count, piece)));
-  parallel_for(pieces(count, piece), threads, [&](Index p) {
-    ForceSum& sum = sums[p];
-    for (Index i = p * piece; i < std::min((p + 1) * piece, count); ++i) {
-      const Index node = body.nodes[i];
-      const domain::NodeForce& at = nodes.force[node];
-      const Vec3 force{at.force[0], at.force[1], at.force[2]};
-      sum.force += force;
-      sum.moment +=
-          cross(nodes.position[node] - body.centre, force) + Vec3{at.moment[0], at.moment[1], at.moment[2]};
-    }
-  });
+  for (Index i = p * piece; i < std::min((p + 1) * piece, count); ++i) {
+    const Index node = body.nodes[i];
+    const domain::NodeForce& at = nodes.force[node];
+    const Vec3 force{at.force[0], at.force[1], at.force[2]};
+    sum.force += force;
+    sum.moment +=
+        cross(nodes.position[node] - body.centre, force) + Vec3{at.moment[0], at.moment[1], at.moment[2]};
+  }
+  return sum;
+}
+
+ForceSum sum_forces(const NodeFields& nodes, const RigidBody& body, int threads) {
   ForceSum total{body.force, body.moment};
-  for (const ForceSum& sum : sums) {
+  const auto add = [&](const ForceSum& sum) {
     total.force += sum.force;
     total.moment += sum.moment;
+  };
+  const Index parts = pieces(static_cast<Index>(body.nodes.size()), piece);
+  // Most bodies are small (welds): no room for sums has to be found for them.
+  if (parts == 1) {
+    add(sum_piece(nodes, body, 0));
+    return total;
   }
+  std::vector<ForceSum> sums(static_cast<std::size_t>(parts));
+  parallel_for(parts, threads, [&](Index p) { sums[p] = sum_piece(nodes, body, p); });
+  for (const ForceSum& sum : sums) add(sum);
   return total;
 }
 

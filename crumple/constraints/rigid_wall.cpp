@@ -57,6 +57,7 @@ RigidWall::RigidWall(const model::Model& model, const model::RigidWall& wall, do
   nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
   stops_.assign(static_cast<std::size_t>(domain.nodes.count()), 0);
   for (const Index node : nodes_) stops_[node] = 1;
+  touched_.assign(stops_.size(), 0);
   if (motion_.is_displacement) domain.walls[report].displacement = displacement_after(domain.clock, {}, 0);
 }
 
@@ -84,16 +85,15 @@ void RigidWall::stop_body_at(const Shape& shape, domain::Domain& domain, Index p
       const Vec3 arm = position[i] - body.centre;
       const Vec3 velocity = velocity_at(body, arm) - velocity_;
       if (!limit_of(shape, position[i] - displacement_, velocity, next_step, limit)) continue;
-      const auto known =
-          std::find_if(touches_.begin(), touches_.begin() + static_cast<std::ptrdiff_t>(before),
-                       [&](const BodyTouch& touch) { return touch.node == i; });
-      if (known == touches_.begin() + static_cast<std::ptrdiff_t>(before))
-        touches_.push_back({i, arm, limit.normal, limit.slowest, {}});
+      if (touched_[i] != 0) continue;
+      touched_[i] = 1;
+      touches_.push_back({i, arm, limit.normal, limit.slowest, {}});
     }
     if (touches_.size() == before) break;
     stop_body(body, {velocity_, friction_}, touches_);
   }
   for (const BodyTouch& touch : touches_) {
+    touched_[touch.node] = 0;
     sums.impulse -= touch.impulse;
     sums.normal_impulse += dot(touch.impulse, touch.normal);
     const Vec3 previous = body.previous_velocity + cross(body.previous_spin, touch.arm);

@@ -45,6 +45,7 @@ class RigidWall {
   const model::Model* model_;
   std::vector<Index> nodes_;        ///< domain nodes, ascending
   std::vector<char> stops_;         ///< of each domain node, whether it is one of them
+  std::vector<char> touched_;       ///< the same, whether it is among touches_
   std::vector<BodyTouch> touches_;  ///< of the body at hand
   WallSurface surface_;             ///< at time zero
   model::WallMotion motion_;

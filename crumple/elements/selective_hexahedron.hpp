@@ -71,14 +71,7 @@ struct SelectiveHexahedron {
 template <class Pack>
 CRUMPLE_INLINE void SelectiveHexahedron::strains(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
-<<<<<<< HEAD
-  const SolidPatterns<Pack> v = gathered_velocities<Pack>(place.nodes);
-  const SolidPatterns<Pack> x = middle_positions(gathered_patterns<Pack>(place.nodes), v, place.task.step);
-=======
-  using Vec = math::PackVec3<Pack>;
-  using math::multiply_add;
   const auto [x, v] = gathered_motion<Pack>(place, kept.count);
->>>>>>> fec0769 (Gather hexahedra without a stop in memory, scatter corner after corner, take the linear part of hourglass forces from the stress)
   const SolidGeometry<Pack> whole = solid_geometry(x, true);
   const Pack dilatation = trace(velocity_gradient(whole, v, true));
   keep_row(place, row_volume, whole.volume);

@@ -2,12 +2,8 @@
 #pragma once
 
 #include "elements/gather.hpp"
-<<<<<<< HEAD
-#include "elements/solid_patterns.hpp"
-#include "elements/tangents.hpp"
-=======
 #include "elements/solid_scatter.hpp"
->>>>>>> fec0769 (Gather hexahedra without a stop in memory, scatter corner after corner, take the linear part of hourglass forces from the stress)
+#include "elements/tangents.hpp"
 
 // What a tetrahedron has of its nodes: the three sides from the first to the others.
 namespace crumple::elements {
