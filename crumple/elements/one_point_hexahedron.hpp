@@ -35,7 +35,9 @@ CRUMPLE_INLINE void hexahedron_strains(const SolidPlace<RealOf<Pack>>& place, bo
   using Vec = math::PackVec3<Pack>;
   using Element = OnePointHexahedron;
   const SolidConstants<RealOf<Pack>>& constants = place.task.constants;
-  const auto [x, v] = gathered_motion<Pack>(place, Element::kept.count);
+  const SolidMotion<Pack> motion = gathered_motion<Pack>(place, Element::kept.count);
+  const SolidPatterns<Pack>& x = motion.x;
+  const SolidPatterns<Pack>& v = motion.v;
   const SolidGeometry<Pack> g = solid_geometry(x, exact_volume);
   const PackMatrix<Pack> l = velocity_gradient(g, v, exact_volume);
   leave_strains(place, 0, l);

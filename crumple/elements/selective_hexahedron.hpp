@@ -71,7 +71,9 @@ struct SelectiveHexahedron {
 template <class Pack>
 CRUMPLE_INLINE void SelectiveHexahedron::strains(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
-  const auto [x, v] = gathered_motion<Pack>(place, kept.count);
+  const SolidMotion<Pack> motion = gathered_motion<Pack>(place, kept.count);
+  const SolidPatterns<Pack>& x = motion.x;
+  const SolidPatterns<Pack>& v = motion.v;
   const SolidGeometry<Pack> whole = solid_geometry(x, true);
   const Pack dilatation = trace(velocity_gradient(whole, v, true));
   keep_row(place, row_volume, whole.volume);
