@@ -31,7 +31,7 @@ struct RigidBody {
   std::array<bool, 3> fixed_rotation{};     ///< about each of held_axes
   /// Of unit length, right-handed, fixed in space; prescribed motions are along and about them as well.
   std::array<std::array<double, 3>, 3> held_axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::optional<RigidInertia> inertia{};    ///< absent: of the masses at the nodes
+  std::optional<RigidInertia> inertia{};  ///< absent: of the masses at the nodes
   /// Nodes whose masses are added to a given inertia (IFLAG of *CONSTRAINED_EXTRA_NODES), ascending.
   std::vector<Index> added_nodes{};
 };
