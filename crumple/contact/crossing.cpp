@@ -40,8 +40,11 @@ Place place_at(const SurfaceAt& now, Index node, Index segment, double back) {
 int crossed_from(const SurfaceAt& now, Index node, Index segment, double step) {
   const Place start = place_at(now, node, segment, step);
   const Place end = place_at(now, node, segment, 0);
-  // A node that starts on the mid-surface comes from no side.
-  if (start.side == end.side || start.distance <= on_surface * end.distance) return 0;
+  if (start.distance <= on_surface * end.distance) {
+    // A node that starts on the mid-surface comes from no side, one on the face of a solid from outside.
+    return now.surface->is_face(segment) && end.side < 0 ? 1 : 0;
+  }
+  if (start.side == end.side) return 0;
   double before = 0;
   double after = 1;
   Place last = end;

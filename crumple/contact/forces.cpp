@@ -89,7 +89,8 @@ Forces::PairForce Forces::evaluate(const domain::Domain& domain, const ContactPa
   PenaltyLaw law;
   law.stiffness = std::min(surface_->node_stiffness[pair.node], surface_->stiffness[pair.segment]);
   law.limit = step > 0 ? budget_ / (step * step * inverse) : std::numeric_limits<double>::max();
-  law.reach = pair.reach;
+  // Behind a face there is no mid-surface that a strong squeeze would reach.
+  law.reach = surface_->is_face(pair.segment) ? std::numeric_limits<double>::max() : pair.reach;
 
   Vec3 relative = nodes.velocity[surface_->nodes[pair.node]];
   for (int k = 0; k < 4; ++k) relative -= pair.weight[k] * nodes.velocity[segment[k]];

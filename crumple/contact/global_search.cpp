@@ -163,16 +163,19 @@ void GlobalSearch::search(const domain::Domain& domain) {
 void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
   const Index places = surface_->node_count();
   first_.assign(static_cast<std::size_t>(places) + 1, 0);
-  const auto counts = [&](Index place) { return surface_->eroded == 0 || surface_->bears(place); };
-  for (const Index node : found.node)
-    if (counts(surface_->place[node])) ++first_[surface_->place[node] + 1];
+  const auto counts = [&](Index place, Index segment) {
+    return (surface_->eroded == 0 || surface_->bears(place)) && !surface_->same_body(place, segment);
+  };
+  for (Index s = 0; s < found.segments(); ++s)
+    for (const Index node : found.of(s))
+      if (counts(surface_->place[node], s)) ++first_[surface_->place[node] + 1];
   for (Index i = 0; i < places; ++i) first_[i + 1] += first_[i];
   segment_.resize(static_cast<std::size_t>(first_.back()));
   // Rows come in the order of the segments, so that each node's own come out ascending.
   std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
   for (Index s = 0; s < found.segments(); ++s)
     for (const Index node : found.of(s))
-      if (counts(surface_->place[node])) segment_[next[surface_->place[node]]++] = s;
+      if (counts(surface_->place[node], s)) segment_[next[surface_->place[node]]++] = s;
 }
 
 void GlobalSearch::measure_slack(const domain::Domain& domain) {
@@ -208,12 +211,12 @@ void GlobalSearch::verify(const domain::Domain& domain) const {
     if (cells_ && !cells_->box.contains(&searched_at.x)) continue;
     for (Index s = 0; s < surface.segments(); ++s) {
       const double distance = surface.contact_distance(i, s);
-      if (surface.active[s] == 0) continue;
+      if (surface.active[s] == 0 || surface.same_body(i, s)) continue;
       if (surface.owns(s, node) || box_gap(surface, x, s, x[node]) > distance || listed(i, s)) continue;
       const NearestPoint nearest = nearest_point(at.shape(s), x[node]);
       if (nearest.distance_squared >= distance * distance) continue;
       throw Error("The contact search missed a pair at cycle " + std::to_string(domain.clock.cycle) +
-                  ": node " + std::to_string(surface.node_id[i]) + " touches shell " +
+                  ": node " + std::to_string(surface.node_id[i]) + " touches element " +
                   std::to_string(surface.segment_id[s]) + ", but is not among its candidates.");
     }
   }

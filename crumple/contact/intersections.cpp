@@ -97,6 +97,8 @@ std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
     for (const Index centre : near.of(s)) {
       const Index other = centre - centres.front();
       if (surface.active[s] == 0 || surface.active[other] == 0) continue;
+      // Faces have no thickness: where they press, they overlap by what the penalty needs.
+      if (surface.is_face(s) && surface.is_face(other)) continue;
       if (other > s && (cuts(surface, x, s, other) || cuts(surface, x, other, s)))
         found.push_back({s, other});
     }

@@ -33,7 +33,7 @@ std::span<ContactPair> LocalSearch::find(const domain::Domain& domain, const Glo
     for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
       const auto begin = memory;
       while (memory != remembered.end() && memory->node == i) ++memory;
-      if (begin == memory && candidates.node_slack(i) > candidates.consumed()) continue;
+      if (begin == memory && !tracking && candidates.node_slack(i) > candidates.consumed()) continue;
       NodeSearch(view, i, {begin, memory}).find(found);
     }
   });

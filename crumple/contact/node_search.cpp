@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/crossing.hpp"
 
@@ -44,8 +45,9 @@ NodeSearch::NodeSearch(const StepView& view, Index place, std::span<const Rememb
 void NodeSearch::find(std::vector<ContactPair>& found) {
   const GlobalSearch& candidates = *view_.candidates;
   const std::size_t before = found.size();
+  if (view_.tracking) measure_faces();
   for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c)
-    if (astray_ || candidates.slack(c) <= candidates.consumed()) examine(candidates.segment(c), found);
+    if (looks_at_all() || candidates.slack(c) <= candidates.consumed()) examine(candidates.segment(c), found);
   if (found.size() - before > 1) keep_owners(found, before);
   const std::span<ContactPair> present = std::span(found).subspan(before);
   for (ContactPair& pair : present) carry_friction(pair, present);
@@ -69,14 +71,44 @@ double NodeSearch::contact_distance(Index segment) const {
 /// True if the node was in contact with that segment of the same surface and now is nearer to another one.
 bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
   return other.side != 0 && other.segment != segment && same_sides(surface_, segment, other.segment) &&
-         !nearest_around(view_.now, node_, other.segment, nearest_point(view_.now.shape(other.segment), p_));
+         !faces_node(other.segment, nearest_point(view_.now.shape(other.segment), p_));
+}
+
+/// True if the segment is the nearest around; or if it is the face of a solid with the node right behind it,
+/// be other faces of the solid nearer or not: it is through this one that the node came.
+bool NodeSearch::faces_node(Index segment, const NearestPoint& nearest) const {
+  if (nearest_around(view_.now, node_, segment, nearest)) return true;
+  if (!surface_.is_face(segment)) return false;
+  constexpr double aside = 1e-3;
+  const Vec3 away = p_ - nearest.point;
+  const double distance = norm(away);
+  const Vec3 normal = area_normal(view_.now.shape(segment));
+  return -dot(away, normal) >= (1 - 0.5 * aside * aside) * distance * norm(normal);
+}
+
+void NodeSearch::measure_faces() {
+  const GlobalSearch& candidates = *view_.candidates;
+  double smallest = std::numeric_limits<double>::max();
+  for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c)
+    if (surface_.is_face(candidates.segment(c)))
+      smallest =
+          std::min(smallest, nearest_point(view_.now.shape(candidates.segment(c)), p_).distance_squared);
+  nearest_face_ = std::sqrt(smallest);
+}
+
+/// Whether a node behind a face when the contact begins is inside of that solid, and not just on the far side
+/// of a thin one: then no other face is nearer.
+bool NodeSearch::starts_inside(Index segment, double distance) const {
+  constexpr double equally_near = 1 + 1e-9;
+  return view_.tracking && distance <= equally_near * nearest_face_ && distance < surface_.room[segment];
 }
 
 /// The side on which the node belongs: as remembered; or as on the segment from which it came, if it was on
 /// the wrong side of that or went through it in this step; or where it was before it went through this one;
-/// or where it is.
+/// or where it is. Behind a face of a solid a node that did not come through it is none of its business.
 int NodeSearch::side_of(Index segment, const RememberedPair* memory, double distance, int present) const {
   if (memory != nullptr && memory->side != 0) return memory->side;
+  if (surface_.is_face(segment) && (present > 0 || starts_inside(segment, distance))) return 1;
   const bool may_cross = view_.step > 0 && distance <= relative_motion(view_.now, node_, segment, view_.step);
   if (!astray_ && !may_cross) return present;
   for (const RememberedPair& other : remembered_)
@@ -110,20 +142,21 @@ void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
   const RememberedPair* memory = memory_of(segment);
   const SegmentShape shape = view_.now.shape(segment);
   const double touching = surface_.contact_distance(place_, segment);
-  // A node that is astray looks at everything; so does one that may have gone through the segment.
-  const bool look = astray_ || may_be_near(shape, p_, touching);
+  // One that may have gone through the segment looks at it as well.
+  const bool look = looks_at_all() || may_be_near(shape, p_, touching);
   if (!look && !may_be_near(shape, p_, relative_motion(view_.now, node_, segment, view_.step))) return;
   const NearestPoint nearest = nearest_point(shape, p_);
   const double distance = std::sqrt(nearest.distance_squared);
   const bool near = distance < touching;
-  if (!near && !astray_ && distance > relative_motion(view_.now, node_, segment, view_.step)) return;
-  if (!nearest_around(view_.now, node_, segment, nearest)) return;
+  if (!near && !looks_at_all() && distance > relative_motion(view_.now, node_, segment, view_.step)) return;
+  if (!faces_node(segment, nearest)) return;
 
   const Vec3 away = p_ - nearest.point;
   const Vec3 normal = side_normal(view_.now, segment, nearest, away);
   const bool round = dot(normal, normal) == 0;
   const int present = round ? 0 : sign_of(dot(away, normal));
   const int side = round ? 0 : side_of(segment, memory, distance, present);
+  if (side < 0 && surface_.is_face(segment)) return;
   const bool wrong = present != 0 && side != 0 && present != side;
   if (!near && !wrong) return;
 
@@ -148,6 +181,22 @@ void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
   if (pair.penetration() > 0 || pair.offset > 0) found.push_back(pair);
 }
 
+/// True if the node is behind two faces of a solid that meet in an edge or corner standing out: it has come
+/// through one of them.
+bool NodeSearch::enters_once(const ContactPair& a, const ContactPair& b) const {
+  if (a.wrong == 0 || b.wrong == 0 || !surface_.is_face(a.segment) || !surface_.is_face(b.segment))
+    return false;
+  const Vec3 between = view_.now.shape(b.segment).centre - view_.now.shape(a.segment).centre;
+  return dot(a.normal, between) < 0 && dot(b.normal, between) > 0;
+}
+
+/// True if of two faces the node came through the first: the one it has been behind for longer, or further.
+bool NodeSearch::came_through(const ContactPair& a, const ContactPair& b) const {
+  const bool knows_a = memory_of(a.segment) != nullptr;
+  const bool knows_b = memory_of(b.segment) != nullptr;
+  return knows_a != knows_b ? knows_a : a.gap <= b.gap;
+}
+
 /// Of connected segments that push in almost the same direction only the owner keeps its contact.
 void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first) const {
   const std::size_t last = found.size();
@@ -157,7 +206,10 @@ void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first)
       ContactPair& b = found[j];
       if (a.share == 0 || b.share == 0 || !connected(surface_, a.segment, b.segment)) continue;
       const double share = share_of_other(dot(a.normal, b.normal));
-      if (share == 1) continue;
+      if (share == 1) {
+        if (enters_once(a, b)) (came_through(a, b) ? b : a).share = 0;
+        continue;
+      }
       const bool a_owns = owns_first(view_.now, a.segment, b.segment, p_, std::fabs(a.gap), std::fabs(b.gap));
       ContactPair& other = a_owns ? b : a;
       other.share = std::min(other.share, share);

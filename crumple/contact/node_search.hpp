@@ -28,13 +28,20 @@ class NodeSearch {
   void find(std::vector<ContactPair>& found);
 
  private:
+  /// A node that is astray looks at all its candidates; so does every node at the start of a contact.
+  bool looks_at_all() const { return astray_ || view_.tracking; }
   void examine(Index segment, std::vector<ContactPair>& found);
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
+  void measure_faces();
+  bool starts_inside(Index segment, double distance) const;
   double contact_distance(Index segment) const;
   double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
   void carry_friction(ContactPair& pair, std::span<const ContactPair> present) const;
   bool came_from(const RememberedPair& other, Index segment) const;
+  bool faces_node(Index segment, const NearestPoint& nearest) const;
+  bool enters_once(const ContactPair& a, const ContactPair& b) const;
+  bool came_through(const ContactPair& a, const ContactPair& b) const;
   const RememberedPair* memory_of(Index segment) const;
 
   const StepView& view_;
@@ -43,7 +50,8 @@ class NodeSearch {
   Index node_;
   Vec3 p_;
   std::span<const RememberedPair> remembered_;
-  bool astray_ = false;  ///< the node is on the wrong side of some segment
+  bool astray_ = false;      ///< the node is on the wrong side of some segment
+  double nearest_face_ = 0;  ///< smallest distance from a face of a solid; at the start of a contact [length]
 };
 
 }  // namespace crumple::contact

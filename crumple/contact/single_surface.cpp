@@ -57,8 +57,9 @@ struct SingleSurface::Implementation {
         memory.friction = frame_of(shape_of(surface, x, pair.segment)).to_local(pair.friction);
       remembered.push_back(memory);
       if (pair.penetration() <= 0) continue;
+      const double room = surface.is_face(pair.segment) ? surface.room[pair.segment] : pair.reach;
       penetrations.push_back(
-          {pair.penetration(), pair.reach, surface.node_id[pair.node], surface.segment_id[pair.segment]});
+          {pair.penetration(), room, surface.node_id[pair.node], surface.segment_id[pair.segment]});
     }
   }
 

@@ -11,7 +11,7 @@
 
 namespace crumple::contact {
 
-/// Contact of shells with themselves and each other, with no surface definition by the user.
+/// Contact of shells and solids with themselves and each other, with no surface definition by the user.
 class SingleSurface {
  public:
   /// Collects segments and nodes of the parts that take part. `report` is the place of this interface in

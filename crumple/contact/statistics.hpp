@@ -20,7 +20,7 @@ struct ContactStatistics {
   Index initial_penetrations = 0;  ///< pairs that overlapped at the start; their contact distance is reduced
   double worst_initial = 0;        ///< largest overlap at the start [length]
   UserId worst_initial_node = 0;
-  UserId worst_initial_segment = 0;  ///< shell
+  UserId worst_initial_segment = 0;  ///< shell or solid
   Index limited_pairs = 0;           ///< pairs whose stiffness stability limits, now
   Index most_limited_pairs = 0;      ///< largest number of the run
   Index nodes_astray = 0;            ///< pairs with the node beyond the mid-surface, now
@@ -29,9 +29,9 @@ struct ContactStatistics {
 /// A pair with a force.
 struct Penetration {
   double depth = 0;  ///< penetration [length]
-  double reach = 0;  ///< contact distance of the pair: at this depth the node is on the mid-surface [length]
+  double reach = 0;  ///< at this depth the node is on the mid-surface, or behind the solid of a face [length]
   UserId node = 0;
-  UserId segment = 0;  ///< shell
+  UserId segment = 0;  ///< shell or solid
 };
 
 }  // namespace crumple::contact

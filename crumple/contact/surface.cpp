@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <variant>
 
 #include "base/error.hpp"
+#include "model/solid_faces.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -88,42 +90,176 @@ void measure_nodes(Surface& surface) {
   }
 }
 
+/// A segment to be added.
+struct NewSegment {
+  std::array<Index, 4> nodes{};
+  UserId id = 0;
+  double half_thickness = 0;
+  double stiffness = 0;  ///< without the factors of the contact
+  double room = 0;
+  bool face = false;
+  Index block = no_index;
+  Index element = no_index;
+};
+
+/// Collects segments one after the other.
+class Collector {
+ public:
+  Collector(const model::Model& model, const domain::Domain& domain,
+            const model::SingleSurfaceContact& contact, Surface& surface)
+      : model_(model), domain_(domain), contact_(contact), surface_(surface) {}
+
+  void add_faces();
+  void add_shells();
+  double mean_edge() const { return edge_sum_ / edges_; }
+
+ private:
+  bool takes_part(const domain::ElementBlock& block) const {
+    return std::binary_search(contact_.parts.begin(), contact_.parts.end(), block.part);
+  }
+  void add(const NewSegment& segment, const Measure& size);
+  std::vector<std::array<Index, 4>> covered() const;
+  void add_face(const model::OuterFace& face, Index block, Index element);
+
+  const model::Model& model_;
+  const domain::Domain& domain_;
+  const model::SingleSurfaceContact& contact_;
+  Surface& surface_;
+  double edge_sum_ = 0;
+  double edges_ = 0;
+};
+
+void Collector::add(const NewSegment& segment, const Measure& size) {
+  surface_.connectivity.insert(surface_.connectivity.end(), segment.nodes.begin(), segment.nodes.end());
+  surface_.segment_id.push_back(segment.id);
+  surface_.half_thickness.push_back(segment.half_thickness);
+  surface_.stiffness.push_back(model_.control.contact_stiffness_scale * contact_.stiffness_scale *
+                               segment.stiffness);
+  surface_.room.push_back(segment.room);
+  surface_.faces.push_back(segment.face ? 1 : 0);
+  surface_.block.push_back(segment.block);
+  surface_.element.push_back(segment.element);
+  surface_.largest_half_thickness = std::max(surface_.largest_half_thickness, segment.half_thickness);
+  edge_sum_ += size.edge_sum;
+  edges_ += size.edges;
+}
+
+void Collector::add_shells() {
+  for (Index b = 0; b < static_cast<Index>(domain_.shells.size()); ++b) {
+    const domain::ShellBlock& block = domain_.shells[b];
+    if (!takes_part(block)) continue;
+    const double modulus = bulk_modulus(model_, model_.parts[block.part]);
+    for (Index at = 0; at < block.elements; ++at) {
+      const model::ShellElement& shell = model_.shells[block.element[at]];
+      NewSegment segment;
+      segment.nodes = block.nodes_of(at);
+      segment.id = shell.id;
+      segment.block = b;
+      segment.element = at;
+      const Measure size = measure(domain_.nodes, segment.nodes.data());
+      const double automatic =
+          std::min(contact_.thickness_scale * true_thickness(model_, shell), edge_share * size.shortest_edge);
+      segment.half_thickness =
+          0.5 * (contact_.contact_thickness > 0 ? contact_.contact_thickness : automatic);
+      segment.stiffness = modulus * size.area / size.largest_diagonal;
+      add(segment, size);
+    }
+  }
+}
+
+/// Keys of the shells that take part, ascending.
+std::vector<std::array<Index, 4>> Collector::covered() const {
+  std::vector<std::array<Index, 4>> keys;
+  for (const domain::ShellBlock& block : domain_.shells)
+    if (takes_part(block))
+      for (const Index shell : block.element) keys.push_back(model::key_of(model_.shells[shell].node));
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+/// Volume from the areas and places of the faces, taken as flat (Gauss's theorem) [length^3].
+double volume_of(const model::SolidElement& solid, const domain::NodeFields& nodes) {
+  double sum = 0;
+  for (const std::array<Index, 4>& face : model::faces_of(solid)) {
+    std::array<Vec3, 4> x;
+    for (std::size_t k = 0; k < 4; ++k) x[k] = nodes.reference[nodes.domain_node[face[k]]];
+    const double corners = face[2] == face[3] ? 3 : 4;
+    const Vec3 centre = (1 / corners) * (x[0] + x[1] + x[2] + (corners == 4 ? x[3] : Vec3{}));
+    sum += dot(centre, cross(x[2] - x[0], x[3] - x[1])) / 6;
+  }
+  return sum;
+}
+
+void Collector::add_face(const model::OuterFace& face, Index block, Index element) {
+  const model::SolidElement& solid = model_.solids[face.solid];
+  NewSegment segment;
+  for (std::size_t k = 0; k < 4; ++k) segment.nodes[k] = domain_.nodes.domain_node[face.node[k]];
+  segment.id = solid.id;
+  segment.face = true;
+  segment.block = block;
+  segment.element = element;
+  const Measure size = measure(domain_.nodes, segment.nodes.data());
+  segment.room = volume_of(solid, domain_.nodes) / size.area;
+  segment.stiffness = bulk_modulus(model_, model_.parts[solid.part]) * size.area / segment.room;
+  add(segment, size);
+}
+
+/// The faces of the parts that take part, of which no other solid of the model holds the other side.
+void Collector::add_faces() {
+  if (std::none_of(domain_.solids.begin(), domain_.solids.end(),
+                   [&](const domain::SolidBlock& block) { return takes_part(block); }))
+    return;
+  std::vector<Index> all(model_.solids.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::array<Index, 2>> place(model_.solids.size(), {no_index, no_index});
+  const auto first = static_cast<Index>(domain_.shells.size());
+  for (Index b = 0; b < static_cast<Index>(domain_.solids.size()); ++b) {
+    const domain::SolidBlock& block = domain_.solids[b];
+    if (!takes_part(block)) continue;
+    for (Index at = 0; at < block.elements; ++at) place[block.element[at]] = {first + b, at};
+  }
+  const std::vector<std::array<Index, 4>> shells = covered();
+  for (const model::OuterFace& face : model::outer_faces(model_.solids, all)) {
+    const auto [block, element] = place[face.solid];
+    if (block == no_index || std::binary_search(shells.begin(), shells.end(), model::key_of(face.node)))
+      continue;
+    add_face(face, block, element);
+  }
+}
+
+void collect_bodies(const domain::Domain& domain, Surface& surface) {
+  surface.node_body.assign(surface.nodes.size(), no_index);
+  surface.segment_body.assign(surface.segment_id.size(), no_index);
+  if (domain.body_of_node.empty()) return;
+  for (Index i = 0; i < surface.node_count(); ++i)
+    surface.node_body[i] = domain.body_of_node[surface.nodes[i]];
+  for (Index s = 0; s < surface.segments(); ++s) {
+    const Index* nodes = surface.segment(s);
+    const Index body = domain.body_of_node[nodes[0]];
+    const bool all =
+        std::all_of(nodes, nodes + 4, [&](Index node) { return domain.body_of_node[node] == body; });
+    if (all) surface.segment_body[s] = body;
+  }
+}
+
 }  // namespace
 
 Surface build_surface(const model::Model& model, const domain::Domain& domain,
                       const model::SingleSurfaceContact& contact) {
   Surface surface;
-  double edge_sum = 0;
-  double edges = 0;
-  for (Index b = 0; b < static_cast<Index>(domain.shells.size()); ++b) {
-    const domain::ShellBlock& block = domain.shells[b];
-    if (!std::binary_search(contact.parts.begin(), contact.parts.end(), block.part)) continue;
-    surface.blocks.push_back(b);
-    const double modulus = bulk_modulus(model, model.parts[block.part]);
-    for (Index at = 0; at < block.elements; ++at) {
-      const std::array<Index, 4> nodes = block.nodes_of(at);
-      const model::ShellElement& shell = model.shells[block.element[at]];
-      const Measure size = measure(domain.nodes, nodes.data());
-      const double automatic =
-          std::min(contact.thickness_scale * true_thickness(model, shell), edge_share * size.shortest_edge);
-      const double thickness = contact.contact_thickness > 0 ? contact.contact_thickness : automatic;
-      surface.connectivity.insert(surface.connectivity.end(), nodes.begin(), nodes.end());
-      surface.segment_id.push_back(shell.id);
-      surface.half_thickness.push_back(0.5 * thickness);
-      surface.stiffness.push_back(model.control.contact_stiffness_scale * contact.stiffness_scale * modulus *
-                                  size.area / size.largest_diagonal);
-      surface.largest_half_thickness = std::max(surface.largest_half_thickness, 0.5 * thickness);
-      edge_sum += size.edge_sum;
-      edges += size.edges;
-    }
-  }
+  Collector collector(model, domain, contact, surface);
+  // Faces first: what is connected is turned to go with the first of its segments.
+  collector.add_faces();
+  collector.add_shells();
   if (surface.segment_id.empty())
     throw Error("Contact " + std::to_string(contact.id) +
-                " has no shells: none of its parts has any, so there is nothing that could touch.");
-  surface.mean_edge = edge_sum / edges;
+                " has no segments: none of its parts has any shell or outer face of a solid, so there is "
+                "nothing that could touch.");
+  surface.mean_edge = collector.mean_edge();
   surface.active.assign(surface.segment_id.size(), 1);
   orient_alike(surface.connectivity);
   collect_nodes(model, domain.nodes, surface);
+  collect_bodies(domain, surface);
   measure_nodes(surface);
   surface.topology =
       build_topology(surface.connectivity, surface.active, surface.place, surface.node_count());
@@ -132,15 +268,15 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
 
 bool drop_eroded(Surface& surface, const domain::Domain& domain) {
   Index eroded = 0;
-  for (const Index b : surface.blocks) eroded += domain.shells[b].eroded;
+  for (const domain::ShellBlock& block : domain.shells) eroded += block.eroded;
+  for (const domain::SolidBlock& block : domain.solids) eroded += block.eroded;
   if (eroded == surface.eroded) return false;
   surface.eroded = eroded;
-  std::size_t segment = 0;
-  for (const Index b : surface.blocks) {
-    const domain::ShellBlock& block = domain.shells[b];
-    const Index active = block.find("active")->first;
-    for (Index at = 0; at < block.elements; ++at, ++segment)
-      surface.active[segment] = block.state(at, active) != 0 ? 1 : 0;
+  const auto blocks = domain.blocks();
+  for (Index s = 0; s < surface.segments(); ++s) {
+    const domain::ElementBlock& block = *blocks[surface.block[s]];
+    const domain::StateItem* active = block.find("active");
+    if (active != nullptr && block.state(surface.element[s], active->first) == 0) surface.active[s] = 0;
   }
   measure_nodes(surface);
   surface.topology =

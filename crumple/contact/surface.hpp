@@ -15,8 +15,9 @@ namespace crumple::contact {
 
 using math::Vec3;
 
-/// What takes part in a contact: the shells as segments, their nodes, and what the contact needs to know of
-/// them. Made at the start of the run; changes only when elements erode, see drop_eroded().
+/// What takes part in a contact: the shells and the outer faces of the solids as segments, their nodes, and
+/// what the contact needs to know of them. Made at the start of the run; changes only when elements erode,
+/// see drop_eroded().
 struct Surface {
   std::vector<Index> nodes;                 ///< domain nodes, ascending
   std::vector<Index> place;                 ///< place in `nodes` of a domain node, or no_index
@@ -27,10 +28,15 @@ struct Surface {
   std::vector<Index> connectivity;     ///< four domain nodes per segment; a triangle repeats its last node
   std::vector<double> half_thickness;  ///< contact thickness over two, per segment [length]
   std::vector<double> stiffness;       ///< penalty stiffness per segment [force/length]
-  std::vector<UserId> segment_id;      ///< of the shell
-  std::vector<std::uint8_t> active;    ///< 0 where the shell has eroded
-  std::vector<Index> blocks;           ///< domain blocks whose shells are the segments, one after another
-  Index eroded = 0;                    ///< number of segments that are not active
+  std::vector<double> room;            ///< of a face the height of its solid behind it; 0 of shells [length]
+  std::vector<UserId> segment_id;      ///< of the shell or solid
+  std::vector<std::uint8_t> faces;     ///< 1: of a solid, whose outside is the side of the normal
+  std::vector<std::uint8_t> active;    ///< 0 where the element has eroded
+  std::vector<Index> block;            ///< of the element, in Domain::blocks()
+  std::vector<Index> element;          ///< its place in the block
+  std::vector<Index> segment_body;     ///< rigid body that has all nodes of the segment, or no_index
+  std::vector<Index> node_body;        ///< rigid body of the node, by place, or no_index
+  Index eroded = 0;                    ///< elements of the model that had failed at the last look
 
   double mean_edge = 0;               ///< over all segments [length]
   double largest_half_thickness = 0;  ///< [length]
@@ -52,13 +58,19 @@ struct Surface {
   double contact_distance(Index node_place, Index s) const {
     return node_half_thickness[node_place] + half_thickness[s];
   }
+  bool is_face(Index s) const { return faces[s] != 0; }
+  /// True if one rigid body has both: they never move against each other.
+  bool same_body(Index node_place, Index s) const {
+    return segment_body[s] != no_index && segment_body[s] == node_body[node_place];
+  }
 };
 
-/// Collects the shells of the parts of `contact`. Contact thickness: the smaller of the true thickness times
-/// SFST and 0.4 of the shortest edge, or SST where given (LS-DYNA's rule for single-surface contact).
-/// Penalty stiffness: SLSFAC SFS K A / (largest diagonal), with bulk modulus K and area A of the reference
-/// geometry (Hallquist, LS-DYNA Theory Manual, chapter on contact, shells). Throws Error if there is no
-/// shell.
+/// Collects the shells and the outer faces of the solids of the parts of `contact`. Contact thickness of
+/// shells: the smaller of the true thickness times SFST and 0.4 of the shortest edge, or SST where given
+/// (LS-DYNA's rule for single-surface contact); faces have none. A face that a shell of the contact covers is
+/// left to the shell. Penalty stiffness with bulk modulus K and area A of the reference geometry: SLSFAC SFS
+/// K A / (largest diagonal) of shells, SLSFAC SFS K A^2 / V of faces of solids with the volume V (Hallquist,
+/// LS-DYNA Theory Manual, chapter on contact). Throws Error if there is no segment.
 Surface build_surface(const model::Model& model, const domain::Domain& domain,
                       const model::SingleSurfaceContact& contact);
 

@@ -2,7 +2,7 @@
 #include "model/solid_faces.hpp"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace crumple::model {
 
@@ -13,7 +13,8 @@ using Face = std::array<Index, 4>;
 constexpr std::array<std::array<std::size_t, 4>, 6> corners = {
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
-/// The same for both solids of a face, whichever corner they begin with.
+}  // namespace
+
 Face key_of(Face face) {
   std::sort(face.begin(), face.end());
   // Which node of a triangle is given twice says nothing.
@@ -21,8 +22,6 @@ Face key_of(Face face) {
   std::fill(end, face.end(), *(end - 1));
   return face;
 }
-
-}  // namespace
 
 std::vector<Face> faces_of(const SolidElement& solid) {
   std::vector<Face> faces;
@@ -40,14 +39,21 @@ std::vector<Face> faces_of(const SolidElement& solid) {
   return faces;
 }
 
-std::vector<Face> outer_faces(const std::vector<SolidElement>& solids, const std::vector<Index>& some) {
-  std::map<Face, int> users;
+std::vector<OuterFace> outer_faces(const std::vector<SolidElement>& solids, const std::vector<Index>& some) {
+  std::vector<OuterFace> all;
+  all.reserve(6 * some.size());
   for (const Index solid : some)
-    for (const Face& face : faces_of(solids[static_cast<std::size_t>(solid)])) ++users[key_of(face)];
-  std::vector<Face> outer;
-  for (const Index solid : some)
-    for (const Face& face : faces_of(solids[static_cast<std::size_t>(solid)]))
-      if (users[key_of(face)] == 1) outer.push_back(face);
+    for (const Face& face : faces_of(solids[static_cast<std::size_t>(solid)])) all.push_back({face, solid});
+  std::vector<std::pair<Face, std::size_t>> keys;
+  keys.reserve(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) keys.emplace_back(key_of(all[i].node), i);
+  std::sort(keys.begin(), keys.end());
+  std::vector<char> shared(all.size(), 0);
+  for (std::size_t i = 1; i < keys.size(); ++i)
+    if (keys[i].first == keys[i - 1].first) shared[keys[i].second] = shared[keys[i - 1].second] = 1;
+  std::vector<OuterFace> outer;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (shared[i] == 0) outer.push_back(all[i]);
   return outer;
 }
 

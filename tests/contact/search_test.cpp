@@ -122,7 +122,7 @@ TEST(Search, VerificationNoticesAMissedPair) {
     FAIL() << "the missed pair was not noticed";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("node 1"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("shell 5"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("element 5"), std::string::npos) << error.what();
   }
 }
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces of solids in contact: the outside is one side, there is no thickness.
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "contact/bodies.hpp"
+#include "contact/surface.hpp"
+#include "support/meshes.hpp"
+
+namespace crumple {
+namespace {
+
+using math::Vec3;
+
+/// A block of one element, 2 x 2 x `height`, on the plane z = 0, and a small one above, below or inside of
+/// it, 0.2 wide, whose lowest nodes are at z = `bottom`.
+class Blocks {
+ public:
+  Blocks(double height, double bottom) {
+    bodies_.model.solid_sections.resize(1);
+    for (int part = 0; part < 2; ++part) {
+      if (part == 1) bodies_.model.parts.push_back({.id = 2, .title = "second"});
+      bodies_.model.parts[part].section = no_index;
+      bodies_.model.parts[part].solid_section = 0;
+      bodies_.model.parts[part].material = 0;
+    }
+    bodies_.contact.parts = {0, 1};
+    test::add_box(bodies_.model, 0, 1, 1, 1, [&](double u, double v, double w) {
+      return test::Point{2 * u - 1, 2 * v - 1, height * w};
+    });
+    small_ = test::add_box(bodies_.model, 1, 1, 1, 1, [&](double u, double v, double w) {
+      return test::Point{0.2 * u, 0.2 * v + 0.1, bottom + 0.2 * w};
+    });
+    made_ = bodies_.build();
+    touching_.emplace(bodies_.attach(made_));
+    test::add_forces(*touching_, made_);
+  }
+
+  /// Moves the small block.
+  void move(const Vec3& by) {
+    std::vector<Vec3> x(made_.nodes.position.begin(), made_.nodes.position.end());
+    for (Index i = 0; i < 8; ++i) x[test::at(made_, small_ + i)] += by;
+    test::move_to(*touching_, made_, x, 0.1);
+  }
+
+  /// On the small block.
+  Vec3 force() const {
+    Vec3 sum;
+    for (Index i = 0; i < 8; ++i) sum += made_.contact_force[test::at(made_, small_ + i)];
+    return sum;
+  }
+  const domain::Domain& domain() const { return made_; }
+  const contact::SingleSurface& touching() const { return *touching_; }
+
+ private:
+  test::Bodies bodies_;
+  Index small_ = 0;
+  domain::Domain made_;
+  std::optional<contact::SingleSurface> touching_;
+};
+
+TEST(Faces, OuterFacesAreSegmentsWithTheirStiffness) {
+  const Blocks blocks(0.5, 3);
+  const contact::Surface& surface = blocks.touching().surface();
+  ASSERT_EQ(surface.segments(), 12);
+  for (Index s = 0; s < surface.segments(); ++s) {
+    EXPECT_TRUE(surface.is_face(s));
+    EXPECT_EQ(surface.half_thickness[s], 0);
+  }
+  // SLSFAC K A^2 / V, K = E / (3 (1 - 2 nu)).
+  const double modulus = 1000 / 1.5;
+  EXPECT_NEAR(surface.stiffness[0], 0.1 * modulus * 4 / 0.5, 1e-9);
+  EXPECT_NEAR(surface.room[0], 0.5, 1e-12);
+}
+
+TEST(Faces, PushOutWhatWentThrough) {
+  Blocks blocks(0.5, 0.6);
+  blocks.move({0, 0, -0.09});
+  EXPECT_EQ(norm(blocks.force()), 0) << "there is no thickness";
+  blocks.move({0, 0, -0.02});
+  const double depth = 0.01;
+  // Four nodes, each with the softer of the two stiffnesses.
+  const contact::Surface& surface = blocks.touching().surface();
+  const double stiffness = std::min(surface.stiffness[0], surface.stiffness[6]);
+  EXPECT_NEAR(blocks.force().z, 4 * stiffness * depth, 1e-3 * stiffness * depth);
+  EXPECT_NEAR(norm(test::total_force(blocks.domain())), 0, 1e-12);
+  EXPECT_NEAR(norm(test::total_moment(blocks.domain())), 0, 1e-12);
+  blocks.move({0.01, 0.02, -0.2});
+  EXPECT_GT(blocks.force().z, 80 * stiffness * depth) << "and goes on, without a middle that it would pass";
+  blocks.move({0, 0, 0.25});
+  EXPECT_EQ(norm(blocks.force()), 0);
+}
+
+TEST(Faces, PushOutWhatLayOnThemFromTheStart) {
+  Blocks blocks(0.5, 0.5);
+  EXPECT_EQ(norm(blocks.force()), 0);
+  blocks.move({0, 0, -1e-3});
+  EXPECT_GT(blocks.force().z, 0);
+}
+
+TEST(Faces, AllowAnOverlapOfTheStart) {
+  Blocks blocks(0.5, 0.49);
+  EXPECT_EQ(norm(blocks.force()), 0);
+  EXPECT_GT(blocks.touching().statistics().initial_penetrations, 0);
+  EXPECT_NEAR(blocks.touching().statistics().worst_initial, 0.01, 1e-12);
+  blocks.move({0, 0, -1e-3});
+  EXPECT_GT(blocks.force().z, 0);
+}
+
+/// What lies under a thin plate is behind its upper face.
+TEST(Faces, LeaveAloneWhatIsOnTheFarSide) {
+  Blocks blocks(0.05, -0.2);
+  EXPECT_EQ(blocks.touching().statistics().initial_penetrations, 0);
+  EXPECT_EQ(norm(blocks.force()), 0);
+  blocks.move({0, 0, 1e-3});
+  EXPECT_LT(blocks.force().z, 0) << "pushed out of the lower face";
+}
+
+}  // namespace
+}  // namespace crumple
