@@ -44,14 +44,6 @@ void print_timings(std::ostream& out, const domain::Domain& domain, double loop_
   print("total", loop_seconds);
 }
 
-/// Segments of an interface: the shells of its parts.
-Index segments_of(const model::Model& model, const model::SingleSurfaceContact& contact) {
-  Index segments = 0;
-  for (const model::ShellElement& shell : model.shells)
-    if (std::find(contact.parts.begin(), contact.parts.end(), shell.part) != contact.parts.end()) ++segments;
-  return segments;
-}
-
 void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
   const domain::ContactInspection& seen = contact.inspection;
   if (contact.initial_penetrations > 0)
@@ -60,10 +52,11 @@ void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
   if (!seen.made) return;
   fmt::print(out,
              "  depth over that of the mid-surface: largest {:.3f}, 99th percentile {:.3f}; {} beyond it\n"
-             "  mid-surfaces cut through each other: {} of shells",
+             "  mid-surfaces cut through each other: {} of segments",
              seen.largest_depth, seen.percentile_99, counted(seen.nodes_beyond, "node"),
              counted(seen.intersections, "pair"));
-  if (seen.intersections > 0) fmt::print(out, ", the first {} and {}", seen.first_shell, seen.second_shell);
+  if (seen.intersections > 0)
+    fmt::print(out, ", the first {} and {}", seen.first_segment, seen.second_segment);
   fmt::print(out, "\n");
 }
 
@@ -73,14 +66,13 @@ void print_contacts(std::ostream& out, const output::View& view) {
   for (std::size_t i = 0; i < domain.contacts.size(); ++i) {
     const domain::ContactReport& contact = domain.contacts[i];
     const auto searches = static_cast<double>(std::max(contact.searches, 1L));
-    const Index segments = segments_of(view.model, view.model.contacts[i]);
-    work += searches * segments;
+    work += searches * contact.segments;
     fmt::print(out,
                "\nContact {} ({}): {}, one in {:.1f} cycles; {}, {:.0f} candidates a search\n"
                "  pairs in contact now {}, worst penetration {:.4g} now, {:.4g} ever (node {})\n",
                contact.id, contact.method,
                contact.searches == 1 ? "1 search" : fmt::format("{} searches", contact.searches),
-               static_cast<double>(domain.clock.cycle) / searches, counted(segments, "segment"),
+               static_cast<double>(domain.clock.cycle) / searches, counted(contact.segments, "segment"),
                static_cast<double>(contact.candidates) / searches, contact.active_pairs, contact.penetration,
                contact.worst_penetration, contact.worst_node);
     print_inspection(out, contact);

@@ -80,6 +80,16 @@ double Forces::inverse_mass(const domain::NodeFields& nodes, const ContactPair& 
   return sum;
 }
 
+/// Of SOFT = 1: 1/2 SOFSCL m* / dt^2 with the whole masses of the nodes (LS-DYNA Keyword User's Manual,
+/// *CONTACT, optional card A) [force/length].
+double Forces::least_stiffness(const domain::NodeFields& nodes, const ContactPair& pair, double step) const {
+  if (contact_.soft_scale <= 0 || step <= 0) return 0;
+  double inverse = 1 / nodes.mass[surface_->nodes[pair.node]];
+  const Index* segment = surface_->segment(pair.segment);
+  for (int k = 0; k < 4; ++k) inverse += pair.weight[k] * pair.weight[k] / nodes.mass[segment[k]];
+  return 0.5 * contact_.soft_scale / (step * step * inverse);
+}
+
 Forces::PairForce Forces::evaluate(const domain::Domain& domain, const ContactPair& pair) const {
   if (pair.penetration() <= 0) return {};
   const domain::NodeFields& nodes = domain.nodes;
@@ -87,7 +97,8 @@ Forces::PairForce Forces::evaluate(const domain::Domain& domain, const ContactPa
   const double inverse = inverse_mass(nodes, pair);
   const double step = judged_step(domain, step_scale_);
   PenaltyLaw law;
-  law.stiffness = std::min(surface_->node_stiffness[pair.node], surface_->stiffness[pair.segment]);
+  law.stiffness = std::max(std::min(surface_->node_stiffness[pair.node], surface_->stiffness[pair.segment]),
+                           least_stiffness(nodes, pair, step));
   law.limit = step > 0 ? budget_ / (step * step * inverse) : std::numeric_limits<double>::max();
   // Behind a face there is no mid-surface that a strong squeeze would reach.
   law.reach = surface_->is_face(pair.segment) ? std::numeric_limits<double>::max() : pair.reach;
@@ -117,7 +128,9 @@ Vec3 Forces::friction(const ContactPair& pair, double normal_force, double stiff
                                                     decay(contact_.friction_decay * speed);
   const Vec3 trial = tangential(pair.friction) - stiffness * slip;
   const double size = norm(trial);
-  const double capacity = mu * normal_force;
+  double capacity = mu * normal_force;
+  if (contact_.friction_stress > 0)
+    capacity = std::min(capacity, contact_.friction_stress * surface_->area[pair.segment]);
   return size > capacity ? capacity / size * trial : trial;
 }
 

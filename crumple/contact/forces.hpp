@@ -39,6 +39,7 @@ class Forces {
 
   void count_touches(std::span<const ContactPair> pairs);
   double inverse_mass(const domain::NodeFields& nodes, const ContactPair& pair) const;
+  double least_stiffness(const domain::NodeFields& nodes, const ContactPair& pair, double step) const;
   PairForce evaluate(const domain::Domain& domain, const ContactPair& pair) const;
   Vec3 friction(const ContactPair& pair, double normal_force, double stiffness, double step) const;
   void scatter(std::span<const ContactPair> pairs);

@@ -66,6 +66,7 @@ struct SingleSurface::Implementation {
   void write_report(domain::ContactReport& entry) {
     entry.id = contact.id;
     entry.method = method;
+    entry.segments = surface.segments();
     entry.searches = search.statistics().searches;
     entry.candidates = search.statistics().candidates;
     entry.active_pairs = static_cast<Index>(penetrations.size());
@@ -150,8 +151,8 @@ void SingleSurface::inspect(domain::Domain& domain) const {
   domain::ContactInspection& seen = domain.contacts[own.report].inspection;
   seen.made = true;
   seen.intersections = static_cast<Index>(cut.size());
-  seen.first_shell = cut.empty() ? 0 : own.surface.segment_id[cut.front()[0]];
-  seen.second_shell = cut.empty() ? 0 : own.surface.segment_id[cut.front()[1]];
+  seen.first_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[0]];
+  seen.second_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[1]];
   seen.nodes_beyond = depth.beyond;
   seen.largest_depth = depth.largest;
   seen.percentile_99 = depth.percentile_99;

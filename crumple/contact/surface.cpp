@@ -135,6 +135,7 @@ void Collector::add(const NewSegment& segment, const Measure& size) {
   surface_.half_thickness.push_back(segment.half_thickness);
   surface_.stiffness.push_back(model_.control.contact_stiffness_scale * contact_.stiffness_scale *
                                segment.stiffness);
+  surface_.area.push_back(size.area);
   surface_.room.push_back(segment.room);
   surface_.faces.push_back(segment.face ? 1 : 0);
   surface_.block.push_back(segment.block);

@@ -28,6 +28,7 @@ struct Surface {
   std::vector<Index> connectivity;     ///< four domain nodes per segment; a triangle repeats its last node
   std::vector<double> half_thickness;  ///< contact thickness over two, per segment [length]
   std::vector<double> stiffness;       ///< penalty stiffness per segment [force/length]
+  std::vector<double> area;            ///< of the reference geometry, per segment [length^2]
   std::vector<double> room;            ///< of a face the height of its solid behind it; 0 of shells [length]
   std::vector<UserId> segment_id;      ///< of the shell or solid
   std::vector<std::uint8_t> faces;     ///< 1: of a solid, whose outside is the side of the normal

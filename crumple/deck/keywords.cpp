@@ -166,6 +166,7 @@ constexpr Keyword table[] = {
     {"RIGIDWALL_GEOMETRIC_SPHERE_DISPLAY", read_rigidwall_geometric, identity},
     {"RIGIDWALL_GEOMETRIC_SPHERE_MOTION_DISPLAY", read_rigidwall_geometric, identity},
     {"CONTACT_AUTOMATIC_SINGLE_SURFACE", read_contact_automatic_single_surface, identity},
+    {"CONTACT_SINGLE_SURFACE", read_contact_automatic_single_surface, identity},
 
     {"CONTROL_TERMINATION", read_control_termination, none, false},
     {"CONTROL_TIMESTEP", read_control_timestep, none, false},

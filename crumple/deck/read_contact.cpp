@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *CONTACT_AUTOMATIC_SINGLE_SURFACE.
+// *CONTACT_AUTOMATIC_SINGLE_SURFACE, *CONTACT_SINGLE_SURFACE.
 #include "deck/families.hpp"
 
 namespace crumple::deck {
@@ -23,25 +23,24 @@ constexpr Field contact_card_1[] = {
 
 constexpr Field contact_card_2[] = {
     real("FS", 0, not_negative),  real("FD", 0, not_negative),
-    real("DC", 0, not_negative),  only("VC", {0}, "friction has no upper limit"),
+    real("DC", 0, not_negative),  real("VC", 0, not_negative),
     real("VDC", 0, not_negative), harmless("PENCHK", {0}, "it is for other kinds of contact"),
     real("BT", 0, not_negative),  real_or_default("DT", 1e20, above_zero),
 };
 
 constexpr Field contact_card_3[] = {
-    real_or_default("SFS", 1, above_zero),
-    real_or_default("SFM", 1, above_zero),
-    real("SST", 0, not_negative),
-    unused("MST"),
-    real_or_default("SFST", 1, above_zero),
-    unused("SFMT"),
-    real_or_default("FSF", 1, above_zero),
-    unused("VSF"),  // on VC
+    real_or_default("SFS", 1, above_zero),  real_or_default("SFM", 1, above_zero),
+    real("SST", 0, not_negative),           unused("MST"),
+    real_or_default("SFST", 1, above_zero), unused("SFMT"),
+    real_or_default("FSF", 1, above_zero),  real_or_default("VSF", 1, above_zero),
 };
 
 constexpr Field contact_card_a[] = {
-    only("SOFT", {0}, "the penalty stiffness comes from the material (SOFT=0)"),
-    unused("SOFSCL"),  // for SOFT=1
+    only(
+        "SOFT", {0, 1},
+        "0 takes the penalty stiffness from the material, 1 at least from mass and step; contact of segments "
+        "with segments (2) is not supported"),
+    real_or_default("SOFSCL", 0.1, above_zero),  // for SOFT=1
     only("LCIDAB", {0}, "airbags are not supported"),
     unused("MAXPAR"),  // inside-outside search has no such margin
     unused("SBOPT"),   // for SOFT=2
@@ -102,16 +101,20 @@ void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck) {
   const Card first = cards.next(contact_card_1);
   const Card second = cards.next(contact_card_2);
   const Card third = cards.next(contact_card_3);
-  for (const Layout layout : {Layout(contact_card_a), Layout(contact_card_b), Layout(contact_card_c),
-                              Layout(contact_card_d), Layout(contact_card_e), Layout(contact_card_f)})
-    if (cards.has_line()) cards.next(layout);
-
   RawContact raw;
+  if (cards.has_line()) {
+    const Card soft = cards.next(contact_card_a);
+    if (soft.real("SOFT") == 1) raw.contact.soft_scale = soft.real("SOFSCL");
+  }
+  for (const Layout layout : {Layout(contact_card_b), Layout(contact_card_c), Layout(contact_card_d),
+                              Layout(contact_card_e), Layout(contact_card_f)})
+    if (cards.has_line()) cards.next(layout);
   raw.contact.id = heading.id;
   raw.contact.title = heading.title;
   raw.contact.static_friction = second.real("FS") * third.real("FSF");
   raw.contact.dynamic_friction = second.real("FD") * third.real("FSF");
   raw.contact.friction_decay = second.real("DC");
+  raw.contact.friction_stress = second.real("VC") * third.real("VSF");
   raw.contact.viscous_damping = second.real("VDC") / 100;  // percent of critical
   raw.contact.birth_time = second.real("BT");
   raw.contact.death_time = second.real("DT");

@@ -23,9 +23,9 @@ struct StageTimes {
 /// A look at the surfaces of a contact at one time. Made on request: it costs as much as a search.
 struct ContactInspection {
   bool made = false;
-  Index intersections = 0;  ///< pairs of segments whose mid-surfaces cut through each other
-  UserId first_shell = 0;   ///< the first such pair
-  UserId second_shell = 0;
+  Index intersections = 0;   ///< pairs of segments whose mid-surfaces cut through each other
+  UserId first_segment = 0;  ///< the first such pair
+  UserId second_segment = 0;
   Index nodes_beyond = 0;    ///< pairs in contact whose node is on or beyond the mid-surface
   double largest_depth = 0;  ///< penetration over the depth at which the mid-surface is reached [-]
   double percentile_99 = 0;  ///< the same; 99 % of the pairs are at most this deep [-]
@@ -35,6 +35,7 @@ struct ContactInspection {
 struct ContactReport {
   UserId id = 0;
   std::string method{};            ///< of the global search
+  Index segments = 0;              ///< shells and faces of solids that take part
   long searches = 0;               ///< global searches
   long candidates = 0;             ///< candidate pairs of all searches together
   Index active_pairs = 0;          ///< node-segment pairs with a force, now

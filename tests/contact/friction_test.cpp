@@ -88,6 +88,35 @@ TEST(Friction, DecaysWithSpeed) {
   }
 }
 
+// VC limits the stress: the friction force ends at VC times the area of the segment.
+TEST(Friction, IsLimitedByAStress) {
+  Slider slider(0.5, 0.5, 0);
+  slider.bodies.contact.friction_stress = 0.1 * Slider::normal_force();
+  domain::Domain made = slider.bodies.build();
+  contact::SingleSurface touching = slider.bodies.attach(made);
+  test::add_forces(touching, made);
+  Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
+  for (int i = 0; i < 100; ++i) Slider::shift(touching, made, slider.tip, {0, 4e-3, 0}, 1e-3);
+  EXPECT_NEAR(made.contact_force[at(made, slider.tip)].y, -0.1 * Slider::normal_force(), 1e-12);
+}
+
+// SOFT = 1: a stiffness of 1/2 SOFSCL m* / dt^2, unless the material's is larger.
+TEST(Contact, StiffnessByMassAndStep) {
+  for (const double step : {1e-3, 1.0}) {
+    Slider slider(0, 0, 0);
+    slider.bodies.contact.soft_scale = 0.1;
+    domain::Domain made = slider.bodies.build(2.0);
+    contact::SingleSurface touching = slider.bodies.attach(made);
+    test::add_forces(touching, made);
+    // To the middle of a segment, whose nodes bear a quarter each.
+    Slider::shift(touching, made, slider.tip, {0.2, 0.2, -0.1 - depth}, step);
+    const double by_mass = 0.5 * 0.1 * 2.0 / 1.25 / (step * step);
+    const double limit = 0.684 * 2.0 / 1.25 / (step * step);
+    const double expected = std::min(limit, std::max(by_mass, Slider::stiffness()));
+    EXPECT_NEAR(made.contact_force[at(made, slider.tip)].z, expected * depth, 1e-9 * expected);
+  }
+}
+
 // A rigid rotation of both bodies together is no slip, and the friction force turns with them.
 TEST(Friction, RigidRotationIsNoSlip) {
   Slider slider(0.6, 0.6, 0);

@@ -410,6 +410,18 @@ TEST(Contact, WhichPartsTakePart) {
   EXPECT_EQ(parts("9,0,6"), (Parts{0}));
 }
 
+TEST(Contact, SoftnessAndLimitOfFriction) {
+  SmallDeck deck;
+  deck.more = "*CONTACT_SINGLE_SURFACE_ID\n3,both\n0\n0.3,0.2,,0.5\n,,,,,,,2\n1,0.3\n";
+  const model::SingleSurfaceContact contact = read_clean(deck.text()).contacts.at(0);
+  EXPECT_EQ(contact.friction_stress, 1);
+  EXPECT_EQ(contact.soft_scale, 0.3);
+  deck.more = "*CONTACT_SINGLE_SURFACE\n0\n\n\n1\n";
+  EXPECT_EQ(read_clean(deck.text()).contacts.at(0).soft_scale, 0.1);
+  deck.more = "*CONTACT_SINGLE_SURFACE\n0\n\n\n0,0.3\n";
+  EXPECT_EQ(read_clean(deck.text()).contacts.at(0).soft_scale, 0);
+}
+
 TEST(Contact, AutomaticWhereTheDeckHasNone) {
   ReadOptions options;
   options.automatic_contact = true;
