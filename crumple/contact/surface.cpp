@@ -274,10 +274,15 @@ bool drop_eroded(Surface& surface, const domain::Domain& domain) {
   if (eroded == surface.eroded) return false;
   surface.eroded = eroded;
   const auto blocks = domain.blocks();
+  std::vector<Index> active;  // component of the state, by block
+  active.reserve(blocks.size());
+  for (const domain::ElementBlock* block : blocks) {
+    const domain::StateItem* item = block->find("active");
+    active.push_back(item != nullptr ? item->first : no_index);
+  }
   for (Index s = 0; s < surface.segments(); ++s) {
-    const domain::ElementBlock& block = *blocks[surface.block[s]];
-    const domain::StateItem* active = block.find("active");
-    if (active != nullptr && block.state(surface.element[s], active->first) == 0) surface.active[s] = 0;
+    const Index b = surface.block[s];
+    if (active[b] != no_index && blocks[b]->state(surface.element[s], active[b]) == 0) surface.active[s] = 0;
   }
   measure_nodes(surface);
   surface.topology =
