@@ -188,7 +188,8 @@ void GlobalSearch::measure_slack(const domain::Domain& domain) {
       double smallest = std::numeric_limits<double>::max();
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
         const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), searched(i));
-        slack_[pair] = std::sqrt(nearest.distance_squared) - surface_->contact_distance(i, segment_[pair]);
+        slack_[pair] = std::sqrt(nearest.distance_squared) - surface_->contact_distance(i, segment_[pair]) -
+                       surface_->watch(segment_[pair]);
         smallest = std::min(smallest, slack_[pair]);
       }
       node_slack_[i] = smallest;
@@ -210,7 +211,8 @@ void GlobalSearch::verify(const domain::Domain& domain) const {
     const Vec3 searched_at = searched(i);
     if (cells_ && !cells_->box.contains(&searched_at.x)) continue;
     for (Index s = 0; s < surface.segments(); ++s) {
-      const double distance = surface.contact_distance(i, s);
+      // What the motion has left of the margin is covered as well.
+      const double distance = surface.contact_distance(i, s) + std::max(0.0, statistics_.margin - consumed_);
       if (surface.active[s] == 0 || surface.same_body(i, s)) continue;
       if (surface.owns(s, node) || box_gap(surface, x, s, x[node]) > distance || listed(i, s)) continue;
       const NearestPoint nearest = nearest_point(at.shape(s), x[node]);

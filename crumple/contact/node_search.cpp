@@ -71,49 +71,67 @@ double NodeSearch::contact_distance(Index segment) const {
 /// True if the node was in contact with that segment of the same surface and now is nearer to another one.
 bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
   return other.side != 0 && other.segment != segment && same_sides(surface_, segment, other.segment) &&
-         !faces_node(other.segment, nearest_point(view_.now.shape(other.segment), p_));
+         hold(other.segment, nearest_point(view_.now.shape(other.segment), p_), &other) == 0;
 }
 
-/// True if the segment is the nearest around; or if it is the face of a solid with the node right behind it,
-/// be other faces of the solid nearer or not: it is through this one that the node came.
-bool NodeSearch::faces_node(Index segment, const NearestPoint& nearest) const {
-  if (nearest_around(view_.now, node_, segment, nearest)) return true;
-  if (!surface_.is_face(segment)) return false;
-  constexpr double aside = 1e-3;
+/// How much of a contact with the segment there is: 1 if it is the nearest around, else 0; but a node that is
+/// right behind the face of a solid stays with it, be other faces of the solid nearer or not, as it is
+/// through this one that it came. Over the rim of the face its share fades, for a new one at once.
+double NodeSearch::hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const {
+  if (nearest_around(view_.now, node_, segment, nearest)) return 1;
+  if (!surface_.is_face(segment)) return 0;
+  constexpr double aside = 1e-3;  // over the depth
+  constexpr double rim = 0.05;    // over the side of a square of the same area
   const Vec3 away = p_ - nearest.point;
-  const double distance = norm(away);
-  const Vec3 normal = area_normal(view_.now.shape(segment));
-  return -dot(away, normal) >= (1 - 0.5 * aside * aside) * distance * norm(normal);
+  const Vec3 normal = normalised(area_normal(view_.now.shape(segment)));
+  const double depth = -dot(away, normal);
+  if (depth <= 0) return 0;
+  const double beyond = norm(away + depth * normal);
+  const bool inside = memory != nullptr && memory->wrong != 0;
+  if (!inside) return beyond <= aside * depth ? 1 : 0;
+  return std::max(0.0, 1 - beyond / (rim * std::sqrt(surface_.area[segment])));
 }
 
+/// Distance up to which a node lies on a face, by the round-off of coordinates [length].
+double NodeSearch::on_face(Index segment) const {
+  constexpr double share = 1e-6;
+  return share * surface_.height[segment];
+}
+
+/// Of the faces of other solids that the node does not lie on, the nearest.
 void NodeSearch::measure_faces() {
   const GlobalSearch& candidates = *view_.candidates;
-  double smallest = std::numeric_limits<double>::max();
-  for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c)
-    if (surface_.is_face(candidates.segment(c)))
-      smallest =
-          std::min(smallest, nearest_point(view_.now.shape(candidates.segment(c)), p_).distance_squared);
-  nearest_face_ = std::sqrt(smallest);
+  nearest_face_ = std::numeric_limits<double>::max();
+  for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c) {
+    const Index segment = candidates.segment(c);
+    if (!surface_.is_face(segment) || surface_.solid_has(segment, node_)) continue;
+    const double distance = std::sqrt(nearest_point(view_.now.shape(segment), p_).distance_squared);
+    if (distance > on_face(segment)) nearest_face_ = std::min(nearest_face_, distance);
+  }
 }
 
-/// Whether a node behind a face when the contact begins is inside of that solid, and not just on the far side
-/// of a thin one: then no other face is nearer.
+/// Whether a node behind a face when the contact begins lies on it or is inside of that solid, and not just
+/// on the far side of a thin one: then no other face is nearer.
 bool NodeSearch::starts_inside(Index segment, double distance) const {
+  if (!view_.tracking || surface_.solid_has(segment, node_)) return false;
   constexpr double equally_near = 1 + 1e-9;
-  return view_.tracking && distance <= equally_near * nearest_face_ && distance < surface_.room[segment];
+  return distance <= on_face(segment) ||
+         (distance <= equally_near * nearest_face_ && distance < surface_.height[segment]);
 }
 
 /// The side on which the node belongs: as remembered; or as on the segment from which it came, if it was on
 /// the wrong side of that or went through it in this step; or where it was before it went through this one;
-/// or where it is. Behind a face of a solid a node that did not come through it is none of its business.
+/// or where it is. Behind a face of a solid a node belongs in front of it if it was in front of one beside it
+/// a step ago; one that did not come through it is none of its business.
 int NodeSearch::side_of(Index segment, const RememberedPair* memory, double distance, int present) const {
   if (memory != nullptr && memory->side != 0) return memory->side;
   if (surface_.is_face(segment) && (present > 0 || starts_inside(segment, distance))) return 1;
   const bool may_cross = view_.step > 0 && distance <= relative_motion(view_.now, node_, segment, view_.step);
-  if (!astray_ && !may_cross) return present;
+  const bool face = surface_.is_face(segment);
+  if (!astray_ && !may_cross && !face) return present;
   for (const RememberedPair& other : remembered_)
     if (came_from(other, segment) &&
-        (other.wrong != 0 || crossed_from(view_.now, node_, other.segment, view_.step) != 0))
+        (face || other.wrong != 0 || crossed_from(view_.now, node_, other.segment, view_.step) != 0))
       return other.side;
   const int from = may_cross ? crossed_from(view_.now, node_, segment, view_.step) : 0;
   return from != 0 ? from : present;
@@ -138,27 +156,44 @@ double NodeSearch::offset_of(Index segment, const RememberedPair* memory, double
   return std::max(inherited, full - std::max(distance, gap) - depth);
 }
 
+/// Sets gap and direction of a pair, for a node `away` from the contact point, at that distance; `normal`
+/// tells the sides apart, or is zero where the surface is round.
+void NodeSearch::measure(const Vec3& away, double distance, const Vec3& normal, ContactPair& pair) {
+  const double sign = pair.wrong != 0 ? -1.0 : 1.0;
+  pair.gap = sign * distance;
+  pair.normal = distance > 0 ? sign / distance * away : (pair.side < 0 ? -1.0 : 1.0) * normal;
+}
+
 void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
   const RememberedPair* memory = memory_of(segment);
   const SegmentShape shape = view_.now.shape(segment);
   const double touching = surface_.contact_distance(place_, segment);
   // One that may have gone through the segment looks at it as well.
-  const bool look = looks_at_all() || may_be_near(shape, p_, touching);
+  const bool face = surface_.is_face(segment);
+  const bool known_face = face && memory != nullptr;
+  const bool look =
+      looks_at_all() || known_face || may_be_near(shape, p_, touching + surface_.watch(segment));
   if (!look && !may_be_near(shape, p_, relative_motion(view_.now, node_, segment, view_.step))) return;
   const NearestPoint nearest = nearest_point(shape, p_);
   const double distance = std::sqrt(nearest.distance_squared);
   const bool near = distance < touching;
-  if (!near && !looks_at_all() && distance > relative_motion(view_.now, node_, segment, view_.step)) return;
-  if (!faces_node(segment, nearest)) return;
+  const bool watched = distance < touching + surface_.watch(segment);
+  if (!near && !watched && !known_face && !looks_at_all() &&
+      distance > relative_motion(view_.now, node_, segment, view_.step))
+    return;
+  const double share = hold(segment, nearest, memory);
+  if (share == 0) return;
 
   const Vec3 away = p_ - nearest.point;
   const Vec3 normal = side_normal(view_.now, segment, nearest, away);
   const bool round = dot(normal, normal) == 0;
   const int present = round ? 0 : sign_of(dot(away, normal));
   const int side = round ? 0 : side_of(segment, memory, distance, present);
-  if (side < 0 && surface_.is_face(segment)) return;
+  if (side < 0 && face) return;
   const bool wrong = present != 0 && side != 0 && present != side;
-  if (!near && !wrong) return;
+  // What is in front of a face is remembered, so that it is known later which way it came.
+  const bool waits = face && side > 0 && watched;
+  if (!near && !wrong && !waits) return;
 
   ContactPair pair;
   pair.node = place_;
@@ -167,18 +202,21 @@ void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
   pair.wrong = wrong ? 1 : 0;
   pair.weight = nearest.weight;
   pair.point = nearest.point;
-  pair.gap = wrong ? -distance : distance;
-  if (distance > 0)
-    pair.normal = (wrong ? -1.0 : 1.0) / distance * away;
-  else if (!round)
-    pair.normal = (side < 0 ? -1.0 : 1.0) * normal;
+  measure(away, distance, normal, pair);
+  // Beyond the rim the face still pushes straight out.
+  if (face && wrong && nearest.feature != Feature::Face &&
+      !nearest_around(view_.now, node_, segment, nearest)) {
+    pair.normal = normalised(area_normal(shape));
+    pair.gap = dot(away, pair.normal);
+  }
   const double full = contact_distance(segment);
   const double overlap = std::max(0.0, full - pair.gap);
   // What has opened stays open: the allowance only shrinks.
+  pair.share = share;
   pair.offset =
       view_.tracking ? overlap : std::clamp(offset_of(segment, memory, full, pair.gap), 0.0, overlap);
   pair.reach = full - pair.offset;
-  if (pair.penetration() > 0 || pair.offset > 0) found.push_back(pair);
+  if (pair.penetration() > 0 || pair.offset > 0 || waits) found.push_back(pair);
 }
 
 /// True if the node is behind two faces of a solid that meet in an edge or corner standing out: it has come
@@ -192,9 +230,11 @@ bool NodeSearch::enters_once(const ContactPair& a, const ContactPair& b) const {
 
 /// True if of two faces the node came through the first: the one it has been behind for longer, or further.
 bool NodeSearch::came_through(const ContactPair& a, const ContactPair& b) const {
-  const bool knows_a = memory_of(a.segment) != nullptr;
-  const bool knows_b = memory_of(b.segment) != nullptr;
-  return knows_a != knows_b ? knows_a : a.gap <= b.gap;
+  const auto was_behind = [&](const ContactPair& pair) {
+    const RememberedPair* memory = memory_of(pair.segment);
+    return memory != nullptr && memory->wrong != 0;
+  };
+  return was_behind(a) != was_behind(b) ? was_behind(a) : a.gap <= b.gap;
 }
 
 /// Of connected segments that push in almost the same direction only the owner keeps its contact.

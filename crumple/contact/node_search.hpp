@@ -30,6 +30,7 @@ class NodeSearch {
  private:
   /// A node that is astray looks at all its candidates; so does every node at the start of a contact.
   bool looks_at_all() const { return astray_ || view_.tracking; }
+  static void measure(const Vec3& away, double distance, const Vec3& normal, ContactPair& pair);
   void examine(Index segment, std::vector<ContactPair>& found);
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
   void measure_faces();
@@ -39,7 +40,8 @@ class NodeSearch {
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
   void carry_friction(ContactPair& pair, std::span<const ContactPair> present) const;
   bool came_from(const RememberedPair& other, Index segment) const;
-  bool faces_node(Index segment, const NearestPoint& nearest) const;
+  double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
+  double on_face(Index segment) const;
   bool enters_once(const ContactPair& a, const ContactPair& b) const;
   bool came_through(const ContactPair& a, const ContactPair& b) const;
   const RememberedPair* memory_of(Index segment) const;
@@ -51,7 +53,7 @@ class NodeSearch {
   Vec3 p_;
   std::span<const RememberedPair> remembered_;
   bool astray_ = false;      ///< the node is on the wrong side of some segment
-  double nearest_face_ = 0;  ///< smallest distance from a face of a solid; at the start of a contact [length]
+  double nearest_face_ = 0;  ///< of a face of another solid, at the start of a contact [length]
 };
 
 }  // namespace crumple::contact

@@ -57,9 +57,9 @@ struct SingleSurface::Implementation {
         memory.friction = frame_of(shape_of(surface, x, pair.segment)).to_local(pair.friction);
       remembered.push_back(memory);
       if (pair.penetration() <= 0) continue;
-      const double room = surface.is_face(pair.segment) ? surface.room[pair.segment] : pair.reach;
+      const double height = surface.is_face(pair.segment) ? surface.height[pair.segment] : pair.reach;
       penetrations.push_back(
-          {pair.penetration(), room, surface.node_id[pair.node], surface.segment_id[pair.segment]});
+          {pair.penetration(), height, surface.node_id[pair.node], surface.segment_id[pair.segment]});
     }
   }
 
@@ -83,7 +83,8 @@ struct SingleSurface::Implementation {
     statistics.limited_pairs = forces.limited();
     statistics.most_limited_pairs = std::max(statistics.most_limited_pairs, forces.limited());
     statistics.nodes_astray = 0;
-    for (const RememberedPair& pair : remembered) statistics.nodes_astray += pair.wrong;
+    for (const RememberedPair& pair : remembered)
+      if (!surface.is_face(pair.segment)) statistics.nodes_astray += pair.wrong;
   }
 
   model::SingleSurfaceContact contact;

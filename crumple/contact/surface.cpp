@@ -74,20 +74,29 @@ void collect_nodes(const model::Model& model, const domain::NodeFields& nodes, S
   }
 }
 
-/// What a node takes from its active segments.
+/// What a node takes from its active segments: the softest shell; of faces the stiffest, as small ones at a
+/// rim say nothing of the solid.
 void measure_nodes(Surface& surface) {
+  constexpr double none = std::numeric_limits<double>::max();
   surface.node_half_thickness.assign(surface.nodes.size(), 0.0);
-  surface.node_stiffness.assign(surface.nodes.size(), std::numeric_limits<double>::max());
+  surface.node_stiffness.assign(surface.nodes.size(), none);
+  std::vector<double> of_faces(surface.nodes.size(), 0.0);
   for (Index s = 0; s < surface.segments(); ++s) {
     if (surface.active[s] == 0) continue;
     for (int k = 0; k < 4; ++k) {
       const Index place = surface.place[surface.segment(s)[k]];
       double& half = surface.node_half_thickness[place];
       half = std::max(half, surface.half_thickness[s]);
-      double& stiffness = surface.node_stiffness[place];
-      stiffness = std::min(stiffness, surface.stiffness[s]);
+      if (surface.is_face(s)) {
+        of_faces[place] = std::max(of_faces[place], surface.stiffness[s]);
+      } else {
+        double& stiffness = surface.node_stiffness[place];
+        stiffness = std::min(stiffness, surface.stiffness[s]);
+      }
     }
   }
+  for (std::size_t i = 0; i < of_faces.size(); ++i)
+    if (of_faces[i] > 0) surface.node_stiffness[i] = std::min(surface.node_stiffness[i], of_faces[i]);
 }
 
 /// A segment to be added.
@@ -95,9 +104,10 @@ struct NewSegment {
   std::array<Index, 4> nodes{};
   UserId id = 0;
   double half_thickness = 0;
-  double stiffness = 0;  ///< without the factors of the contact
-  double room = 0;
+  double stiffness = 0;
+  double height = 0;
   bool face = false;
+  std::array<Index, 8> solid{no_index, no_index, no_index, no_index, no_index, no_index, no_index, no_index};
   Index block = no_index;
   Index element = no_index;
 };
@@ -117,6 +127,7 @@ class Collector {
   bool takes_part(const domain::ElementBlock& block) const {
     return std::binary_search(contact_.parts.begin(), contact_.parts.end(), block.part);
   }
+  double scale() const { return model_.control.contact_stiffness_scale * contact_.stiffness_scale; }
   void add(const NewSegment& segment, const Measure& size);
   std::vector<std::array<Index, 4>> covered() const;
   void add_face(const model::OuterFace& face, Index block, Index element);
@@ -133,11 +144,11 @@ void Collector::add(const NewSegment& segment, const Measure& size) {
   surface_.connectivity.insert(surface_.connectivity.end(), segment.nodes.begin(), segment.nodes.end());
   surface_.segment_id.push_back(segment.id);
   surface_.half_thickness.push_back(segment.half_thickness);
-  surface_.stiffness.push_back(model_.control.contact_stiffness_scale * contact_.stiffness_scale *
-                               segment.stiffness);
+  surface_.stiffness.push_back(segment.stiffness);
   surface_.area.push_back(size.area);
-  surface_.room.push_back(segment.room);
-  surface_.faces.push_back(segment.face ? 1 : 0);
+  surface_.height.push_back(segment.height);
+  surface_.of_solid.push_back(segment.face ? 1 : 0);
+  surface_.solid_nodes.push_back(segment.solid);
   surface_.block.push_back(segment.block);
   surface_.element.push_back(segment.element);
   surface_.largest_half_thickness = std::max(surface_.largest_half_thickness, segment.half_thickness);
@@ -162,7 +173,7 @@ void Collector::add_shells() {
           std::min(contact_.thickness_scale * true_thickness(model_, shell), edge_share * size.shortest_edge);
       segment.half_thickness =
           0.5 * (contact_.contact_thickness > 0 ? contact_.contact_thickness : automatic);
-      segment.stiffness = modulus * size.area / size.largest_diagonal;
+      segment.stiffness = scale() * modulus * size.area / size.largest_diagonal;
       add(segment, size);
     }
   }
@@ -197,11 +208,12 @@ void Collector::add_face(const model::OuterFace& face, Index block, Index elemen
   for (std::size_t k = 0; k < 4; ++k) segment.nodes[k] = domain_.nodes.domain_node[face.node[k]];
   segment.id = solid.id;
   segment.face = true;
+  for (std::size_t k = 0; k < 8; ++k) segment.solid[k] = domain_.nodes.domain_node[solid.node[k]];
   segment.block = block;
   segment.element = element;
   const Measure size = measure(domain_.nodes, segment.nodes.data());
-  segment.room = volume_of(solid, domain_.nodes) / size.area;
-  segment.stiffness = bulk_modulus(model_, model_.parts[solid.part]) * size.area / segment.room;
+  segment.height = volume_of(solid, domain_.nodes) / size.area;
+  segment.stiffness = scale() * bulk_modulus(model_, model_.parts[solid.part]) * size.area / segment.height;
   add(segment, size);
 }
 
@@ -249,7 +261,6 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
                       const model::SingleSurfaceContact& contact) {
   Surface surface;
   Collector collector(model, domain, contact, surface);
-  // Faces first: what is connected is turned to go with the first of its segments.
   collector.add_faces();
   collector.add_shells();
   if (surface.segment_id.empty())
@@ -258,7 +269,7 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
                 "nothing that could touch.");
   surface.mean_edge = collector.mean_edge();
   surface.active.assign(surface.segment_id.size(), 1);
-  orient_alike(surface.connectivity);
+  orient_alike(surface.connectivity, surface.of_solid);
   collect_nodes(model, domain.nodes, surface);
   collect_bodies(domain, surface);
   measure_nodes(surface);
@@ -280,10 +291,15 @@ bool drop_eroded(Surface& surface, const domain::Domain& domain) {
     const domain::StateItem* item = block->find("active");
     active.push_back(item != nullptr ? item->first : no_index);
   }
+  bool changed = false;
   for (Index s = 0; s < surface.segments(); ++s) {
     const Index b = surface.block[s];
-    if (active[b] != no_index && blocks[b]->state(surface.element[s], active[b]) == 0) surface.active[s] = 0;
+    if (surface.active[s] == 0 || active[b] == no_index) continue;
+    if (blocks[b]->state(surface.element[s], active[b]) != 0) continue;
+    surface.active[s] = 0;
+    changed = true;
   }
+  if (!changed) return false;
   measure_nodes(surface);
   surface.topology =
       build_topology(surface.connectivity, surface.active, surface.place, surface.node_count());

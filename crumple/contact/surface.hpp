@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,15 +31,16 @@ struct Surface {
   std::vector<double> half_thickness;  ///< contact thickness over two, per segment [length]
   std::vector<double> stiffness;       ///< penalty stiffness per segment [force/length]
   std::vector<double> area;            ///< of the reference geometry, per segment [length^2]
-  std::vector<double> room;            ///< of a face the height of its solid behind it; 0 of shells [length]
+  std::vector<double> height;          ///< of a face that of its solid behind it; 0 of shells [length]
   std::vector<UserId> segment_id;      ///< of the shell or solid
-  std::vector<std::uint8_t> faces;     ///< 1: of a solid, whose outside is the side of the normal
-  std::vector<std::uint8_t> active;    ///< 0 where the element has eroded
-  std::vector<Index> block;            ///< of the element, in Domain::blocks()
-  std::vector<Index> element;          ///< its place in the block
-  std::vector<Index> segment_body;     ///< rigid body that has all nodes of the segment, or no_index
-  std::vector<Index> node_body;        ///< rigid body of the node, by place, or no_index
-  Index eroded = 0;                    ///< elements of the model that had failed at the last look
+  std::vector<std::uint8_t> of_solid;  ///< 1: a face of a solid, whose outside is the side of the normal
+  std::vector<std::array<Index, 8>> solid_nodes;  ///< domain nodes of that solid, by segment; none of shells
+  std::vector<std::uint8_t> active;               ///< 0 where the element has eroded
+  std::vector<Index> block;                       ///< of the element, in Domain::blocks()
+  std::vector<Index> element;                     ///< its place in the block
+  std::vector<Index> segment_body;  ///< rigid body that has all nodes of the segment, or no_index
+  std::vector<Index> node_body;     ///< rigid body of the node, by place, or no_index
+  Index eroded = 0;                 ///< elements of the model that had failed at the last look
 
   double mean_edge = 0;               ///< over all segments [length]
   double largest_half_thickness = 0;  ///< [length]
@@ -59,7 +62,13 @@ struct Surface {
   double contact_distance(Index node_place, Index s) const {
     return node_half_thickness[node_place] + half_thickness[s];
   }
-  bool is_face(Index s) const { return faces[s] != 0; }
+  bool is_face(Index s) const { return of_solid[s] != 0; }
+  /// Distance from which on a node in front of a face is remembered, before it touches; 0 of shells [length].
+  double watch(Index s) const { return 0.1 * height[s]; }
+  /// True if the domain node is one of the solid behind a face.
+  bool solid_has(Index s, Index node) const {
+    return std::find(solid_nodes[s].begin(), solid_nodes[s].end(), node) != solid_nodes[s].end();
+  }
   /// True if one rigid body has both: they never move against each other.
   bool same_body(Index node_place, Index s) const {
     return segment_body[s] != no_index && segment_body[s] == node_body[node_place];
@@ -75,7 +84,7 @@ struct Surface {
 Surface build_surface(const model::Model& model, const domain::Domain& domain,
                       const model::SingleSurfaceContact& contact);
 
-/// Takes segments out whose shells have eroded since the last call: they touch nothing any more, their free
+/// Takes segments out whose elements have eroded since the last call: they touch nothing any more, their free
 /// edges become those of their neighbours, and a node left without any segment touches nothing, either.
 /// Numbers of segments and places of nodes stay as they are. False if there was nothing to do, which costs
 /// next to nothing.

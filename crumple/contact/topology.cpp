@@ -98,7 +98,7 @@ bool closed_fan(const std::vector<Index>& connectivity, const Topology& topology
 
 }  // namespace
 
-void orient_alike(std::vector<Index>& connectivity) {
+void orient_alike(std::vector<Index>& connectivity, const std::vector<std::uint8_t>& keep) {
   const auto segments = static_cast<Index>(connectivity.size() / 4);
   // Neighbours over edges of exactly two segments, and whether they run through the edge alike.
   std::vector<std::pair<Index, Index>> links;
@@ -116,10 +116,7 @@ void orient_alike(std::vector<Index>& connectivity) {
 
   std::vector<int> reversed(segments, -1);  // -1 is not yet reached
   std::vector<Index> queue;
-  for (Index start = 0; start < segments; ++start) {
-    if (reversed[start] != -1) continue;
-    reversed[start] = 0;
-    queue.assign(1, start);
+  const auto spread = [&] {
     for (std::size_t at = 0; at < queue.size(); ++at) {
       const Index s = queue[at];
       for (Index l = first[s]; l < first[s + 1]; ++l) {
@@ -129,6 +126,18 @@ void orient_alike(std::vector<Index>& connectivity) {
         queue.push_back(other);
       }
     }
+  };
+  for (Index s = 0; s < segments; ++s)
+    if (keep[s] != 0) {
+      reversed[s] = 0;
+      queue.push_back(s);
+    }
+  spread();
+  for (Index start = 0; start < segments; ++start) {
+    if (reversed[start] != -1) continue;
+    reversed[start] = 0;
+    queue.assign(1, start);
+    spread();
   }
   for (Index s = 0; s < segments; ++s)
     if (reversed[s] == 1) reverse(&connectivity[static_cast<std::size_t>(s) * 4]);

@@ -46,9 +46,9 @@ inline bool has_edge(const Index* segment, int k) {
 }
 
 /// Reverses segments (in place) so that neighbours run through their common edge in opposite directions
-/// wherever that is possible, starting from the lowest segment of each connected piece. `connectivity` holds
-/// four nodes per segment. O(N log N).
-void orient_alike(std::vector<Index>& connectivity);
+/// wherever that is possible, starting from those that must stay (1 in `keep`), and else from the lowest
+/// segment of each connected piece. `connectivity` holds four nodes per segment. O(N log N).
+void orient_alike(std::vector<Index>& connectivity, const std::vector<std::uint8_t>& keep);
 
 /// Collects edges and neighbours of the segments that are `active`. `place` gives the place of a node;
 /// `nodes` is the number of places.

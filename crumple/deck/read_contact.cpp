@@ -56,8 +56,8 @@ constexpr Field contact_card_b[] = {
     harmless("SNLOG", {0}, "node release logic is built in"),
     only("ISYM", {0}, "symmetry planes are not known to contact"),
     unused("I2D3D"),
-    unused("SLDTHK"),  // solid elements
-    unused("SLDSTF"),
+    only("SLDTHK", {0}, "faces of solids have no thickness"),
+    only("SLDSTF", {0}, "the stiffness of faces comes from the bulk modulus"),
 };
 
 constexpr Field contact_card_c[] = {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <functional>
 #include <optional>
 
 #include "contact/bodies.hpp"
@@ -72,7 +75,7 @@ TEST(Faces, OuterFacesAreSegmentsWithTheirStiffness) {
   // SLSFAC K A^2 / V, K = E / (3 (1 - 2 nu)).
   const double modulus = 1000 / 1.5;
   EXPECT_NEAR(surface.stiffness[0], 0.1 * modulus * 4 / 0.5, 1e-9);
-  EXPECT_NEAR(surface.room[0], 0.5, 1e-12);
+  EXPECT_NEAR(surface.height[0], 0.5, 1e-12);
 }
 
 TEST(Faces, PushOutWhatWentThrough) {
@@ -116,6 +119,111 @@ TEST(Faces, LeaveAloneWhatIsOnTheFarSide) {
   EXPECT_EQ(norm(blocks.force()), 0);
   blocks.move({0, 0, 1e-3});
   EXPECT_LT(blocks.force().z, 0) << "pushed out of the lower face";
+}
+
+/// Contact of two boxes of solids, each with a mesh of its own.
+class TwoBoxes {
+ public:
+  using Place = std::function<test::Point(double, double, double)>;
+  TwoBoxes(std::array<Index, 3> first, const Place& first_place, std::array<Index, 3> second,
+           const Place& second_place) {
+    bodies_.model.solid_sections.resize(1);
+    bodies_.model.parts.push_back({.id = 2, .title = "second"});
+    for (model::Part& part : bodies_.model.parts) {
+      part.section = no_index;
+      part.solid_section = 0;
+      part.material = 0;
+    }
+    bodies_.contact.parts = {0, 1};
+    test::add_box(bodies_.model, 0, first[0], first[1], first[2], first_place);
+    second_ = test::add_box(bodies_.model, 1, second[0], second[1], second[2], second_place);
+    made_ = bodies_.build();
+    touching_.emplace(bodies_.attach(made_));
+    test::add_forces(*touching_, made_);
+  }
+  /// Moves the second box as a run does: velocities first.
+  void step(const Vec3& velocity, double step) {
+    for (Index i = second_; i < bodies_.model.nodes.count(); ++i) {
+      const Index node = test::at(made_, i);
+      made_.nodes.velocity[node] = velocity;
+      made_.nodes.position[node] += step * velocity;
+    }
+    made_.clock.step = step;
+    ++made_.clock.cycle;
+    test::add_forces(*touching_, made_);
+  }
+  Vec3 force(Index node) const { return made_.contact_force[test::at(made_, second_ + node)]; }
+  const contact::ContactStatistics& statistics() const { return touching_->statistics(); }
+  void verify_search() { touching_->verify_search_every(1); }
+
+ private:
+  test::Bodies bodies_;
+  Index second_ = 0;
+  domain::Domain made_;
+  std::optional<contact::SingleSurface> touching_;
+};
+
+constexpr double level = 100.3;
+
+test::Point slab(double u, double v, double w) {
+  return {2 * u - 1, 2 * v - 1, level + 0.5 * w};
+}
+
+/// Down and to the side, over edges of the mesh: each node that went through one face is behind some face.
+TEST(Faces, StopWhatSlidesOverEdgesWhileItGoesThrough) {
+  for (int start = 0; start < 60; ++start) {
+    const double x = -0.8 + 0.011 * start;
+    TwoBoxes boxes({4, 4, 1}, slab, {1, 1, 1}, [&](double u, double v, double w) {
+      return test::Point{x + 0.2 * u, 0.7 * x + 0.2 * v, level + 0.5 + 0.0021 + 0.2 * w};
+    });
+    boxes.verify_search();
+    for (int i = 0; i < 6; ++i) boxes.step({0.1, 0.03, -0.01}, 0.1);
+    for (Index node = 0; node < 4; ++node)
+      EXPECT_GT(boxes.force(node).z, 0) << "start " << start << ", node " << node;
+  }
+}
+
+/// Far from the origin, pressed down as slowly as by gravity.
+TEST(Faces, StopWhatLiesOnThemToTheLastBit) {
+  TwoBoxes boxes({4, 4, 1}, slab, {2, 2, 1}, [](double u, double v, double w) {
+    return test::Point{0.9 * u - 0.4, 0.7 * v - 0.3, level + 0.5 + 0.2 * w};
+  });
+  for (int i = 1; i <= 2000; ++i) boxes.step({1e-10, 2e-10, -1e-9 * i}, 1e-3);
+  for (Index node = 0; node < 9; ++node) EXPECT_GT(boxes.force(node).z, 0) << node;
+  EXPECT_LT(boxes.statistics().worst_initial, 1e-12);
+}
+
+/// The far side of a solid is no intruder, be it thin, thinner on one side, and its mesh coarse.
+TEST(Faces, LeaveAloneTheirOwnSolids) {
+  TwoBoxes boxes(
+      {4, 4, 1},
+      [](double u, double v, double w) {
+        return test::Point{40 * u, 40 * v, level + (1 - 0.4 * u) * w};
+      },
+      {4, 4, 1},
+      [](double u, double v, double w) {
+        return test::Point{40 * u, 40 * v, level + 5 + 0.1 * w};
+      });
+  EXPECT_EQ(boxes.statistics().initial_penetrations, 0);
+}
+
+/// Two columns of one element with flush sides that overlap a little.
+TEST(Faces, OfFlushColumnsPressOnEachOther) {
+  TwoBoxes boxes(
+      {1, 1, 3},
+      [](double u, double v, double w) {
+        return test::Point{u, v, level + 3 * w};
+      },
+      {1, 1, 3},
+      [](double u, double v, double w) {
+        return test::Point{u, v, level + 2.99 + 3 * w};
+      });
+  EXPECT_EQ(boxes.statistics().initial_penetrations, 8);
+  for (int i = 0; i < 5; ++i) boxes.step({1e-4, -1e-4, -1e-2}, 0.1);
+  for (Index node = 0; node < 4; ++node) {
+    EXPECT_GT(boxes.force(node).z, 0) << node;
+    EXPECT_LT(std::hypot(boxes.force(node).x, boxes.force(node).y), 0.05 * boxes.force(node).z) << node;
+  }
 }
 
 }  // namespace
