@@ -107,7 +107,7 @@ struct NewSegment {
   double stiffness = 0;
   double height = 0;
   bool face = false;
-  std::array<Index, 8> solid{no_index, no_index, no_index, no_index, no_index, no_index, no_index, no_index};
+  std::array<Index, 8> solid{};  ///< of a face: nodes of its solid
   Index block = no_index;
   Index element = no_index;
 };
@@ -148,7 +148,7 @@ void Collector::add(const NewSegment& segment, const Measure& size) {
   surface_.area.push_back(size.area);
   surface_.height.push_back(segment.height);
   surface_.of_solid.push_back(segment.face ? 1 : 0);
-  surface_.solid_nodes.push_back(segment.solid);
+  if (segment.face) surface_.solid_nodes.push_back(segment.solid);
   surface_.block.push_back(segment.block);
   surface_.element.push_back(segment.element);
   surface_.largest_half_thickness = std::max(surface_.largest_half_thickness, segment.half_thickness);
@@ -261,6 +261,7 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
                       const model::SingleSurfaceContact& contact) {
   Surface surface;
   Collector collector(model, domain, contact, surface);
+  // solid_nodes counts on the faces being first.
   collector.add_faces();
   collector.add_shells();
   if (surface.segment_id.empty())

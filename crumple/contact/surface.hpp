@@ -34,13 +34,14 @@ struct Surface {
   std::vector<double> height;          ///< of a face that of its solid behind it; 0 of shells [length]
   std::vector<UserId> segment_id;      ///< of the shell or solid
   std::vector<std::uint8_t> of_solid;  ///< 1: a face of a solid, whose outside is the side of the normal
-  std::vector<std::array<Index, 8>> solid_nodes;  ///< domain nodes of that solid, by segment; none of shells
-  std::vector<std::uint8_t> active;               ///< 0 where the element has eroded
-  std::vector<Index> block;                       ///< of the element, in Domain::blocks()
-  std::vector<Index> element;                     ///< its place in the block
-  std::vector<Index> segment_body;  ///< rigid body that has all nodes of the segment, or no_index
-  std::vector<Index> node_body;     ///< rigid body of the node, by place, or no_index
-  Index eroded = 0;                 ///< elements of the model that had failed at the last look
+  /// Domain nodes of that solid, of faces alone: they are the first segments.
+  std::vector<std::array<Index, 8>> solid_nodes;
+  std::vector<std::uint8_t> active;  ///< 0 where the element has eroded
+  std::vector<Index> block;          ///< of the element, in Domain::blocks()
+  std::vector<Index> element;        ///< its place in the block
+  std::vector<Index> segment_body;   ///< rigid body that has all nodes of the segment, or no_index
+  std::vector<Index> node_body;      ///< rigid body of the node, by place, or no_index
+  Index eroded = 0;                  ///< elements of the model that had failed at the last look
 
   double mean_edge = 0;               ///< over all segments [length]
   double largest_half_thickness = 0;  ///< [length]

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "golden/cases.hpp"
+#include "support/copper.hpp"
 #include "support/lines.hpp"
 #include "support/rigid.hpp"
 
@@ -107,14 +108,8 @@ model::Model blocks_on_cylinder() {
 /// A copper bar runs into water: equations of state, spall, viscosity of a fluid.
 model::Model bar_into_water() {
   Row row;
-  model::JohnsonCook copper;
-  copper.youngs_modulus = 124;
-  copper.poissons_ratio = 0.34;
-  copper.yield_stress = 0.09;
-  copper.hardening = 0.292;
-  copper.exponent = 0.31;
-  copper.rate_coefficient = 0.025;
-  copper.reference_rate = 1e-3;
+  model::JohnsonCook copper = test::ofhc_copper();
+  copper.reference_rate = 1e-3;  // in ms
   copper.thermal_exponent = 1.09;
   copper.melting_rise = 1063;
   copper.heat_capacity = 383;
