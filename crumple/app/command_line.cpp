@@ -143,6 +143,9 @@ void add_run_options(CLI::App& run, Options& options) {
       ->check(CLI::IsMember({"mixed", "double"}));
   run.add_option("--search", options.search, "Method of the contact search [production]")
       ->check(CLI::IsMember(search_names()));
+  run.add_flag(
+      "--move-apart", options.move_apart,
+      "Move nodes that overlap other surfaces at the start; otherwise their contact begins where they are");
   run.add_option("--verify-search", options.verify_search,
                  "Compare the contact search with brute force every so many cycles; stop on a difference")
       ->check(CLI::NonNegativeNumber);

@@ -23,6 +23,7 @@ struct Options {
   bool automatic_contact = false;
   bool allow_unsupported = false;
   bool quiet = false;
+  bool move_apart = false;         ///< move nodes that overlap at the start
   long verify_search = 0;          ///< cycles between comparisons with brute force; 0 is never
   double perturbation = 0;         ///< of the coordinates, relative to the model's size [-]
   std::uint64_t seed = 1;          ///< of the perturbation

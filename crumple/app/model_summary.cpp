@@ -14,6 +14,27 @@ namespace crumple::app {
 
 namespace {
 
+std::string describe(const model::ContactSide& side) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + counted(count, what);
+  };
+  add(side.parts.size(), "part");
+  add(side.shells.size(), "shell");
+  add(side.segments.size(), "segment");
+  add(side.nodes.size(), "node");
+  return text;
+}
+
+std::string describe(const model::Contact& contact) {
+  if (contact.kind == model::ContactKind::SingleSurface)
+    return "single surface, " + describe(contact.side[0]);
+  const bool nodes = contact.kind == model::ContactKind::NodesToSurface;
+  return fmt::format("{}{}, {} to {}", nodes ? "nodes to surface" : "surface to surface",
+                     contact.oriented ? " with an outside" : "", describe(contact.side[0]),
+                     describe(contact.side[1]));
+}
+
 double lumped_mass(const model::Model& model) {
   double sum = 0;
   for (const model::LumpedMass& mass : model.lumped_masses) sum += mass.mass;
@@ -62,6 +83,48 @@ void print_rigid_bodies(std::ostream& out, const model::Model& model, const doma
   if (count > rows) fmt::print(out, "  ... and {} more\n", count - rows);
 }
 
+/// Nodes that were meant to be tied and are too far away, furthest first.
+void print_untied(std::ostream& out, const domain::Tie& tie) {
+  constexpr std::size_t shown = 5;
+  if (tie.tied_elsewhere > 0)
+    fmt::print(out, "    WARNING: {} tied by an earlier contact already, left out here\n",
+               tie.tied_elsewhere == 1 ? "1 node is" : fmt::format("{} nodes are", tie.tied_elsewhere));
+  if (tie.untied.empty()) return;
+  fmt::print(out, "    WARNING: {} not tied, too far away:",
+             tie.untied.size() == 1 ? "1 node is" : fmt::format("{} nodes are", tie.untied.size()));
+  for (std::size_t i = 0; i < std::min(shown, tie.untied.size()); ++i)
+    fmt::print(out, "{} {} by {:.4g}", i == 0 ? "" : ",", tie.untied[i].node, tie.untied[i].distance);
+  fmt::print(out, "{}\n", tie.untied.size() > shown ? ", ..." : "");
+}
+
+/// Nodes that the contact would turn with segments that do not turn.
+void print_hinges(std::ostream& out, const domain::Domain& domain, const domain::Tie& tie) {
+  const auto hinged = [&](const domain::TiedNode& tied) {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (tied.weight[k] != 0 && !(domain.nodes.inertia[tied.corner[k]] > 0))
+        return domain.nodes.inertia[tied.node] > 0;
+    return false;
+  };
+  const auto count = std::count_if(tie.nodes.begin(), tie.nodes.end(), hinged);
+  if (count > 0)
+    fmt::print(out, "    WARNING: {} free to turn: the segments, of solids, have no rotations\n",
+               count == 1 ? "1 node is" : fmt::format("{} nodes are", count));
+}
+
+void print_ties(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
+  for (std::size_t i = 0; i < domain.ties.size(); ++i) {
+    const domain::Tie& tie = domain.ties[i];
+    const bool constraint = tie.method == model::TieMethod::Constraint;
+    fmt::print(out, "  tied contact {:<8} by {}, {} to {}", tie.id, constraint ? "constraint" : "penalty",
+               counted(tie.nodes.size(), "node"), counted(tie.segments, "segment"));
+    if (tie.largest_move > 0)
+      fmt::print(out, ", moved by up to {:.4g} (node {})", tie.largest_move, tie.moved_node);
+    fmt::print(out, "\n");
+    print_untied(out, tie);
+    if (model.tied_contacts[i].ties_rotations) print_hinges(out, domain, tie);
+  }
+}
+
 void print_conditions(std::ostream& out, const model::Model& model) {
   fmt::print(out, "  nodes held            {}\n", model.fixed_nodes.size());
   fmt::print(out, "  initial velocities    {}\n", model.initial_velocities.size());
@@ -81,9 +144,12 @@ void print_conditions(std::ostream& out, const model::Model& model) {
     fmt::print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
                wall.motion.curve == no_index ? "" : ", moves", counted(wall.nodes.size(), "node"),
                wall.friction);
-  for (const model::SingleSurfaceContact& contact : model.contacts)
-    fmt::print(out, "  contact {:<13} single surface, {}, friction {:g}/{:g}\n", contact.id,
-               counted(contact.parts.size(), "part"), contact.static_friction, contact.dynamic_friction);
+  for (const model::Contact& contact : model.contacts)
+    fmt::print(out, "  contact {:<13} {}, friction {:g}/{:g}\n", contact.id, describe(contact),
+               contact.static_friction, contact.dynamic_friction);
+  for (const model::ForceTransducer& transducer : model.force_transducers)
+    fmt::print(out, "  transducer {:<10} {}{}\n", transducer.id, describe(transducer.side[0]),
+               transducer.side[1].empty() ? "" : ", from " + describe(transducer.side[1]));
   if (model.contacts.empty()) fmt::print(out, "  contact               none\n");
 }
 
@@ -118,6 +184,7 @@ void print_model(std::ostream& out, const model::Model& model, const domain::Dom
   fmt::print(out, "  box                   x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n",
              box.lowest[0], box.highest[0], box.lowest[1], box.highest[1], box.lowest[2], box.highest[2]);
   print_conditions(out, model);
+  print_ties(out, model, domain);
   print_parts(out, model, domain);
   print_rigid_bodies(out, model, domain);
 }

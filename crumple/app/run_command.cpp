@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run_command.hpp"
+#include "contact/move_apart.hpp"
 
 #include <fmt/ostream.h>
 
@@ -44,6 +45,17 @@ ExitCode run_model(const Options& options, const deck::ReadResult& deck, const C
   }
 }
 
+void move_overlaps_apart(const Options& options, model::Model& model, const Console& console) {
+  const contact::MovedApart moved = contact::move_apart(model, choose_execution(options, model));
+  if (options.quiet) return;
+  if (moved.nodes > 0)
+    fmt::print(console.out, "Moved {} apart, by up to {:.4g} (node {})\n", counted(moved.nodes, "node"),
+               moved.farthest, moved.farthest_node);
+  else
+    fmt::print(console.out, "No nodes had to be moved apart\n");
+  if (moved.left > 0) fmt::print(console.out, "Overlaps of up to {:.4g} are left\n", moved.left);
+}
+
 }  // namespace
 
 std::filesystem::path result_folder(const Options& options) {
@@ -58,13 +70,14 @@ ExitCode run_deck(const Options& options, const Console& console) {
     fmt::print(console.out, "{}: explicit finite element solver for crash and contact-impact\n\n",
                program_version());
   for (const std::string& note : options.notes) fmt::print(console.err, "note: {}\n", note);
-  const deck::ReadResult deck = read_with_options(options, console);
+  deck::ReadResult deck = read_with_options(options, console);
   if (!deck.model) {
     fmt::print(console.err, "{} in the deck: nothing was run, nothing was written.\n",
                counted(std::max(1, deck::error_count(deck.diagnostics)), "error"));
     return end_with(ExitCode::Input, console);
   }
   if (!options.quiet) print_reading(console.out, deck);
+  if (options.move_apart) move_overlaps_apart(options, *deck.model, console);
   return end_with(run_model(options, deck, console, wall), console);
 }
 

@@ -46,9 +46,9 @@ void print_timings(std::ostream& out, const domain::Domain& domain, double loop_
 
 void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
   const domain::ContactInspection& seen = contact.inspection;
-  if (contact.initial_penetrations > 0)
+  if (!contact.initial_overlaps.empty())
     fmt::print(out, "  {} overlapped at the start, by up to {:.4g}: the contact distance is reduced there\n",
-               counted(contact.initial_penetrations, "pair"), contact.worst_initial);
+               counted(contact.initial_overlaps.size(), "pair"), contact.initial_overlaps.front().depth);
   if (!seen.made) return;
   fmt::print(out,
              "  depth over that of the mid-surface: largest {:.3f}, 99th percentile {:.3f}; {} beyond it\n"
@@ -80,6 +80,15 @@ void print_contacts(std::ostream& out, const output::View& view) {
   if (work > 0)
     fmt::print(out, "  global search: {:.1f} ns per segment and search\n",
                1e9 * domain.times.contact_search * domain.execution.threads / work);
+}
+
+void print_ties(std::ostream& out, const domain::Domain& domain) {
+  for (const domain::Tie& tie : domain.ties) {
+    fmt::print(out, "\nTied contact {}: {} tied", tie.id,
+               counted(static_cast<Index>(tie.nodes.size()) - tie.released, "node"));
+    if (tie.released > 0) fmt::print(out, ", {} released, {} of these broken", tie.released, tie.broken);
+    fmt::print(out, "; energy {:.6e}\n", tie.energy);
+  }
 }
 
 void print_energies(std::ostream& out, const domain::EnergyLedger& energy) {
@@ -148,6 +157,7 @@ void print_summary(std::ostream& out, const output::View& view, double loop_seco
              output::nanoseconds_per_element_cycle(domain, loop_seconds));
   print_timings(out, domain, loop_seconds);
   print_contacts(out, view);
+  print_ties(out, domain);
   print_energies(out, domain.energy);
   print_eroded(out, view);
 }

@@ -18,7 +18,7 @@ NodeSets::NodeSets(const model::Model& model, domain::Domain& domain) {
     for (const Index node : given.nodes) set.nodes.push_back(nodes.domain_node[node]);
     std::sort(set.nodes.begin(), set.nodes.end());
     for (const Index node : set.nodes) {
-      set.mass += nodes.mass[node];
+      set.mass += nodes.moving_mass(node);
       for (std::size_t axis = 0; axis < 3; ++axis)
         if ((nodes.fixed[node] & domain::fixed_translation(static_cast<int>(axis))) != 0)
           set.fixed[axis] = true;
@@ -36,7 +36,7 @@ void NodeSets::constrain(domain::Domain& domain) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (!set.direction[static_cast<std::size_t>(axis)]) continue;
       double momentum = 0;
-      for (const Index node : set.nodes) momentum += nodes.mass[node] * nodes.velocity[node][axis];
+      for (const Index node : set.nodes) momentum += nodes.moving_mass(node) * nodes.velocity[node][axis];
       const double velocity = set.fixed[static_cast<std::size_t>(axis)] ? 0 : momentum / set.mass;
       for (const Index node : set.nodes) nodes.velocity[node][axis] = velocity;
     }

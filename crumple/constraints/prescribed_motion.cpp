@@ -53,7 +53,8 @@ double PrescribedMotions::impose_on_node(Domain& domain, std::size_t place, doub
   domain::NodeFields& nodes = domain.nodes;
   const bool rotation = motion.given.rotation;
   double& present = (rotation ? nodes.angular_velocity : nodes.velocity)[motion.node][motion.given.axis];
-  const double impulse = (rotation ? nodes.inertia : nodes.mass)[motion.node] * (target - present);
+  const double impulse =
+      (rotation ? nodes.moving_inertia(motion.node) : nodes.moving_mass(motion.node)) * (target - present);
   present = target;
   const double work = 0.5 * impulse * motion.before;
   domain.energy.external_work += work;

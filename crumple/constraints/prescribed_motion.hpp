@@ -3,16 +3,11 @@
 
 #include <vector>
 
+#include "constraints/kinetic_change.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
 
 namespace crumple::constraints {
-
-/// What the kinetic energy of the nodes at time n changes by [energy].
-struct KineticChange {
-  double translational = 0;
-  double rotational = 0;
-};
 
 /// Velocities of nodes and rigid bodies that follow curves. They replace what the kick has made of them; the
 /// impulse that this takes is the reaction, and its work is external work, to round-off

@@ -111,11 +111,13 @@ RigidWall::Sums RigidWall::stop_at(const Shape& shape, domain::Domain& domain,
   WallLimit limit;
   for (const Index i : nodes_) {
     if (has_bodies && domain.body_of_node[i] != no_index) continue;
+    // A tied node is between those that it follows, and these are stopped.
+    if (nodes.is_tied(i)) continue;
     const Vec3 velocity = nodes.velocity[i] - velocity_;
     if (!limit_of(shape, nodes.position[i] - displacement_, velocity, next_step, limit)) continue;
     Vec3 after = stopped(velocity, limit, friction_);
     if (nodes.fixed[i] != 0) after = velocity + let_through(after - velocity, limit.normal, nodes.fixed[i]);
-    const Vec3 received = nodes.mass[i] * (after - velocity);
+    const Vec3 received = nodes.moving_mass(i) * (after - velocity);
     nodes.velocity[i] = after + velocity_;
     sums.impulse -= received;
     sums.normal_impulse += dot(received, limit.normal);

@@ -14,7 +14,7 @@ namespace {
 
 /// Velocity that an impulse of one along `direction` gives to a node.
 Vec3 response(const domain::NodeFields& nodes, Index node, const Vec3& direction) {
-  Vec3 velocity = (1.0 / nodes.mass[node]) * direction;
+  Vec3 velocity = (1.0 / nodes.moving_mass(node)) * direction;
   for (int axis = 0; axis < 3; ++axis)
     if ((nodes.fixed[node] & domain::fixed_translation(axis)) != 0) velocity[axis] = 0;
   return velocity;

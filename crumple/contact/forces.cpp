@@ -15,140 +15,200 @@ namespace {
 
 constexpr Index piece = 64;
 
+/// Weight with which a touch counts at one of its nodes: a little more than the node's own, as the couple of
+/// friction acts on all of them.
+double lent(double weight) {
+  constexpr double least = 0.05;
+  return std::fabs(weight) + least;
+}
+
 /// Step by which stability is judged: the larger of the last one and what the elements allow now.
 double judged_step(const domain::Domain& domain, double step_scale) {
   return std::max(domain.clock.step, step_scale * domain.clock.element_limit);
 }
 
+/// SLSFAC times the larger of SFS and SFM.
+double stiffness_scale(const model::Contact& contact, const model::Control& control) {
+  return control.contact_stiffness_scale *
+         std::max(contact.side[0].stiffness_scale, contact.side[1].stiffness_scale);
+}
+
+/// True for a touch of two edges, of two nodes each.
+bool is_of_edges(const Touch& touch) {
+  constexpr double round_off = 1e-12;
+  return touch.nodes == 4 && touch.weight[1] > round_off;
+}
+
+/// The first of the nodes that bear a couple: those of the segment below a node, all of two edges, as an edge
+/// alone bears none about itself.
+int first_bearing(const Touch& touch) {
+  constexpr int least = 3;
+  return touch.nodes > least && touch.weight[1] <= 0 ? 1 : 0;
+}
+
 }  // namespace
 
-Forces::Forces(const Surface& surface, const model::SingleSurfaceContact& contact, double step_scale)
+Forces::Forces(const Surface& surface, const model::Contact& contact, const model::Control& control)
     : surface_(&surface),
       contact_(contact),
-      step_scale_(step_scale),
-      budget_(stability_budget(step_scale) * damping_factor(contact.viscous_damping)) {
+      step_scale_(control.step_scale),
+      budget_(stability_budget(control.step_scale, stiffness_scale(contact, control)) *
+              damping_factor(contact.viscous_damping)) {
   const std::size_t places = surface.nodes.size();
   touches_.resize(places);
+  marked_.resize(places);
   normal_.resize(places);
   friction_.resize(places);
   previous_normal_.resize(places);
   previous_friction_.resize(places);
 }
 
-void Forces::add(domain::Domain& domain, std::span<ContactPair> pairs, domain::ContactReport& report) {
-  const auto count = static_cast<Index>(pairs.size());
-  count_touches(pairs);
-  pair_forces_.resize(pairs.size());
+void Forces::add(domain::Domain& domain, std::span<Touch> touches, domain::ContactReport& report) {
+  const auto count = static_cast<Index>(touches.size());
+  count_touches(touches);
+  is_limited_.resize(touches.size());
   parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i)
-      pair_forces_[i] = evaluate(domain, pairs[i]);
+      is_limited_[i] = evaluate(domain, touches[i]) ? 1 : 0;
   });
-  limited_ = 0;
-  for (Index i = 0; i < count; ++i) {
-    pairs[i].friction = pair_forces_[i].friction;
-    if (pair_forces_[i].limited) ++limited_;
-  }
-  scatter(pairs);
+  limited_ = static_cast<Index>(std::count(is_limited_.begin(), is_limited_.end(), 1));
+  for (const Touch& touch : touches)
+    for (int i = 0; i < touch.nodes; ++i) touches_[touch.place[i]] = 0;
+  apply(domain, touches, report);
+}
+
+void Forces::apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report) {
+  scatter(touches);
   add_work(domain, report);
   hand_over(domain);
 }
 
-/// How many pairs act on each node: its mass is shared out among them when stability is judged.
-void Forces::count_touches(std::span<const ContactPair> pairs) {
-  active_.clear();
-  const auto touch = [&](Index place) {
-    if (touches_[place]++ == 0) active_.push_back(place);
-  };
-  for (const ContactPair& pair : pairs) {
-    if (pair.penetration() <= 0) continue;
-    touch(pair.node);
-    const int corners = surface_->is_triangle(pair.segment) ? 3 : 4;
-    for (int k = 0; k < corners; ++k) touch(surface_->place[surface_->segment(pair.segment)[k]]);
+/// With how much weight touches act on each node: its mass is shared out among them in that proportion when
+/// stability is judged. A touch that comes or goes at the rim of a segment so changes nothing at once.
+void Forces::count_touches(std::span<const Touch> touches) {
+  for (const Touch& touch : touches) {
+    if (touch.penetration <= 0) continue;
+    for (int i = 0; i < touch.nodes; ++i) touches_[touch.place[i]] += lent(touch.weight[i]);
   }
-  std::sort(active_.begin(), active_.end());
 }
 
-/// 1/m* of the pair, each node lending its mass divided by the number of pairs that act on it: a spring of
-/// stiffness k then has omega^2 <= k / m* in the assembled system (docs/theory/contact.md) [1/mass].
-double Forces::inverse_mass(const domain::NodeFields& nodes, const ContactPair& pair) const {
-  double sum = touches_[pair.node] / nodes.mass[surface_->nodes[pair.node]];
-  const Index* segment = surface_->segment(pair.segment);
-  for (int k = 0; k < 4; ++k) {
-    if (pair.weight[k] == 0) continue;
-    sum += pair.weight[k] * pair.weight[k] * touches_[surface_->place[segment[k]]] / nodes.mass[segment[k]];
+/// 1/m* of the touch, each node lending its mass in proportion to the weights of the touches that act on it:
+/// a spring of stiffness k then has omega^2 <= k / m* in the assembled system (docs/theory/contact.md)
+/// [1/mass].
+double Forces::inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const {
+  double sum = 0;
+  for (int i = 0; i < touch.nodes; ++i) {
+    const double weight = touch.weight[i];
+    const Index place = touch.place[i];
+    sum += weight * weight * touches_[place] / (lent(weight) * nodes.mass[surface_->nodes[place]]);
   }
   return sum;
 }
 
 /// Of SOFT = 1: 1/2 SOFSCL m* / dt^2 with the whole masses of the nodes (LS-DYNA Keyword User's Manual,
 /// *CONTACT, optional card A) [force/length].
-double Forces::least_stiffness(const domain::NodeFields& nodes, const ContactPair& pair, double step) const {
+double Forces::least_stiffness(const domain::NodeFields& nodes, const Touch& touch, double step) const {
   if (contact_.soft_scale <= 0 || step <= 0) return 0;
-  double inverse = 1 / nodes.mass[surface_->nodes[pair.node]];
-  const Index* segment = surface_->segment(pair.segment);
-  for (int k = 0; k < 4; ++k) inverse += pair.weight[k] * pair.weight[k] / nodes.mass[segment[k]];
+  double inverse = 0;
+  for (int i = 0; i < touch.nodes; ++i)
+    inverse += touch.weight[i] * touch.weight[i] / nodes.mass[surface_->nodes[touch.place[i]]];
   return 0.5 * contact_.soft_scale / (step * step * inverse);
 }
 
-Forces::PairForce Forces::evaluate(const domain::Domain& domain, const ContactPair& pair) const {
-  if (pair.penetration() <= 0) return {};
+/// Writes the forces of a touch; true if stability limits its stiffness.
+bool Forces::evaluate(const domain::Domain& domain, Touch& touch) const {
+  if (touch.penetration <= 0) {
+    touch.friction = touch.normal_force = Vec3{};
+    return false;
+  }
   const domain::NodeFields& nodes = domain.nodes;
-  const Index* segment = surface_->segment(pair.segment);
-  const double inverse = inverse_mass(nodes, pair);
+  const double inverse = inverse_mass(nodes, touch);
   const double step = judged_step(domain, step_scale_);
   PenaltyLaw law;
-  law.stiffness = std::max(std::min(surface_->node_stiffness[pair.node], surface_->stiffness[pair.segment]),
-                           least_stiffness(nodes, pair, step));
+  law.stiffness = std::max(touch.stiffness, least_stiffness(nodes, touch, step));
   law.limit = step > 0 ? budget_ / (step * step * inverse) : std::numeric_limits<double>::max();
-  // Behind a face there is no mid-surface that a strong squeeze would reach.
-  law.reach = surface_->is_face(pair.segment) ? std::numeric_limits<double>::max() : pair.reach;
+  law.reach = touch.reach;
 
-  Vec3 relative = nodes.velocity[surface_->nodes[pair.node]];
-  for (int k = 0; k < 4; ++k) relative -= pair.weight[k] * nodes.velocity[segment[k]];
+  Vec3 relative;
+  for (int i = 0; i < touch.nodes; ++i)
+    relative += touch.weight[i] * nodes.velocity[surface_->nodes[touch.place[i]]];
   const double stiffness = std::min(law.stiffness, law.limit);
   const double damping = 2 * contact_.viscous_damping * std::sqrt(stiffness / inverse);
   // Damping may take the force down to zero, but never pulls.
-  const double size = std::max(0.0, law.force(pair.penetration()) - damping * dot(relative, pair.normal));
+  const double size = std::max(0.0, law.force(touch.penetration) - damping * dot(relative, touch.normal));
 
-  PairForce force;
-  force.limited = law.limit < law.stiffness;
-  force.normal = pair.share * size * pair.normal;
-  force.friction = friction(pair, pair.share * size, pair.share * stiffness, domain.clock.step);
-  return force;
+  touch.normal_force = touch.share * size * touch.normal;
+  add_friction(domain, touch, law, inverse);
+  return law.limit < law.stiffness;
+}
+
+/// Friction acts at the two points, which are an arm apart: the nodes of the second take the couple of the
+/// two as well, so that the moment of momentum is kept, and a touch that sticks feels no work where both turn
+/// together. The same goes for a face that pushes straight out beyond its rim.
+void Forces::add_friction(const domain::Domain& domain, Touch& touch, const PenaltyLaw& law,
+                          double inverse) const {
+  constexpr double round_off = 1e-9;
+  const domain::NodeFields& nodes = domain.nodes;
+  const bool rough = contact_.static_friction > 0 || contact_.dynamic_friction > 0;
+  std::array<Vec3, Touch::most_nodes> x;
+  Vec3 arm;
+  for (int i = 0; i < touch.nodes; ++i) {
+    x[i] = nodes.position[surface_->nodes[touch.place[i]]];
+    arm += touch.weight[i] * x[i];
+  }
+  const double size = norm(touch.normal_force);
+  const bool aside = norm(cross(arm, touch.normal_force)) > round_off * norm(arm) * size;
+  if (!rough) touch.friction = Vec3{};
+  if (!rough && !aside) return;
+  const int first = first_bearing(touch);
+  const Couple couple({&x[first], static_cast<std::size_t>(touch.nodes - first)},
+                      is_of_edges(touch) ? Couple::Bearing::EachHalf : Couple::Bearing::All);
+  if (rough) {
+    double lightest = 0;
+    for (int i = first; i < touch.nodes; ++i)
+      lightest = std::max(lightest, touches_[touch.place[i]] / (lent(touch.weight[i]) *
+                                                                nodes.mass[surface_->nodes[touch.place[i]]]));
+    const double turning = couple.largest_square(arm) * lightest;
+    const double stiffness = std::min(law.stiffness, law.limit * inverse / (inverse + turning));
+    touch.friction = friction(touch, size, touch.share * stiffness, domain.clock.step);
+  }
+  touch.couple = couple.forces(-cross(arm, touch.force()));
 }
 
 /// Coulomb friction by a tangential spring that gives way at mu f: sticks below, slips above
 /// (Hallquist, LS-DYNA Theory Manual, friction of sliding interfaces).
-Vec3 Forces::friction(const ContactPair& pair, double normal_force, double stiffness, double step) const {
+Vec3 Forces::friction(const Touch& touch, double normal_force, double stiffness, double step) const {
   if (contact_.static_friction <= 0 && contact_.dynamic_friction <= 0) return {};
-  const auto tangential = [&](const Vec3& a) { return a - dot(a, pair.normal) * pair.normal; };
-  const Vec3 slip = tangential(pair.slip);
+  const auto tangential = [&](const Vec3& a) { return a - dot(a, touch.normal) * touch.normal; };
+  const Vec3 slip = tangential(touch.slip);
   const double speed = step > 0 ? norm(slip) / step : 0.0;
   const double mu = contact_.dynamic_friction + (contact_.static_friction - contact_.dynamic_friction) *
                                                     decay(contact_.friction_decay * speed);
-  const Vec3 trial = tangential(pair.friction) - stiffness * slip;
+  const Vec3 trial = tangential(touch.friction) - stiffness * slip;
   const double size = norm(trial);
   double capacity = mu * normal_force;
-  if (contact_.friction_stress > 0)
-    capacity = std::min(capacity, contact_.friction_stress * surface_->area[pair.segment]);
+  if (contact_.friction_stress > 0) capacity = std::min(capacity, contact_.friction_stress * touch.area);
   return size > capacity ? capacity / size * trial : trial;
 }
 
-/// In the order of the pairs, one after another: there are few, and the sums must not depend on threads.
-void Forces::scatter(std::span<const ContactPair> pairs) {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const ContactPair& pair = pairs[i];
-    if (pair.penetration() <= 0) continue;
-    const PairForce& force = pair_forces_[i];
-    normal_[pair.node] += force.normal;
-    friction_[pair.node] += force.friction;
-    const Index* segment = surface_->segment(pair.segment);
-    for (int k = 0; k < 4; ++k) {
-      const Index place = surface_->place[segment[k]];
-      normal_[place] -= pair.weight[k] * force.normal;
-      friction_[place] -= pair.weight[k] * force.friction;
+/// In the order of the touches, one after another: there are few, and the sums must not depend on threads.
+void Forces::scatter(std::span<const Touch> touches) {
+  active_.clear();
+  const auto is_zero = [](const Vec3& a) { return a.x == 0 && a.y == 0 && a.z == 0; };
+  for (const Touch& touch : touches) {
+    if (is_zero(touch.normal_force) && is_zero(touch.friction)) continue;
+    for (int i = 0; i < touch.nodes; ++i) {
+      const Index place = touch.place[i];
+      normal_[place] += touch.weight[i] * touch.normal_force;
+      friction_[place] += touch.weight[i] * touch.friction;
+      if (marked_[place] != 0) continue;
+      marked_[place] = 1;
+      active_.push_back(place);
     }
+    const int first = first_bearing(touch);
+    for (int i = first; i < touch.nodes; ++i) friction_[touch.place[i]] += touch.couple[i - first];
   }
+  std::sort(active_.begin(), active_.end());
 }
 
 /// Trapezoidal rule: the mean of the forces at both ends of the step, times the displacement between them.
@@ -174,7 +234,7 @@ void Forces::hand_over(domain::Domain& domain) {
     const Vec3 sum = normal_[place] + friction_[place];
     domain.contact_force[node] += sum;
     for (int axis = 0; axis < 3; ++axis) domain.nodes.force[node].force[axis] += sum[axis];
-    touches_[place] = 0;
+    marked_[place] = 0;
   }
   for (const Index place : previous_active_) {
     previous_normal_[place] = Vec3{};

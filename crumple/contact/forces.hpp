@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/aligned_array.hpp"
-#include "contact/contact_pair.hpp"
+#include "contact/couple.hpp"
+#include "contact/penalty.hpp"
 #include "contact/surface.hpp"
+#include "contact/touch.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
 
@@ -15,45 +18,43 @@ namespace crumple::contact {
 /// Turns contacts into nodal forces and keeps their energy.
 class Forces {
  public:
-  Forces(const Surface& surface, const model::SingleSurfaceContact& contact, double step_scale);
+  Forces(const Surface& surface, const model::Contact& contact, const model::Control& control);
 
-  /// Adds the forces of all pairs to nodes.force and domain.contact_force, writes the friction force that
-  /// each pair must remember into it, and adds the work since the last call to the report. The forces on the
-  /// nodes of a segment are those on the node, reversed and shared out by the weights, so that their sum is
-  /// zero. Pairs may come in any number, ordered by (node, segment); sums follow that order.
-  void add(domain::Domain& domain, std::span<ContactPair> pairs, domain::ContactReport& report);
+  /// Computes the forces of all touches by the penalty law and applies them.
+  void add(domain::Domain& domain, std::span<Touch> touches, domain::ContactReport& report);
 
-  /// Pairs of the last call whose stiffness the stability limit cut.
+  /// Adds the forces that the touches have to nodes.force and domain.contact_force, and the work since the
+  /// last call to the report. The force on the second point is that on the first, reversed, and each is
+  /// shared out among the nodes by the weights, so that their sum is zero. Sums follow the order of the
+  /// touches.
+  void apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report);
+
+  /// Touches of the last call whose stiffness the stability limit cut.
   Index limited() const { return limited_; }
 
   /// Declares the nodal forces of the last call.
   void declare(domain::StateList& list);
 
  private:
-  /// On the node of a pair [force].
-  struct PairForce {
-    Vec3 normal;
-    Vec3 friction;
-    bool limited = false;
-  };
-
-  void count_touches(std::span<const ContactPair> pairs);
-  double inverse_mass(const domain::NodeFields& nodes, const ContactPair& pair) const;
-  double least_stiffness(const domain::NodeFields& nodes, const ContactPair& pair, double step) const;
-  PairForce evaluate(const domain::Domain& domain, const ContactPair& pair) const;
-  Vec3 friction(const ContactPair& pair, double normal_force, double stiffness, double step) const;
-  void scatter(std::span<const ContactPair> pairs);
+  void count_touches(std::span<const Touch> touches);
+  double inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const;
+  double least_stiffness(const domain::NodeFields& nodes, const Touch& touch, double step) const;
+  bool evaluate(const domain::Domain& domain, Touch& touch) const;
+  void add_friction(const domain::Domain& domain, Touch& touch, const PenaltyLaw& law, double inverse) const;
+  Vec3 friction(const Touch& touch, double normal_force, double stiffness, double step) const;
+  void scatter(std::span<const Touch> touches);
   void add_work(const domain::Domain& domain, domain::ContactReport& report);
   void hand_over(domain::Domain& domain);
 
   const Surface* surface_;
-  model::SingleSurfaceContact contact_;
+  model::Contact contact_;
   double step_scale_;
   double budget_;
   Index limited_ = 0;
-  std::vector<PairForce> pair_forces_;
-  std::vector<Index> touches_;  ///< pairs that act on a node, by place
-  std::vector<Index> active_;   ///< places with a force now, ascending
+  std::vector<std::uint8_t> is_limited_;  ///< by touch
+  std::vector<double> touches_;           ///< weights of those that act on a node, by place
+  std::vector<std::uint8_t> marked_;      ///< 1 for places in active_
+  std::vector<Index> active_;             ///< places with a force now, ascending
   std::vector<Index> previous_active_;
   AlignedArray<Vec3> normal_;    ///< on the nodes now, by place [force]
   AlignedArray<Vec3> friction_;  ///< the same

@@ -62,7 +62,7 @@ cellsearch::Settings settings_of(const model::SearchSettings& settings, int thre
   return found;
 }
 
-cellsearch::Positions view(const AlignedArray<Vec3>& values) {
+cellsearch::Positions view(std::span<const Vec3> values) {
   static_assert(sizeof(Vec3) == 3 * sizeof(double));
   return std::span<const double>(&values.front().x, 3 * values.size());
 }
@@ -78,14 +78,10 @@ Vec3 vector_of(const cellsearch::Point& a) {
                        " is not a finite number any more.");
 }
 
-/// Largest distance along an axis between a point and the bounding box of a segment.
-double box_gap(const Surface& surface, const AlignedArray<Vec3>& x, Index segment, const Vec3& p) {
-  Range box;
-  for (int k = 0; k < 4; ++k) box.include(x[surface.segment(segment)[k]]);
-  double gap = std::numeric_limits<double>::lowest();
-  for (int axis = 0; axis < 3; ++axis)
-    gap = std::max({gap, box.low[axis] - p[axis], p[axis] - box.high[axis]});
-  return gap;
+/// True if a point is further than `distance` from a box along some axis.
+bool beyond(const Range& box, const Vec3& p, double distance) {
+  return box.low[0] - p.x > distance || p.x - box.high[0] > distance || box.low[1] - p.y > distance ||
+         p.y - box.high[1] > distance || box.low[2] - p.z > distance || p.z - box.high[2] > distance;
 }
 
 }  // namespace
@@ -110,16 +106,24 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
   common_expansion_ = surface.largest_half_thickness + statistics_.margin;
   segment_expansion_ = surface.half_thickness;
   statistics_.expansion = largest_distance + statistics_.margin;
+  searched_segment_.assign(surface.segment_id.size(), 1);
+  std::uint8_t sides = 0;
+  for (const std::uint8_t touching : surface.touched_by) {
+    sides |= touching;
+    some_untouched_ = some_untouched_ || touching == 0;
+  }
+  for (Index i = 0; i < surface.node_count(); ++i)
+    if ((surface.node_side[i] & sides) != 0) searched_node_.push_back(surface.nodes[i]);
   // A margin that is not finite comes from a bad position or setting, which the first search will name.
   if (!std::isfinite(statistics_.margin)) return;
   motion_ =
       cellsearch::MotionTracker(statistics_.expansion, statistics_.expansion - statistics_.margin, threads);
 }
 
-void GlobalSearch::update(const domain::Domain& domain, bool surface_changed) {
+void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
   if (statistics_.searches > 0) {
     try {
-      motion_.update(view(domain.nodes.position));
+      motion_.update(view(motion.position));
     } catch (const cellsearch::Error& error) {
       rethrow(error, *surface_);
     }
@@ -127,35 +131,39 @@ void GlobalSearch::update(const domain::Domain& domain, bool surface_changed) {
     consumed_ = std::max(consumed_, norm(vector_of(motion_.motion())));
     if (!motion_.due() && !surface_changed) return;
   }
-  search(domain);
-  consumed_ = norm(step_motion(domain));
+  search(motion);
+  consumed_ = norm(step_motion(motion));
 }
 
 /// Largest relative motion of any two nodes in the step that led to now, along each axis.
-Vec3 GlobalSearch::step_motion(const domain::Domain& domain) const {
-  return domain.clock.step * vector_of(motion_.relative_speed(view(domain.nodes.velocity)));
+Vec3 GlobalSearch::step_motion(const Kinematics& motion) const {
+  return motion.step * vector_of(motion_.relative_speed(view(motion.velocity)));
 }
 
-void GlobalSearch::search(const domain::Domain& domain) {
+void GlobalSearch::search(const Kinematics& motion) {
   cellsearch::Scene scene;
-  scene.positions = view(domain.nodes.position);
+  scene.positions = view(motion.position);
   scene.segments = cellsearch::Segments(surface_->connectivity);
   scene.expansion = common_expansion_;
   scene.segment_expansion = segment_expansion_;
-  if (surface_->eroded > 0) scene.segment_active = surface_->active;
-  scene.nodes = std::span<const cellsearch::Index>(surface_->nodes);
+  if (surface_->some_inactive || some_untouched_) {
+    for (Index s = 0; s < surface_->segments(); ++s)
+      searched_segment_[s] = surface_->active[s] != 0 && surface_->touched_by[s] != 0 ? 1 : 0;
+    scene.segment_active = searched_segment_;
+  }
+  scene.nodes = std::span<const cellsearch::Index>(searched_node_);
   try {
     sort_by_node(search_.find(scene));
     motion_.start(scene.positions, surface_->nodes);
   } catch (const cellsearch::Error& error) {
     rethrow(error, *surface_);
   }
-  measure_slack(domain);
+  measure_slack(motion);
   ++statistics_.searches;
   statistics_.candidates += static_cast<long>(segment_.size());
 
-  const double step = domain.clock.step;
-  const double speed = step > 0 ? norm(step_motion(domain)) / step : 0.0;
+  const double step = motion.step;
+  const double speed = step > 0 ? norm(step_motion(motion)) / step : 0.0;
   statistics_.predicted_interval = cellsearch::search_interval(
       statistics_.expansion, statistics_.expansion - statistics_.margin, speed, step, longest_interval);
 }
@@ -164,7 +172,7 @@ void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
   const Index places = surface_->node_count();
   first_.assign(static_cast<std::size_t>(places) + 1, 0);
   const auto counts = [&](Index place, Index segment) {
-    return (surface_->eroded == 0 || surface_->bears(place)) && !surface_->same_body(place, segment);
+    return (!surface_->some_inactive || surface_->bears(place)) && surface_->may_touch(place, segment);
   };
   for (Index s = 0; s < found.segments(); ++s)
     for (const Index node : found.of(s))
@@ -178,9 +186,9 @@ void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
       if (counts(surface_->place[node], s)) segment_[next[surface_->place[node]]++] = s;
 }
 
-void GlobalSearch::measure_slack(const domain::Domain& domain) {
+void GlobalSearch::measure_slack(const Kinematics& motion) {
   const Index places = surface_->node_count();
-  const SurfaceAt at{surface_, {domain.nodes.position.data(), domain.nodes.velocity.data(), 0}};
+  const SurfaceAt at{surface_, {motion.position.data(), motion.velocity.data(), 0}};
   slack_.resize(segment_.size());
   node_slack_.resize(places);
   parallel_for(pieces(places, piece), threads_, [&](Index part) {
@@ -201,24 +209,28 @@ bool GlobalSearch::listed(Index place, Index segment) const {
   return std::binary_search(segment_.begin() + first_[place], segment_.begin() + first_[place + 1], segment);
 }
 
-void GlobalSearch::verify(const domain::Domain& domain) const {
+void GlobalSearch::verify(const Kinematics& motion) const {
   const Surface& surface = *surface_;
-  const auto& x = domain.nodes.position;
-  const SurfaceAt at{surface_, {x.data(), domain.nodes.velocity.data(), 0}};
+  const std::span<const Vec3> x = motion.position;
+  const SurfaceAt at{surface_, {x.data(), motion.velocity.data(), 0}};
+  std::vector<Range> boxes(surface.segments());
+  for (Index s = 0; s < surface.segments(); ++s)
+    for (int k = 0; k < 4; ++k) boxes[s].include(x[surface.segment(s)[k]]);
+  // What the motion has left of the margin is covered as well.
+  const double left = std::max(0.0, statistics_.margin - consumed_);
   for (Index i = 0; i < surface.node_count(); ++i) {
     if (!surface.bears(i)) continue;
     const Index node = surface.nodes[i];
     const Vec3 searched_at = searched(i);
     if (cells_ && !cells_->box.contains(&searched_at.x)) continue;
     for (Index s = 0; s < surface.segments(); ++s) {
-      // What the motion has left of the margin is covered as well.
-      const double distance = surface.contact_distance(i, s) + std::max(0.0, statistics_.margin - consumed_);
-      if (surface.active[s] == 0 || surface.same_body(i, s)) continue;
-      if (surface.owns(s, node) || box_gap(surface, x, s, x[node]) > distance || listed(i, s)) continue;
+      const double distance = surface.contact_distance(i, s) + left;
+      if (beyond(boxes[s], x[node], distance) || surface.active[s] == 0 || !surface.may_touch(i, s)) continue;
+      if (surface.owns(s, node) || listed(i, s)) continue;
       const NearestPoint nearest = nearest_point(at.shape(s), x[node]);
       if (nearest.distance_squared >= distance * distance) continue;
-      throw Error("The contact search missed a pair at cycle " + std::to_string(domain.clock.cycle) +
-                  ": node " + std::to_string(surface.node_id[i]) + " touches element " +
+      throw Error("The contact search missed a pair at cycle " + std::to_string(motion.cycle) + ": node " +
+                  std::to_string(surface.node_id[i]) + " touches element " +
                   std::to_string(surface.segment_id[s]) + ", but is not among its candidates.");
     }
   }

@@ -11,6 +11,7 @@
 #include <cellsearch/search.hpp>
 
 #include "base/index.hpp"
+#include "contact/kinematics.hpp"
 #include "contact/statistics.hpp"
 #include "contact/surface.hpp"
 #include "domain/domain.hpp"
@@ -28,7 +29,7 @@ class GlobalSearch {
 
   /// Searches anew if the candidates may no longer be complete, or if the surface has changed. Throws
   /// NumericalError if a coordinate is not a finite number.
-  void update(const domain::Domain& domain, bool surface_changed);
+  void update(const Kinematics& motion, bool surface_changed);
 
   /// Places in the arrays below of the candidates of a node, segments ascending.
   std::int64_t first(Index place) const { return first_[place]; }
@@ -43,7 +44,7 @@ class GlobalSearch {
 
   /// Every pair closer than its contact distance must be a candidate: throws Error naming the first that is
   /// not. Looks at all nodes and segments, O(N^2).
-  void verify(const domain::Domain& domain) const;
+  void verify(const Kinematics& motion) const;
 
   const SearchStatistics& statistics() const { return statistics_; }
   const cellsearch::Statistics& details() const { return search_.statistics(); }
@@ -52,21 +53,24 @@ class GlobalSearch {
   void declare(domain::StateList& list);
 
  private:
-  void search(const domain::Domain& domain);
+  void search(const Kinematics& motion);
   void sort_by_node(const cellsearch::Candidates& found);
-  void measure_slack(const domain::Domain& domain);
+  void measure_slack(const Kinematics& motion);
   /// Position at the last search.
   Vec3 searched(Index place) const {
     const double* x = motion_.reference().data() + 3 * static_cast<std::size_t>(place);
     return {x[0], x[1], x[2]};
   }
-  Vec3 step_motion(const domain::Domain& domain) const;
+  Vec3 step_motion(const Kinematics& motion) const;
   bool listed(Index place, Index segment) const;
 
   const Surface* surface_;
   int threads_;
   std::optional<cellsearch::CellDomain> cells_;
   cellsearch::Search search_;
+  std::vector<Index> searched_node_;            ///< domain nodes that may touch any segment
+  std::vector<std::uint8_t> searched_segment_;  ///< 1 for those that any node may touch now
+  bool some_untouched_ = false;                 ///< there are segments that no node may ever touch
   double common_expansion_ = 0;
   std::vector<double> segment_expansion_;
   cellsearch::MotionTracker motion_;  ///< of the surface's nodes, by place, since the last search

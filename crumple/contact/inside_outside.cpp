@@ -63,6 +63,7 @@ bool nearer_beyond_edge(const SurfaceAt& at, Index node, Index segment, const Ne
   for (const Index other : surface.topology.at_edge(edge)) {
     if (other == segment) continue;
     if (surface.owns(other, node)) return true;
+    if (!surface.on_touching_sides(surface.place[node], other)) continue;
     // `away` is perpendicular to the edge, so that any vector from the edge into the triangle will do.
     const Vec3 into = at.shape(other).centre - foot;
     if (dot(away, into) > nearer_tolerance * norm(away) * norm(into)) return true;
@@ -77,6 +78,7 @@ bool nearer_around_corner(const SurfaceAt& at, Index node, Index segment, const 
   for (const Index other : surface.topology.at_node(surface.place[corner])) {
     if (other == segment) continue;
     if (surface.owns(other, node)) return true;
+    if (!surface.on_touching_sides(surface.place[node], other)) continue;
     const SegmentShape shape = at.shape(other);
     const int k = corner_of(surface, other, corner);
     const int last = shape.triangle ? 2 : 3;

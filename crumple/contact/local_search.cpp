@@ -13,19 +13,18 @@ constexpr Index piece = 512;
 
 }  // namespace
 
-std::span<ContactPair> LocalSearch::find(const domain::Domain& domain, const GlobalSearch& candidates,
+std::span<ContactPair> LocalSearch::find(const Kinematics& motion, const GlobalSearch& candidates,
                                          std::span<const RememberedPair> remembered, bool tracking) {
-  const domain::NodeFields& nodes = domain.nodes;
   StepView view;
-  view.now = {surface_, {nodes.position.data(), nodes.velocity.data(), 0}};
-  view.reference = {surface_, {nodes.reference.data(), nodes.velocity.data(), 0}};
+  view.now = {surface_, {motion.position.data(), motion.velocity.data(), 0}};
+  view.reference = {surface_, {motion.reference.data(), motion.velocity.data(), 0}};
   view.candidates = &candidates;
-  view.step = domain.clock.step;
+  view.step = motion.step;
   view.tracking = tracking;
 
   const Index places = surface_->node_count();
   parts_.resize(pieces(places, piece));
-  parallel_for(pieces(places, piece), domain.execution.threads, [&](Index part) {
+  parallel_for(pieces(places, piece), motion.threads, [&](Index part) {
     std::vector<ContactPair>& found = parts_[part];
     found.clear();
     const auto before = [](const RememberedPair& pair, Index place) { return pair.node < place; };

@@ -8,6 +8,7 @@
 #include "contact/contact_pair.hpp"
 #include "contact/global_search.hpp"
 #include "contact/inside_outside.hpp"
+#include "contact/kinematics.hpp"
 #include "contact/surface.hpp"
 #include "domain/domain.hpp"
 
@@ -20,11 +21,11 @@ class LocalSearch {
  public:
   explicit LocalSearch(const Surface& surface) : surface_(&surface) {}
 
-  /// Finds the contacts at time n. `remembered` are the pairs of the step before, in order.
+  /// Finds the contacts. `remembered` are the pairs of the step before, in order.
   /// With `tracking` every contact is allowed the penetration that it has now (first step of a contact).
   /// The result is ordered by (node, segment) and the same for any number of threads; it holds until the
   /// next call.
-  std::span<ContactPair> find(const domain::Domain& domain, const GlobalSearch& candidates,
+  std::span<ContactPair> find(const Kinematics& motion, const GlobalSearch& candidates,
                               std::span<const RememberedPair> remembered, bool tracking);
 
  private:

@@ -74,21 +74,65 @@ bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
          hold(other.segment, nearest_point(view_.now.shape(other.segment), p_), &other) == 0;
 }
 
+/// False if the solids at the node turn their faces away from one with that normal, or stand upright to it:
+/// the node of a plate does not enter the side of a block that slides over it, be the lower rim of the block
+/// a little below the plate's face or not. Nodes of shells and nodes alone meet everything.
+bool NodeSearch::meets(const Vec3& normal) const {
+  constexpr double opposed = 0.2;  // sine of the angle from upright on
+  constexpr double pointed = 0.5;  // mean of the normals below which the node is a tip
+  Vec3 sum;
+  const auto around = surface_.topology.at_node(place_);
+  if (around.empty()) return true;
+  for (const Index own : around) {
+    if (surface_.of_solid[own] == 0) return true;
+    const Vec3 outward = normalised(area_normal(view_.now.shape(own)));
+    if (dot(outward, normal) < -opposed) return true;
+    sum += outward;
+  }
+  const double size = norm(sum);
+  return size < pointed * static_cast<double>(around.size()) || dot(sum, normal) < -opposed * size;
+}
+
+/// True if the solid's surface goes on beyond the rim of a face, bent by less than 60 degrees, in a face that
+/// has the node right behind it: that one takes the contact over at once, as on a shell.
+bool NodeSearch::goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const {
+  const Topology& topology = surface_.topology;
+  const Index corner = surface_.segment(segment)[nearest.local];
+  const auto around = nearest.feature == Feature::Edge
+                          ? topology.at_edge(topology.edges_of[segment][nearest.local])
+                          : topology.at_node(surface_.place[corner]);
+  for (const Index other : around) {
+    if (other == segment || !surface_.is_face(other) || !surface_.may_touch(place_, other) ||
+        !same_sides(surface_, segment, other))
+      continue;
+    const SegmentShape shape = view_.now.shape(other);
+    const Vec3 beyond = normalised(area_normal(shape));
+    if (dot(beyond, normal) <= two_walls) continue;
+    const NearestPoint foot = nearest_point(shape, p_);
+    if (dot(p_ - foot.point, beyond) < 0 && nearest_around(view_.now, node_, other, foot)) return true;
+  }
+  return false;
+}
+
 /// How much of a contact with the segment there is: 1 if it is the nearest around, else 0; but a node that is
 /// right behind the face of a solid stays with it, be other faces of the solid nearer or not, as it is
-/// through this one that it came. Over the rim of the face its share fades, for a new one at once.
+/// through this one that it came. Over the rim of the face its share fades, for a new one at once. A face
+/// that the node's own faces cannot meet is never entered.
 double NodeSearch::hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const {
-  if (nearest_around(view_.now, node_, segment, nearest)) return 1;
-  if (!surface_.is_face(segment)) return 0;
+  const bool nearest_of_all = nearest_around(view_.now, node_, segment, nearest);
+  if (!surface_.is_face(segment)) return nearest_of_all ? 1 : 0;
   constexpr double aside = 1e-3;  // over the depth
   constexpr double rim = 0.05;    // over the side of a square of the same area
   const Vec3 away = p_ - nearest.point;
   const Vec3 normal = normalised(area_normal(view_.now.shape(segment)));
   const double depth = -dot(away, normal);
+  const bool inside = memory != nullptr && memory->wrong != 0;
+  if (depth > 0 && !inside && !meets(normal)) return 0;
+  if (nearest_of_all) return 1;
   if (depth <= 0) return 0;
   const double beyond = norm(away + depth * normal);
-  const bool inside = memory != nullptr && memory->wrong != 0;
   if (!inside) return beyond <= aside * depth ? 1 : 0;
+  if (nearest.feature != Feature::Face && goes_on(segment, nearest, normal)) return 0;
   return std::max(0.0, 1 - beyond / (rim * std::sqrt(surface_.area[segment])));
 }
 
@@ -104,7 +148,7 @@ void NodeSearch::measure_faces() {
   nearest_face_ = std::numeric_limits<double>::max();
   for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c) {
     const Index segment = candidates.segment(c);
-    if (!surface_.is_face(segment) || surface_.solid_has(segment, node_)) continue;
+    if (!surface_.is_face(segment) || surface_.behind_has(segment, node_)) continue;
     const double distance = std::sqrt(nearest_point(view_.now.shape(segment), p_).distance_squared);
     if (distance > on_face(segment)) nearest_face_ = std::min(nearest_face_, distance);
   }
@@ -113,7 +157,7 @@ void NodeSearch::measure_faces() {
 /// Whether a node behind a face when the contact begins lies on it or is inside of that solid, and not just
 /// on the far side of a thin one: then no other face is nearer.
 bool NodeSearch::starts_inside(Index segment, double distance) const {
-  if (!view_.tracking || surface_.solid_has(segment, node_)) return false;
+  if (!view_.tracking || surface_.behind_has(segment, node_)) return false;
   constexpr double equally_near = 1 + 1e-9;
   return distance <= on_face(segment) ||
          (distance <= equally_near * nearest_face_ && distance < surface_.height[segment]);
@@ -209,6 +253,8 @@ void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
     pair.normal = normalised(area_normal(shape));
     pair.gap = dot(away, pair.normal);
   }
+  // On a face the way to it is round-off and has no direction.
+  if (face && distance <= on_face(segment)) pair.normal = normalised(area_normal(shape));
   const double full = contact_distance(segment);
   const double overlap = std::max(0.0, full - pair.gap);
   // What has opened stays open: the allowance only shrinks.
@@ -245,6 +291,8 @@ void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first)
       ContactPair& a = found[i];
       ContactPair& b = found[j];
       if (a.share == 0 || b.share == 0 || !connected(surface_, a.segment, b.segment)) continue;
+      // One that only waits in front of a face takes nothing from one that pushes.
+      if ((a.penetration() > 0) != (b.penetration() > 0)) continue;
       const double share = share_of_other(dot(a.normal, b.normal));
       if (share == 1) {
         if (enters_once(a, b)) (came_through(a, b) ? b : a).share = 0;

@@ -41,6 +41,8 @@ class NodeSearch {
   void carry_friction(ContactPair& pair, std::span<const ContactPair> present) const;
   bool came_from(const RememberedPair& other, Index segment) const;
   double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
+  bool meets(const Vec3& normal) const;
+  bool goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const;
   double on_face(Index segment) const;
   bool enters_once(const ContactPair& a, const ContactPair& b) const;
   bool came_through(const ContactPair& a, const ContactPair& b) const;

@@ -11,6 +11,7 @@ namespace {
 constexpr double stiffening = 10.0;
 
 constexpr double largest_budget = 1.0;
+constexpr double budget_by_stiffness = 3.5;
 constexpr double smallest_budget = 0.1;
 constexpr double safety = 0.9;
 
@@ -31,8 +32,9 @@ double PenaltyLaw::force(double penetration) const {
   return stiffness * penetration + rate * on_ramp * (0.5 * on_ramp + (beyond - on_ramp));
 }
 
-double stability_budget(double step_scale) {
-  return std::clamp(safety * 4 * (1 - step_scale * step_scale), smallest_budget, largest_budget);
+double stability_budget(double step_scale, double stiffness_scale) {
+  const double left = safety * 4 * (1 - step_scale * step_scale);
+  return std::max(smallest_budget, std::min({left, largest_budget, budget_by_stiffness * stiffness_scale}));
 }
 
 double damping_factor(double fraction) {

@@ -24,6 +24,7 @@ struct ContactStatistics {
   Index limited_pairs = 0;           ///< pairs whose stiffness stability limits, now
   Index most_limited_pairs = 0;      ///< largest number of the run
   Index nodes_astray = 0;            ///< pairs with the node beyond the mid-surface, now
+  Index edges_astray = 0;            ///< pairs of edges that have gone through each other, now
 };
 
 /// A pair with a force.

@@ -2,84 +2,112 @@
 #include "contact/surface.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <numeric>
 #include <string>
-#include <variant>
 
 #include "base/error.hpp"
-#include "model/solid_faces.hpp"
+#include "contact/beams.hpp"
+#include "contact/orientation.hpp"
+#include "contact/segment_collector.hpp"
+#include "contact/sides.hpp"
 
 namespace crumple::contact {
 namespace {
 
-/// Share of the shortest edge that the contact thickness may not exceed.
-constexpr double edge_share = 0.4;
-
-/// Smallest 1 - 2 nu that enters the bulk modulus: nearly incompressible laws would ask for any stiffness.
-constexpr double smallest_compressibility = 0.02;
-
-double bulk_modulus(const model::Model& model, const model::Part& part) {
-  const model::Material& material = model.materials[part.material];
-  if (const auto* equation = model::equation_of_state_of(model, part))
-    return model::initial_bulk_modulus(*equation, material.density);
-  return std::visit(
-      [](const auto& law) {
-        const double compressibility = std::max(1.0 - 2.0 * law.poissons_ratio, smallest_compressibility);
-        return law.youngs_modulus / (3.0 * compressibility);
-      },
-      material.law);
-}
-
-/// Lengths of one segment in the reference geometry.
-struct Measure {
-  double shortest_edge = std::numeric_limits<double>::max();
-  double edge_sum = 0;
-  int edges = 0;
-  double area = 0;
-  double largest_diagonal = 0;
-};
-
-Measure measure(const domain::NodeFields& nodes, const Index* segment) {
-  Measure found;
-  std::array<Vec3, 4> x;
-  for (int k = 0; k < 4; ++k) x[k] = nodes.reference[segment[k]];
-  for (int k = 0; k < 4; ++k) {
-    if (!has_edge(segment, k)) continue;
-    const double length = norm(x[(k + 1) % 4] - x[k]);
-    found.shortest_edge = std::min(found.shortest_edge, length);
-    found.edge_sum += length;
-    ++found.edges;
-  }
-  found.area = 0.5 * norm(cross(x[2] - x[0], x[3] - x[1]));
-  // A triangle has no diagonals; its two sides at the repeated node take their place.
-  found.largest_diagonal = std::max(norm(x[2] - x[0]), norm(x[3] - x[1]));
-  return found;
-}
-
-double true_thickness(const model::Model& model, const model::ShellElement& shell) {
-  const std::array<double, 4> at_nodes = model::shell_thickness(model, shell);
-  return 0.25 * (at_nodes[0] + at_nodes[1] + at_nodes[2] + at_nodes[3]);
-}
-
-void collect_nodes(const model::Model& model, const domain::NodeFields& nodes, Surface& surface) {
+void collect_nodes(const model::Model& model, const domain::NodeFields& nodes, const model::Contact& contact,
+                   const std::vector<ContactBeam>& beams, Surface& surface) {
   surface.nodes = surface.connectivity;
+  for (const ContactBeam& beam : beams)
+    surface.nodes.insert(surface.nodes.end(), beam.nodes.begin(), beam.nodes.end());
+  for (const model::ContactSide& side : contact.side)
+    for (const Index node : side.nodes) surface.nodes.push_back(nodes.domain_node[node]);
   std::sort(surface.nodes.begin(), surface.nodes.end());
   surface.nodes.erase(std::unique(surface.nodes.begin(), surface.nodes.end()), surface.nodes.end());
   surface.place.assign(nodes.count(), no_index);
+  surface.node_id.reserve(surface.nodes.size());
   for (Index i = 0; i < surface.node_count(); ++i) {
     surface.place[surface.nodes[i]] = i;
     surface.node_id.push_back(model.nodes.id[nodes.model_node[surface.nodes[i]]]);
   }
+  surface.node_side.assign(surface.nodes.size(), 0);
+  for (std::size_t i = 0; i < surface.connectivity.size(); ++i)
+    surface.node_side[surface.place[surface.connectivity[i]]] |= surface.segment_side[i / 4];
+  surface.lone.assign(surface.nodes.size(), 0);
+  for (std::size_t i = 0; i < contact.side.size(); ++i)
+    for (const Index node : contact.side[i].nodes) {
+      const Index place = surface.place[nodes.domain_node[node]];
+      surface.node_side[place] |= i == 0 ? first_side : second_side;
+      surface.lone[place] = 1;
+    }
+}
+
+/// Nodes that stand alone have the thickness of the shells that they belong to, in the contact or not.
+void measure_lone_nodes(const model::Model& model, const domain::NodeFields& nodes,
+                        const model::Contact& contact, Surface& surface) {
+  surface.lone_half_thickness.assign(surface.nodes.size(), 0.0);
+  if (contact.side[0].nodes.empty() && contact.side[1].nodes.empty()) return;
+  for (const model::ShellElement& shell : model.shells) {
+    const bool rigid = model::is_rigid(model, model.parts[shell.part]);
+    if (!(rigid ? contact.rigid_shell_thickness : contact.shell_thickness)) continue;
+    const std::array<double, 4> thickness = model::shell_thickness(model, shell);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Index place = surface.place[nodes.domain_node[shell.node[k]]];
+      if (place == no_index || surface.lone[place] == 0) continue;
+      const model::ContactSide& side = contact.side[(surface.node_side[place] & first_side) != 0 ? 0 : 1];
+      const double whole =
+          side.contact_thickness > 0 ? side.contact_thickness : side.thickness_scale * thickness[k];
+      double& half = surface.lone_half_thickness[place];
+      half = std::max(half, 0.5 * whole);
+      surface.largest_half_thickness = std::max(surface.largest_half_thickness, half);
+    }
+  }
+}
+
+/// Nodes of beams touch segments whether they have segments of their own or not, as long as `alive(beam)`.
+template <class Alive>
+void use_beams(const Alive& alive, Surface& surface) {
+  for (const SurfaceBeam& beam : surface.beams)
+    for (const Index place : beam.node) {
+      surface.lone[place] = 0;
+      surface.lone_half_thickness[place] = 0;
+      surface.lone_stiffness[place] = std::numeric_limits<double>::max();
+    }
+  for (const SurfaceBeam& beam : surface.beams) {
+    if (!alive(beam.place)) continue;
+    for (const Index place : beam.node) {
+      surface.lone[place] = 1;
+      double& half = surface.lone_half_thickness[place];
+      half = std::max(half, beam.radius);
+      double& stiffness = surface.lone_stiffness[place];
+      stiffness = std::min(stiffness, beam.stiffness);
+    }
+  }
+}
+
+void add_beams(const std::vector<ContactBeam>& beams, Surface& surface) {
+  surface.lone_stiffness.assign(surface.nodes.size(), std::numeric_limits<double>::max());
+  for (const ContactBeam& beam : beams) {
+    const std::array<Index, 2> places{surface.place[beam.nodes[0]], surface.place[beam.nodes[1]]};
+    for (const Index place : places) surface.node_side[place] |= first_side;
+    surface.largest_half_thickness = std::max(surface.largest_half_thickness, beam.radius);
+    surface.beams.push_back({places, beam.place, beam.radius, beam.stiffness});
+  }
+  use_beams([](const ElementPlace&) { return true; }, surface);
+}
+
+/// Length to measure distances by where there are no segments [length].
+double mean_length(const std::vector<ContactBeam>& beams, const domain::NodeFields& nodes) {
+  double sum = 0;
+  for (const ContactBeam& beam : beams)
+    sum += norm(nodes.reference[beam.nodes[1]] - nodes.reference[beam.nodes[0]]);
+  return sum / static_cast<double>(beams.size());
 }
 
 /// What a node takes from its active segments: the softest shell; of faces the stiffest, as small ones at a
 /// rim say nothing of the solid.
 void measure_nodes(Surface& surface) {
-  constexpr double none = std::numeric_limits<double>::max();
-  surface.node_half_thickness.assign(surface.nodes.size(), 0.0);
-  surface.node_stiffness.assign(surface.nodes.size(), none);
+  surface.node_half_thickness = surface.lone_half_thickness;
+  surface.node_stiffness = surface.lone_stiffness;
   std::vector<double> of_faces(surface.nodes.size(), 0.0);
   for (Index s = 0; s < surface.segments(); ++s) {
     if (surface.active[s] == 0) continue;
@@ -99,147 +127,6 @@ void measure_nodes(Surface& surface) {
     if (of_faces[i] > 0) surface.node_stiffness[i] = std::min(surface.node_stiffness[i], of_faces[i]);
 }
 
-/// A segment to be added.
-struct NewSegment {
-  std::array<Index, 4> nodes{};
-  UserId id = 0;
-  double half_thickness = 0;
-  double stiffness = 0;
-  double height = 0;
-  bool face = false;
-  std::array<Index, 8> solid{};  ///< of a face: nodes of its solid
-  Index block = no_index;
-  Index element = no_index;
-};
-
-/// Collects segments one after the other.
-class Collector {
- public:
-  Collector(const model::Model& model, const domain::Domain& domain,
-            const model::SingleSurfaceContact& contact, Surface& surface)
-      : model_(model), domain_(domain), contact_(contact), surface_(surface) {}
-
-  void add_faces();
-  void add_shells();
-  double mean_edge() const { return edge_sum_ / edges_; }
-
- private:
-  bool takes_part(const domain::ElementBlock& block) const {
-    return std::binary_search(contact_.parts.begin(), contact_.parts.end(), block.part);
-  }
-  double scale() const { return model_.control.contact_stiffness_scale * contact_.stiffness_scale; }
-  void add(const NewSegment& segment, const Measure& size);
-  std::vector<std::array<Index, 4>> covered() const;
-  void add_face(const model::OuterFace& face, Index block, Index element);
-
-  const model::Model& model_;
-  const domain::Domain& domain_;
-  const model::SingleSurfaceContact& contact_;
-  Surface& surface_;
-  double edge_sum_ = 0;
-  double edges_ = 0;
-};
-
-void Collector::add(const NewSegment& segment, const Measure& size) {
-  surface_.connectivity.insert(surface_.connectivity.end(), segment.nodes.begin(), segment.nodes.end());
-  surface_.segment_id.push_back(segment.id);
-  surface_.half_thickness.push_back(segment.half_thickness);
-  surface_.stiffness.push_back(segment.stiffness);
-  surface_.area.push_back(size.area);
-  surface_.height.push_back(segment.height);
-  surface_.of_solid.push_back(segment.face ? 1 : 0);
-  if (segment.face) surface_.solid_nodes.push_back(segment.solid);
-  surface_.block.push_back(segment.block);
-  surface_.element.push_back(segment.element);
-  surface_.largest_half_thickness = std::max(surface_.largest_half_thickness, segment.half_thickness);
-  edge_sum_ += size.edge_sum;
-  edges_ += size.edges;
-}
-
-void Collector::add_shells() {
-  for (Index b = 0; b < static_cast<Index>(domain_.shells.size()); ++b) {
-    const domain::ShellBlock& block = domain_.shells[b];
-    if (!takes_part(block)) continue;
-    const double modulus = bulk_modulus(model_, model_.parts[block.part]);
-    for (Index at = 0; at < block.elements; ++at) {
-      const model::ShellElement& shell = model_.shells[block.element[at]];
-      NewSegment segment;
-      segment.nodes = block.nodes_of(at);
-      segment.id = shell.id;
-      segment.block = b;
-      segment.element = at;
-      const Measure size = measure(domain_.nodes, segment.nodes.data());
-      const double automatic =
-          std::min(contact_.thickness_scale * true_thickness(model_, shell), edge_share * size.shortest_edge);
-      segment.half_thickness =
-          0.5 * (contact_.contact_thickness > 0 ? contact_.contact_thickness : automatic);
-      segment.stiffness = scale() * modulus * size.area / size.largest_diagonal;
-      add(segment, size);
-    }
-  }
-}
-
-/// Keys of the shells that take part, ascending.
-std::vector<std::array<Index, 4>> Collector::covered() const {
-  std::vector<std::array<Index, 4>> keys;
-  for (const domain::ShellBlock& block : domain_.shells)
-    if (takes_part(block))
-      for (const Index shell : block.element) keys.push_back(model::key_of(model_.shells[shell].node));
-  std::sort(keys.begin(), keys.end());
-  return keys;
-}
-
-/// Volume from the areas and places of the faces, taken as flat (Gauss's theorem) [length^3].
-double volume_of(const model::SolidElement& solid, const domain::NodeFields& nodes) {
-  double sum = 0;
-  for (const std::array<Index, 4>& face : model::faces_of(solid)) {
-    std::array<Vec3, 4> x;
-    for (std::size_t k = 0; k < 4; ++k) x[k] = nodes.reference[nodes.domain_node[face[k]]];
-    const double corners = face[2] == face[3] ? 3 : 4;
-    const Vec3 centre = (1 / corners) * (x[0] + x[1] + x[2] + (corners == 4 ? x[3] : Vec3{}));
-    sum += dot(centre, cross(x[2] - x[0], x[3] - x[1])) / 6;
-  }
-  return sum;
-}
-
-void Collector::add_face(const model::OuterFace& face, Index block, Index element) {
-  const model::SolidElement& solid = model_.solids[face.solid];
-  NewSegment segment;
-  for (std::size_t k = 0; k < 4; ++k) segment.nodes[k] = domain_.nodes.domain_node[face.node[k]];
-  segment.id = solid.id;
-  segment.face = true;
-  for (std::size_t k = 0; k < 8; ++k) segment.solid[k] = domain_.nodes.domain_node[solid.node[k]];
-  segment.block = block;
-  segment.element = element;
-  const Measure size = measure(domain_.nodes, segment.nodes.data());
-  segment.height = volume_of(solid, domain_.nodes) / size.area;
-  segment.stiffness = scale() * bulk_modulus(model_, model_.parts[solid.part]) * size.area / segment.height;
-  add(segment, size);
-}
-
-/// The faces of the parts that take part, of which no other solid of the model holds the other side.
-void Collector::add_faces() {
-  if (std::none_of(domain_.solids.begin(), domain_.solids.end(),
-                   [&](const domain::SolidBlock& block) { return takes_part(block); }))
-    return;
-  std::vector<Index> all(model_.solids.size());
-  std::iota(all.begin(), all.end(), 0);
-  std::vector<std::array<Index, 2>> place(model_.solids.size(), {no_index, no_index});
-  const auto first = static_cast<Index>(domain_.shells.size());
-  for (Index b = 0; b < static_cast<Index>(domain_.solids.size()); ++b) {
-    const domain::SolidBlock& block = domain_.solids[b];
-    if (!takes_part(block)) continue;
-    for (Index at = 0; at < block.elements; ++at) place[block.element[at]] = {first + b, at};
-  }
-  const std::vector<std::array<Index, 4>> shells = covered();
-  for (const model::OuterFace& face : model::outer_faces(model_.solids, all)) {
-    const auto [block, element] = place[face.solid];
-    if (block == no_index || std::binary_search(shells.begin(), shells.end(), model::key_of(face.node)))
-      continue;
-    add_face(face, block, element);
-  }
-}
-
 void collect_bodies(const domain::Domain& domain, Surface& surface) {
   surface.node_body.assign(surface.nodes.size(), no_index);
   surface.segment_body.assign(surface.segment_id.size(), no_index);
@@ -255,55 +142,93 @@ void collect_bodies(const domain::Domain& domain, Surface& surface) {
   }
 }
 
+/// True if any node may touch any segment, now or after elements have eroded.
+bool can_touch(const Surface& surface) {
+  std::uint8_t nodes = 0;
+  for (const std::uint8_t side : surface.node_side) nodes |= side;
+  return std::any_of(surface.touched_by.begin(), surface.touched_by.end(),
+                     [&](std::uint8_t sides) { return (sides & nodes) != 0; });
+}
+
+void follow_active(Surface& surface) {
+  measure_nodes(surface);
+  surface.topology =
+      build_topology(surface.connectivity, surface.active, surface.place, surface.node_count());
+  surface.some_inactive = false;
+  for (const std::uint8_t active : surface.active) surface.some_inactive |= active == 0;
+  for (const SurfaceBeam& beam : surface.beams)
+    for (const Index place : beam.node) surface.some_inactive |= !surface.bears(place);
+}
+
+/// Whether elements are still there.
+class Alive {
+ public:
+  explicit Alive(const domain::Domain& domain) : blocks_(domain.blocks()) {
+    active_.reserve(blocks_.size());
+    for (const domain::ElementBlock* block : blocks_) {
+      const domain::StateItem* item = block->find("active");
+      active_.push_back(item != nullptr ? item->first : no_index);
+    }
+  }
+
+  bool operator()(const ElementPlace& place) const {
+    const Index component = active_[place.block];
+    return component == no_index || blocks_[place.block]->state(place.element, component) != 0;
+  }
+
+ private:
+  std::vector<const domain::ElementBlock*> blocks_;
+  std::vector<Index> active_;  ///< component of the state, by block
+};
+
 }  // namespace
 
 Surface build_surface(const model::Model& model, const domain::Domain& domain,
-                      const model::SingleSurfaceContact& contact) {
+                      const model::Contact& contact) {
   Surface surface;
-  Collector collector(model, domain, contact, surface);
-  // solid_nodes counts on the faces being first.
+  SegmentCollector collector(model, domain, contact, surface);
+  // nodes_behind counts on the faces being first.
   collector.add_faces();
   collector.add_shells();
-  if (surface.segment_id.empty())
+  surface.active.assign(surface.segment_id.size(), 1);
+  for (Index s = 0; s < surface.segments(); ++s)
+    if (surface.ahead[s].exists()) surface.active[s] = 0;
+  orient_alike(surface.connectivity, surface.active, collector.known_orientation());
+  const std::vector<ContactBeam> beams = collect_beams(model, domain, contact);
+  collect_nodes(model, domain.nodes, contact, beams, surface);
+  if (!can_touch(surface) && beams.empty())
     throw Error("Contact " + std::to_string(contact.id) +
                 " has no segments: none of its parts has any shell or outer face of a solid, so there is "
                 "nothing that could touch.");
-  surface.mean_edge = collector.mean_edge();
-  surface.active.assign(surface.segment_id.size(), 1);
-  orient_alike(surface.connectivity, surface.of_solid);
-  collect_nodes(model, domain.nodes, surface);
+  surface.mean_edge = surface.segments() > 0 ? collector.mean_edge() : mean_length(beams, domain.nodes);
   collect_bodies(domain, surface);
-  measure_nodes(surface);
-  surface.topology =
-      build_topology(surface.connectivity, surface.active, surface.place, surface.node_count());
+  measure_lone_nodes(model, domain.nodes, contact, surface);
+  add_beams(beams, surface);
+  follow_active(surface);
+  if (contact.oriented && face_other_side(surface, domain.nodes, collector.known_orientation()))
+    follow_active(surface);
   return surface;
 }
 
-bool drop_eroded(Surface& surface, const domain::Domain& domain) {
+bool follow_erosion(Surface& surface, const domain::Domain& domain) {
   Index eroded = 0;
   for (const domain::ShellBlock& block : domain.shells) eroded += block.eroded;
   for (const domain::SolidBlock& block : domain.solids) eroded += block.eroded;
+  for (const domain::BeamBlock& block : domain.beams) eroded += block.eroded;
   if (eroded == surface.eroded) return false;
   surface.eroded = eroded;
-  const auto blocks = domain.blocks();
-  std::vector<Index> active;  // component of the state, by block
-  active.reserve(blocks.size());
-  for (const domain::ElementBlock* block : blocks) {
-    const domain::StateItem* item = block->find("active");
-    active.push_back(item != nullptr ? item->first : no_index);
-  }
+  const Alive alive(domain);
   bool changed = false;
   for (Index s = 0; s < surface.segments(); ++s) {
-    const Index b = surface.block[s];
-    if (surface.active[s] == 0 || active[b] == no_index) continue;
-    if (blocks[b]->state(surface.element[s], active[b]) != 0) continue;
-    surface.active[s] = 0;
-    changed = true;
+    const bool hidden = surface.ahead[s].exists() && alive(surface.ahead[s]);
+    const std::uint8_t active = alive(surface.behind[s]) && !hidden ? 1 : 0;
+    changed = changed || active != surface.active[s];
+    surface.active[s] = active;
   }
+  for (const SurfaceBeam& beam : surface.beams) changed = changed || !alive(beam.place);
   if (!changed) return false;
-  measure_nodes(surface);
-  surface.topology =
-      build_topology(surface.connectivity, surface.active, surface.place, surface.node_count());
+  use_beams(alive, surface);
+  follow_active(surface);
   return true;
 }
 

@@ -17,30 +17,56 @@ namespace crumple::contact {
 
 using math::Vec3;
 
-/// What takes part in a contact: the shells and the outer faces of the solids as segments, their nodes, and
-/// what the contact needs to know of them. Made at the start of the run; changes only when elements erode,
-/// see drop_eroded().
+/// An element, by its block in Domain::blocks() and its place there.
+struct ElementPlace {
+  Index block = no_index;
+  Index element = no_index;
+
+  bool exists() const { return block != no_index; }
+};
+
+/// A beam whose nodes take part in a contact whether they have segments or not.
+struct SurfaceBeam {
+  std::array<Index, 2> node{};  ///< places in Surface::nodes
+  ElementPlace place;
+  double radius = 0;     ///< [length]
+  double stiffness = 0;  ///< [force/length]
+};
+
+/// What takes part in a contact: the shells and the faces of the solids as segments, their nodes and nodes
+/// without segments, and what the contact needs to know of them. Made at the start of the run; changes only
+/// when elements erode, see follow_erosion(). A face is a segment with an outside, the side of its normal:
+/// the face of a solid, or any segment of a contact with orientation.
 struct Surface {
   std::vector<Index> nodes;                 ///< domain nodes, ascending
   std::vector<Index> place;                 ///< place in `nodes` of a domain node, or no_index
   std::vector<double> node_half_thickness;  ///< largest of its segments, by place [length]
   std::vector<double> node_stiffness;       ///< smallest of its segments, by place [force/length]
   std::vector<UserId> node_id;              ///< by place
+  std::vector<std::uint8_t> node_side;      ///< bits: 1 on the first side of the contact, 2 on the second
+  std::vector<std::uint8_t> lone;           ///< 1: takes part without a segment, by place
+  std::vector<double> lone_half_thickness;  ///< of nodes without a segment and of beams, else 0 [length]
+  std::vector<double> lone_stiffness;       ///< of nodes of beams, else the largest number [force/length]
+  std::vector<SurfaceBeam> beams;           ///< none where nodes are named one by one
+  std::vector<Index> node_body;             ///< rigid body of the node, by place, or no_index
 
   std::vector<Index> connectivity;     ///< four domain nodes per segment; a triangle repeats its last node
   std::vector<double> half_thickness;  ///< contact thickness over two, per segment [length]
   std::vector<double> stiffness;       ///< penalty stiffness per segment [force/length]
   std::vector<double> area;            ///< of the reference geometry, per segment [length^2]
-  std::vector<double> height;          ///< of a face that of its solid behind it; 0 of shells [length]
-  std::vector<UserId> segment_id;      ///< of the shell or solid
-  std::vector<std::uint8_t> of_solid;  ///< 1: a face of a solid, whose outside is the side of the normal
-  /// Domain nodes of that solid, of faces alone: they are the first segments.
-  std::vector<std::array<Index, 8>> solid_nodes;
-  std::vector<std::uint8_t> active;  ///< 0 where the element has eroded
-  std::vector<Index> block;          ///< of the element, in Domain::blocks()
-  std::vector<Index> element;        ///< its place in the block
+  std::vector<double> height;  ///< of a face that of its solid, or the root of its area; 0 of others [length]
+  std::vector<UserId> segment_id;          ///< of the shell or solid
+  std::vector<std::uint8_t> face;          ///< 1: a face, whose outside is the side of the normal
+  std::vector<std::uint8_t> of_solid;      ///< 1: of a solid, 0: of a shell
+  std::vector<std::uint8_t> segment_side;  ///< sides of the contact that it is on, bits as in node_side
+  std::vector<std::uint8_t> touched_by;    ///< sides of the nodes that may touch it, bits as in node_side
+  /// Domain nodes of the element behind, of faces alone: they are the first segments.
+  std::vector<std::array<Index, 8>> nodes_behind;
+  std::vector<ElementPlace> behind;  ///< the element that the segment belongs to
+  std::vector<ElementPlace> ahead;   ///< the element that hides it as long as it has not eroded
+  std::vector<std::uint8_t> active;  ///< 1 if the element behind is there and the one ahead is not
   std::vector<Index> segment_body;   ///< rigid body that has all nodes of the segment, or no_index
-  std::vector<Index> node_body;      ///< rigid body of the node, by place, or no_index
+  bool some_inactive = false;        ///< there are segments or nodes that touch nothing now
   Index eroded = 0;                  ///< elements of the model that had failed at the last look
 
   double mean_edge = 0;               ///< over all segments [length]
@@ -51,8 +77,10 @@ struct Surface {
   Index node_count() const { return static_cast<Index>(nodes.size()); }
   /// The four domain nodes of a segment.
   const Index* segment(Index s) const { return connectivity.data() + static_cast<std::size_t>(s) * 4; }
-  /// True if the node of that place still belongs to a segment.
-  bool bears(Index node_place) const { return !topology.at_node(node_place).empty(); }
+  /// True if the node of that place takes part now: it belongs to a segment or stands alone.
+  bool bears(Index node_place) const {
+    return lone[node_place] != 0 || !topology.at_node(node_place).empty();
+  }
   bool is_triangle(Index s) const { return segment(s)[2] == segment(s)[3]; }
   /// True if the domain node is one of the segment's.
   bool owns(Index s, Index node) const {
@@ -63,32 +91,31 @@ struct Surface {
   double contact_distance(Index node_place, Index s) const {
     return node_half_thickness[node_place] + half_thickness[s];
   }
-  bool is_face(Index s) const { return of_solid[s] != 0; }
+  bool is_face(Index s) const { return face[s] != 0; }
   /// Distance from which on a node in front of a face is remembered, before it touches; 0 of shells [length].
   double watch(Index s) const { return 0.1 * height[s]; }
-  /// True if the domain node is one of the solid behind a face.
-  bool solid_has(Index s, Index node) const {
-    return std::find(solid_nodes[s].begin(), solid_nodes[s].end(), node) != solid_nodes[s].end();
+  /// True if the domain node is one of the element behind a face.
+  bool behind_has(Index s, Index node) const {
+    return std::find(nodes_behind[s].begin(), nodes_behind[s].end(), node) != nodes_behind[s].end();
   }
-  /// True if one rigid body has both: they never move against each other.
-  bool same_body(Index node_place, Index s) const {
-    return segment_body[s] != no_index && segment_body[s] == node_body[node_place];
+  /// True if node and segment are on sides of the contact that touch each other.
+  bool on_touching_sides(Index node_place, Index s) const {
+    return (node_side[node_place] & touched_by[s]) != 0;
+  }
+  /// True if, besides, they are not of one rigid body, which never moves against itself.
+  bool may_touch(Index node_place, Index s) const {
+    return on_touching_sides(node_place, s) &&
+           (segment_body[s] == no_index || segment_body[s] != node_body[node_place]);
   }
 };
 
-/// Collects the shells and the outer faces of the solids of the parts of `contact`. Contact thickness of
-/// shells: the smaller of the true thickness times SFST and 0.4 of the shortest edge, or SST where given
-/// (LS-DYNA's rule for single-surface contact); faces have none. A face that a shell of the contact covers is
-/// left to the shell. Penalty stiffness with bulk modulus K and area A of the reference geometry: SLSFAC SFS
-/// K A / (largest diagonal) of shells, SLSFAC SFS K A^2 / V of faces of solids with the volume V (Hallquist,
-/// LS-DYNA Theory Manual, chapter on contact). Throws Error if there is no segment.
-Surface build_surface(const model::Model& model, const domain::Domain& domain,
-                      const model::SingleSurfaceContact& contact);
+/// Collects segments and nodes of both sides of the contact. Throws Error if nothing can touch.
+Surface build_surface(const model::Model& model, const domain::Domain& domain, const model::Contact& contact);
 
-/// Takes segments out whose elements have eroded since the last call: they touch nothing any more, their free
-/// edges become those of their neighbours, and a node left without any segment touches nothing, either.
-/// Numbers of segments and places of nodes stay as they are. False if there was nothing to do, which costs
-/// next to nothing.
-bool drop_eroded(Surface& surface, const domain::Domain& domain);
+/// Takes segments out whose elements have eroded since the last call, and in those that eroded ones have
+/// hidden. A segment that is out touches nothing any more, its free edges become those of its neighbours, and
+/// a node left without any segment touches nothing, either. Numbers of segments and places of nodes stay as
+/// they are. False if there was nothing to do, which costs next to nothing.
+bool follow_erosion(Surface& surface, const domain::Domain& domain);
 
 }  // namespace crumple::contact

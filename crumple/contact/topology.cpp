@@ -58,15 +58,6 @@ std::vector<Index> row_starts(const std::vector<std::pair<Index, Index>>& entrie
   return first;
 }
 
-void reverse(Index* nodes) {
-  if (nodes[2] == nodes[3]) {
-    std::swap(nodes[1], nodes[2]);
-    nodes[3] = nodes[2];
-  } else {
-    std::swap(nodes[1], nodes[3]);
-  }
-}
-
 void collect_nodes(const std::vector<Index>& connectivity, const std::vector<std::uint8_t>& active,
                    const std::vector<Index>& place, Topology& topology) {
   std::vector<std::pair<Index, Index>> entries;
@@ -98,11 +89,21 @@ bool closed_fan(const std::vector<Index>& connectivity, const Topology& topology
 
 }  // namespace
 
-void orient_alike(std::vector<Index>& connectivity, const std::vector<std::uint8_t>& keep) {
+void reverse_segment(Index* nodes) {
+  if (nodes[2] == nodes[3]) {
+    std::swap(nodes[1], nodes[2]);
+    nodes[3] = nodes[2];
+  } else {
+    std::swap(nodes[1], nodes[3]);
+  }
+}
+
+void orient_alike(std::vector<Index>& connectivity, const std::vector<std::uint8_t>& active,
+                  const std::vector<std::uint8_t>& keep) {
   const auto segments = static_cast<Index>(connectivity.size() / 4);
   // Neighbours over edges of exactly two segments, and whether they run through the edge alike.
   std::vector<std::pair<Index, Index>> links;
-  const std::vector<Side> sides = sorted_sides(connectivity, std::vector<std::uint8_t>(segments, 1));
+  const std::vector<Side> sides = sorted_sides(connectivity, active);
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
     if (last - first != 2) return;
     const Side& a = sides[first];
@@ -140,7 +141,7 @@ void orient_alike(std::vector<Index>& connectivity, const std::vector<std::uint8
     spread();
   }
   for (Index s = 0; s < segments; ++s)
-    if (reversed[s] == 1) reverse(&connectivity[static_cast<std::size_t>(s) * 4]);
+    if (reversed[s] == 1) reverse_segment(&connectivity[static_cast<std::size_t>(s) * 4]);
 }
 
 Topology build_topology(const std::vector<Index>& connectivity, const std::vector<std::uint8_t>& active,

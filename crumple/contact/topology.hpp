@@ -45,10 +45,15 @@ inline bool has_edge(const Index* segment, int k) {
   return segment[k] != segment[(k + 1) % 4];
 }
 
+/// Reverses the order of the four nodes of a segment; a triangle still repeats its last.
+void reverse_segment(Index* nodes);
+
 /// Reverses segments (in place) so that neighbours run through their common edge in opposite directions
 /// wherever that is possible, starting from those that must stay (1 in `keep`), and else from the lowest
-/// segment of each connected piece. `connectivity` holds four nodes per segment. O(N log N).
-void orient_alike(std::vector<Index>& connectivity, const std::vector<std::uint8_t>& keep);
+/// segment of each connected piece. Only those that are `active` count as neighbours. `connectivity` holds
+/// four nodes per segment. O(N log N).
+void orient_alike(std::vector<Index>& connectivity, const std::vector<std::uint8_t>& active,
+                  const std::vector<std::uint8_t>& keep);
 
 /// Collects edges and neighbours of the segments that are `active`. `place` gives the place of a node;
 /// `nodes` is the number of places.

@@ -134,6 +134,7 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_motions(build);
   build_walls(build);
   build_contacts(build, automatic_contact);
+  build_tied_contacts(build);
   build_output(build);
   return std::move(build.model);
 }

@@ -147,8 +147,15 @@ std::vector<Index> bodies_of_nodes(const Build& build);
 void build_motions(Build& build);
 // build_loads.cpp
 void build_loads(Build& build);
-// build_contact_output.cpp
+// build_contacts.cpp
 void build_contacts(Build& build, bool automatic_contact);
+/// Id of a contact that the deck gives none, from its place among all contacts; of no other one.
+UserId unnamed_contact_id(const Build& build, std::size_t place);
+/// Adds what a field names to the side of a contact. False, with a message, if there is a fault.
+bool add_contact_side(Build& build, const RawContactSide& raw, const Where& where, model::ContactSide& side);
+// build_tied_contact.cpp
+void build_tied_contacts(Build& build);
+// build_output.cpp
 void build_output(Build& build);
 
 /// Follows all references, checks that the items fit together and makes the model. Faults go to the report.

@@ -281,7 +281,7 @@ class Segments {
     std::erase_if(solids,
                   [&](Index i) { return !is_whole(build_.model.solids[static_cast<std::size_t>(i)]); });
     std::vector<Index> found;
-    for (const model::OuterFace& face : model::outer_faces(build_.model.solids, solids))
+    for (const model::SolidFace& face : model::outer_faces(build_.model.solids, solids))
       found.push_back(number(face.node));
     return found;
   }

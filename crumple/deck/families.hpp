@@ -168,7 +168,27 @@ void read_load_shell_set(Cards& cards, RawDeck& deck);
 // read_contact.cpp
 void read_rigidwall_planar(Cards& cards, RawDeck& deck);
 void read_rigidwall_geometric(Cards& cards, RawDeck& deck);
-void read_contact_automatic_single_surface(Cards& cards, RawDeck& deck);
+void read_contact_single_surface(Cards& cards, RawDeck& deck);
+void read_contact_automatic_general(Cards& cards, RawDeck& deck);
+void read_contact_automatic_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_automatic_nodes_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_nodes_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_eroding_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_eroding_nodes_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_constraint_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_constraint_nodes_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_force_transducer(Cards& cards, RawDeck& deck);
+
+// read_tied_contact.cpp
+void read_contact_tied(Cards& cards, RawDeck& deck);
+void read_contact_tied_offset(Cards& cards, RawDeck& deck);
+void read_contact_tied_shell_edge(Cards& cards, RawDeck& deck);
+void read_contact_tied_shell_edge_beam_offset(Cards& cards, RawDeck& deck);
+void read_contact_automatic_tiebreak(Cards& cards, RawDeck& deck);
+void read_contact_automatic_one_way_tiebreak(Cards& cards, RawDeck& deck);
+void read_contact_tiebreak_nodes(Cards& cards, RawDeck& deck);
+void read_contact_tiebreak_surface(Cards& cards, RawDeck& deck);
 
 /// Which forms of hourglass control there are, and what instead of the others.
 inline constexpr std::string_view hourglass_forms =

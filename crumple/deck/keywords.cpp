@@ -165,8 +165,33 @@ constexpr Keyword table[] = {
     {"RIGIDWALL_GEOMETRIC_SPHERE_MOTION", read_rigidwall_geometric, identity},
     {"RIGIDWALL_GEOMETRIC_SPHERE_DISPLAY", read_rigidwall_geometric, identity},
     {"RIGIDWALL_GEOMETRIC_SPHERE_MOTION_DISPLAY", read_rigidwall_geometric, identity},
-    {"CONTACT_AUTOMATIC_SINGLE_SURFACE", read_contact_automatic_single_surface, identity},
-    {"CONTACT_SINGLE_SURFACE", read_contact_automatic_single_surface, identity},
+    {"CONTACT_AUTOMATIC_SINGLE_SURFACE", read_contact_single_surface, identity},
+    {"CONTACT_SINGLE_SURFACE", read_contact_single_surface, identity},
+    {"CONTACT_ERODING_SINGLE_SURFACE", read_contact_single_surface, identity},
+    {"CONTACT_AUTOMATIC_GENERAL", read_contact_automatic_general, identity},
+    {"CONTACT_AUTOMATIC_GENERAL_INTERIOR", read_contact_automatic_general, identity},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", read_contact_automatic_surface_to_surface, identity},
+    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", read_contact_automatic_nodes_to_surface, identity},
+    {"CONTACT_SURFACE_TO_SURFACE", read_contact_surface_to_surface, identity},
+    {"CONTACT_NODES_TO_SURFACE", read_contact_nodes_to_surface, identity},
+    {"CONTACT_ERODING_SURFACE_TO_SURFACE", read_contact_eroding_surface_to_surface, identity},
+    {"CONTACT_ERODING_NODES_TO_SURFACE", read_contact_eroding_nodes_to_surface, identity},
+    {"CONTACT_CONSTRAINT_SURFACE_TO_SURFACE", read_contact_constraint_surface_to_surface, identity},
+    {"CONTACT_CONSTRAINT_NODES_TO_SURFACE", read_contact_constraint_nodes_to_surface, identity},
+    {"CONTACT_FORCE_TRANSDUCER", read_contact_force_transducer, identity},
+    {"CONTACT_FORCE_TRANSDUCER_PENALTY", read_contact_force_transducer, identity},
+    {"CONTACT_TIED_NODES_TO_SURFACE", read_contact_tied, identity},
+    {"CONTACT_TIED_NODES_TO_SURFACE_OFFSET", read_contact_tied_offset, identity},
+    {"CONTACT_TIED_SURFACE_TO_SURFACE", read_contact_tied, identity},
+    {"CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET", read_contact_tied_offset, identity},
+    {"CONTACT_TIED_SHELL_EDGE_TO_SURFACE", read_contact_tied_shell_edge, identity},
+    {"CONTACT_TIED_SHELL_EDGE_TO_SURFACE_OFFSET", read_contact_tied_offset, identity},
+    {"CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", read_contact_tied_shell_edge_beam_offset, identity},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", read_contact_automatic_tiebreak, identity},
+    {"CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK", read_contact_automatic_one_way_tiebreak,
+     identity},
+    {"CONTACT_TIEBREAK_NODES_TO_SURFACE", read_contact_tiebreak_nodes, identity},
+    {"CONTACT_TIEBREAK_SURFACE_TO_SURFACE", read_contact_tiebreak_surface, identity},
 
     {"CONTROL_TERMINATION", read_control_termination, none, false},
     {"CONTROL_TIMESTEP", read_control_timestep, none, false},
@@ -228,13 +253,12 @@ std::string with_three_digits(std::string_view name) {
                      rest.substr(digits));
 }
 
-/// COLLECT changes nothing in the cards of a set; its reader looks for it.
-std::string without_collect(std::string name) {
-  constexpr std::string_view collect = "_COLLECT";
-  const std::size_t at = name.starts_with("SET_") ? name.find(collect) : std::string::npos;
+/// An option that may stand anywhere in the names of a family; its reader looks for it.
+std::string without_option(std::string name, std::string_view family, std::string_view option) {
+  const std::size_t at = name.starts_with(family) ? name.find(option) : std::string::npos;
   const bool is_option =
-      at != std::string::npos && (at + collect.size() == name.size() || name[at + collect.size()] == '_');
-  return is_option ? name.erase(at, collect.size()) : name;
+      at != std::string::npos && (at + option.size() == name.size() || name[at + option.size()] == '_');
+  return is_option ? name.erase(at, option.size()) : name;
 }
 
 const Keyword* find_exact(std::string_view name) {
@@ -250,7 +274,8 @@ std::span<const Keyword> keyword_table() {
 }
 
 std::optional<FoundKeyword> find_keyword(std::string_view name) {
-  const std::string number_form = without_collect(with_three_digits(name));
+  const std::string number_form =
+      without_option(without_option(with_three_digits(name), "SET_", "_COLLECT"), "CONTACT_", "_MPP");
   const std::string_view full = number_form;
   if (const Keyword* keyword = find_exact(full)) return FoundKeyword{keyword, none};
   for (const std::string_view suffix : {"_TITLE", "_ID"}) {

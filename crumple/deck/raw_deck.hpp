@@ -251,11 +251,30 @@ struct RawWall {
   Where where;
 };
 
-struct RawContact {
-  enum class Target { All, Part, PartSet, AllButPartSet };
-  model::SingleSurfaceContact contact;
+/// What one side of a contact consists of.
+struct RawContactSide {
+  enum class Target { All, Part, PartSet, AllButPartSet, SegmentSet, ShellSet, NodeSet };
   Target target = Target::All;
   UserId id = 0;
+  UserId box = 0;
+  std::string_view field;      ///< SSID or MSID
+  std::string_view box_field;  ///< SBOXID or MBOXID
+};
+
+struct RawContact {
+  model::Contact contact;
+  std::array<RawContactSide, 2> side;       ///< of contact with itself the first alone
+  bool takes_own_thickness_option = false;  ///< THKOPT: not that of *CONTROL_CONTACT
+  int thickness_option = 0;                 ///< SHLTHK
+  bool only_measures = false;               ///< a force transducer
+  Where where;
+};
+
+/// A tied contact, with what it becomes where it has broken.
+struct RawTiedContact {
+  model::TiedContact tied;
+  std::array<RawContactSide, 2> side{};
+  std::optional<model::Contact> afterwards{};
   Where where;
 };
 
@@ -412,6 +431,8 @@ struct RawDeck {
   std::vector<RawRigidBodyLoad> rigid_body_loads;
   std::vector<RawWall> walls;
   std::vector<RawContact> contacts;
+  int contact_thickness_option = 0;  ///< SHLTHK of *CONTROL_CONTACT
+  std::vector<RawTiedContact> tied_contacts;
   std::vector<RawHistory> histories;
   std::vector<UnsupportedDefinition> unsupported;
   model::Control control;

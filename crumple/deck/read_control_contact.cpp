@@ -14,11 +14,11 @@ constexpr Field card_1[] = {
     real_or_default("SLSFAC", 0.1, above_zero),
     unused("RWPNAL"),  // for rigid bodies; deformable nodes are stopped by the constraint method
     unused("ISLCHK"),  // initial penetrations are always looked for
-    unused("SHLTHK"),  // for other kinds of contact; single-surface contact always takes the thickness
+    only("SHLTHK", {0, 1, 2}, "0 leaves out the thickness of shells, 1 that of rigid ones"),
     harmless("PENOPT", {1, 0}, "the smaller stiffness of node and segment is taken"),
     harmless("THKCHG", {0}, "contact keeps the first thickness"),
-    unused("ORIEN"),   // automatic contact has no orientation
-    unused("ENMASS"),  // nothing erodes
+    harmless("ORIEN", {0, 1}, "parts are turned to face the other side, segments are not"),
+    harmless("ENMASS", {0}, "nodes whose elements have eroded touch nothing"),
 };
 
 constexpr Field card_2[] = {
@@ -29,7 +29,7 @@ constexpr Field card_2[] = {
     unused("XPENE"),  // for other kinds of contact
     only("SSTHK", {0}, "thickness is limited by the element size; give SST on *CONTACT to set it"),
     unused("ECDT"),
-    unused("TIEDPRJ"),
+    harmless("TIEDPRJ", {0}, "nodes tied by constraint are put onto their segments; _OFFSET keeps gaps"),
 };
 
 constexpr Field card_3[] = {
@@ -70,7 +70,9 @@ constexpr Field card_6[] = {
 }  // namespace
 
 void read_control_contact(Cards& cards, RawDeck& deck) {
-  deck.control.contact_stiffness_scale = cards.next(card_1).real("SLSFAC");
+  const Card first = cards.next(card_1);
+  deck.control.contact_stiffness_scale = first.real("SLSFAC");
+  deck.contact_thickness_option = static_cast<int>(first.real("SHLTHK"));
   for (const Layout layout : {Layout(card_2), Layout(card_3), Layout(card_4), Layout(card_5), Layout(card_6)})
     if (cards.has_line()) cards.next(layout);
 }

@@ -90,6 +90,11 @@ void Domain::declare(StateList& list) {
     list.add("contact_energy", "energy", Entity::Contact, 1, std::span(&contact.energy, 1));
     list.add("friction_energy", "energy", Entity::Contact, 1, std::span(&contact.friction_energy, 1));
   }
+  for (Tie& tie : ties) {
+    list.add("tie_energy", "energy", Entity::Contact, 1, std::span(&tie.energy, 1));
+    list.add("tie_released", "-", Entity::Contact, 1, std::span(&tie.released, 1));
+    list.add("tie_broken", "-", Entity::Contact, 1, std::span(&tie.broken, 1));
+  }
   list.add("time", "time", Entity::Run, 1, std::span(&clock.time, 1));
   list.add("step", "time", Entity::Run, 1, std::span(&clock.step, 1));
   list.add("cycle", "-", Entity::Run, 1, std::span(&clock.cycle, 1));

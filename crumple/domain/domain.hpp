@@ -14,6 +14,7 @@
 #include "domain/shell_block.hpp"
 #include "domain/solid_block.hpp"
 #include "domain/state_list.hpp"
+#include "domain/tie.hpp"
 #include "model/model.hpp"
 
 namespace crumple::domain {
@@ -50,8 +51,10 @@ struct Domain {
   EnergyLedger energy;
   double added_mass = 0;  ///< by mass scaling [mass]
   std::vector<ContactReport> contacts;
+  std::vector<TransducerReport> transducers;
   std::vector<WallReport> walls;
   std::vector<WeldReport> welds;
+  std::vector<Tie> ties;                ///< in the order of Model::tied_contacts
   std::vector<RigidBody> rigid_bodies;  ///< in the order of the model
   std::vector<Index> body_of_node;      ///< rigid body of each node, or no_index; empty without bodies
   StageTimes times;

@@ -37,6 +37,8 @@ inline constexpr std::uint8_t fixed_rotation(int axis) {
 /// Bit of NodeFields::fixed, set where a rigid body moves the node: the integrator leaves its velocities
 /// alone and does not count its kinetic energy.
 inline constexpr std::uint8_t moved_by_body = 64;
+/// Bit of NodeFields::fixed, set while the node follows the segment that it is tied to.
+inline constexpr std::uint8_t moved_by_tie = 128;
 
 /// The fields of all nodes, in the domain's own numbering. Every array has one entry per node, but `force`,
 /// which has Assembly::slots() more at its end.
@@ -46,10 +48,14 @@ struct NodeFields {
   AlignedArray<Vec3> angular_velocity;  ///< omega at n - 1/2, global axes [1/time]
   AlignedArray<double> mass;            ///< [mass]
   AlignedArray<double> inertia;         ///< rotary inertia, isotropic [mass * length^2]; 0 without shells
-  AlignedArray<std::uint8_t> fixed;     ///< see fixed_translation, moved_by_body
+  AlignedArray<std::uint8_t> fixed;     ///< see fixed_translation, moved_by_body, moved_by_tie
   AlignedArray<NodeForce> force;        ///< forces on the nodes at time n, cleared by the integrator
   AlignedArray<Vec3> reference;         ///< position at time zero [length]; never changes
   AlignedArray<Vec3> acceleration;      ///< at time n, if output asks for it [length/time^2]
+
+  // Of nodes that are tied to this one by a constraint: they move with it. Empty without such ties.
+  AlignedArray<double> carried_mass;     ///< besides `mass` [mass]
+  AlignedArray<double> carried_inertia;  ///< besides `inertia` [mass * length^2]
 
   AlignedArray<NodeRecord<float>> float_records;    ///< filled in mixed precision, else empty
   AlignedArray<NodeRecord<double>> double_records;  ///< filled in double precision, else empty
@@ -58,6 +64,15 @@ struct NodeFields {
   std::vector<Index> domain_node;  ///< domain index of a model node
 
   bool is_free(Index node) const { return (fixed[node] & moved_by_body) == 0; }
+  bool is_tied(Index node) const { return (fixed[node] & moved_by_tie) != 0; }
+
+  /// What resists a change of the node's velocity [mass], and of its angular velocity [mass * length^2].
+  double moving_mass(Index node) const {
+    return carried_mass.empty() ? mass[node] : mass[node] + carried_mass[node];
+  }
+  double moving_inertia(Index node) const {
+    return carried_inertia.empty() ? inertia[node] : inertia[node] + carried_inertia[node];
+  }
 
   Index count() const { return static_cast<Index>(position.size()); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -31,22 +32,38 @@ struct ContactInspection {
   double percentile_99 = 0;  ///< the same; 99 % of the pairs are at most this deep [-]
 };
 
+/// A node that was nearer to a segment than the contact distance when the contact began.
+struct InitialOverlap {
+  UserId node = 0;
+  UserId element = 0;  ///< shell or solid of the segment
+  double depth = 0;    ///< [length]
+};
+
 /// What a contact interface did so far.
 struct ContactReport {
   UserId id = 0;
-  std::string method{};            ///< of the global search
-  Index segments = 0;              ///< shells and faces of solids that take part
-  long searches = 0;               ///< global searches
-  long candidates = 0;             ///< candidate pairs of all searches together
-  Index active_pairs = 0;          ///< node-segment pairs with a force, now
-  double penetration = 0;          ///< largest now [length]
-  double worst_penetration = 0;    ///< largest of the run [length]
-  UserId worst_node = 0;           ///< where that was
-  double energy = 0;               ///< normal: stored and dissipated [energy]
-  double friction_energy = 0;      ///< dissipated [energy]
-  Index initial_penetrations = 0;  ///< pairs that overlapped at the start: their contact distance is reduced
-  double worst_initial = 0;        ///< largest overlap at the start [length]
+  std::string method{};                            ///< of the global search
+  Index segments = 0;                              ///< shells and faces of solids that take part
+  long searches = 0;                               ///< global searches
+  long candidates = 0;                             ///< candidate pairs of all searches together
+  Index active_pairs = 0;                          ///< node-segment pairs with a force, now
+  double penetration = 0;                          ///< largest now [length]
+  double worst_penetration = 0;                    ///< largest of the run [length]
+  UserId worst_node = 0;                           ///< where that was
+  double energy = 0;                               ///< normal: stored and dissipated [energy]
+  double friction_energy = 0;                      ///< dissipated [energy]
+  std::vector<InitialOverlap> initial_overlaps{};  ///< the deepest first; their contact distance is reduced
+  bool two_sided = false;
+  math::Vec3 force{};            ///< on the first of two sides now, from the second [force]
+  std::array<double, 2> mass{};  ///< of the nodes of its sides [mass]
   ContactInspection inspection{};
+};
+
+/// What a force transducer measures.
+struct TransducerReport {
+  UserId id = 0;
+  math::Vec3 force{};  ///< on its first side now [force]
+  double mass = 0;     ///< of the nodes of its first side [mass]
 };
 
 /// What a rigid wall did so far.

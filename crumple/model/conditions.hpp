@@ -103,23 +103,4 @@ struct RigidWall {
   double death_time = 1e20;  ///< [time]
 };
 
-/// Single-surface contact of shells and solids with themselves and each other
-/// (*CONTACT_AUTOMATIC_SINGLE_SURFACE).
-struct SingleSurfaceContact {
-  UserId id = 0;
-  std::string title;
-  std::vector<Index> parts;     ///< the parts that take part, ascending; never empty
-  double static_friction = 0;   ///< FS
-  double dynamic_friction = 0;  ///< FD
-  double friction_decay = 0;    ///< DC: mu = FD + (FS - FD) exp(-DC |v|) [time/length]
-  double friction_stress = 0;   ///< VC VSF: friction over the segment's area stays below it [stress]; 0: none
-  double viscous_damping = 0;   ///< VDC, fraction of critical [-]; 0.2 is 20 %
-  double stiffness_scale = 1.0;  ///< SFS * SFM side factor on the penalty stiffness [-]
-  double soft_scale = 0;         ///< SOFSCL with SOFT = 1: least stiffness by mass and step [-]; 0 is none
-  double thickness_scale = 1.0;  ///< SFST: factor on the true thickness [-]
-  double contact_thickness = 0;  ///< SST: thickness used instead of the true one [length]; 0 is none
-  double birth_time = 0;         ///< BT [time]
-  double death_time = 1e20;      ///< DT [time]
-};
-
 }  // namespace crumple::model

@@ -6,6 +6,7 @@
 
 #include "model/conditions.hpp"
 #include "model/connections.hpp"
+#include "model/contact.hpp"
 #include "model/control.hpp"
 #include "model/curve.hpp"
 #include "model/equation_of_state.hpp"
@@ -14,6 +15,7 @@
 #include "model/rigid_body.hpp"
 #include "model/section.hpp"
 #include "model/spring.hpp"
+#include "model/tied_contact.hpp"
 
 namespace crumple::model {
 
@@ -54,7 +56,9 @@ struct Model {
   std::vector<RigidBodyLoad> rigid_body_loads;
   std::vector<PrescribedMotion> prescribed_motions;
   std::vector<RigidWall> rigid_walls;
-  std::vector<SingleSurfaceContact> contacts;
+  std::vector<Contact> contacts;
+  std::vector<ForceTransducer> force_transducers;
+  std::vector<TiedContact> tied_contacts;
   Control control;
   OutputRequests output;
   SearchSettings search;

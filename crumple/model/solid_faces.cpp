@@ -39,21 +39,29 @@ std::vector<Face> faces_of(const SolidElement& solid) {
   return faces;
 }
 
-std::vector<OuterFace> outer_faces(const std::vector<SolidElement>& solids, const std::vector<Index>& some) {
-  std::vector<OuterFace> all;
+std::vector<SolidFace> all_faces(const std::vector<SolidElement>& solids, const std::vector<Index>& some) {
+  std::vector<SolidFace> all;
   all.reserve(6 * some.size());
   for (const Index solid : some)
-    for (const Face& face : faces_of(solids[static_cast<std::size_t>(solid)])) all.push_back({face, solid});
+    for (const Face& face : faces_of(solids[static_cast<std::size_t>(solid)]))
+      all.push_back({face, solid, no_index});
   std::vector<std::pair<Face, std::size_t>> keys;
   keys.reserve(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) keys.emplace_back(key_of(all[i].node), i);
   std::sort(keys.begin(), keys.end());
-  std::vector<char> shared(all.size(), 0);
-  for (std::size_t i = 1; i < keys.size(); ++i)
-    if (keys[i].first == keys[i - 1].first) shared[keys[i].second] = shared[keys[i - 1].second] = 1;
-  std::vector<OuterFace> outer;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (shared[i] == 0) outer.push_back(all[i]);
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (keys[i].first != keys[i - 1].first) continue;
+    SolidFace& one = all[keys[i - 1].second];
+    SolidFace& other = all[keys[i].second];
+    one.neighbour = other.solid;
+    other.neighbour = one.solid;
+  }
+  return all;
+}
+
+std::vector<SolidFace> outer_faces(const std::vector<SolidElement>& solids, const std::vector<Index>& some) {
+  std::vector<SolidFace> outer = all_faces(solids, some);
+  std::erase_if(outer, [](const SolidFace& face) { return face.neighbour != no_index; });
   return outer;
 }
 

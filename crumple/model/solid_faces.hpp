@@ -16,14 +16,18 @@ std::vector<std::array<Index, 4>> faces_of(const SolidElement& solid);
 /// The same for all faces with these nodes, whichever they begin with.
 std::array<Index, 4> key_of(std::array<Index, 4> face);
 
-/// A face and the solid that it bounds.
-struct OuterFace {
+/// A face of a solid.
+struct SolidFace {
   std::array<Index, 4> node{};
   Index solid = no_index;
+  Index neighbour = no_index;  ///< the solid on the other side
 };
 
-/// Faces of some solids that no two of them share: their surface, in the order of the solids and of their
-/// faces. O(N log N).
-std::vector<OuterFace> outer_faces(const std::vector<SolidElement>& solids, const std::vector<Index>& some);
+/// All faces of some solids, in the order of the solids and of their faces; those that two of them share
+/// appear for each. O(N log N).
+std::vector<SolidFace> all_faces(const std::vector<SolidElement>& solids, const std::vector<Index>& some);
+
+/// Of these the ones without neighbour: the surface of the solids.
+std::vector<SolidFace> outer_faces(const std::vector<SolidElement>& solids, const std::vector<Index>& some);
 
 }  // namespace crumple::model

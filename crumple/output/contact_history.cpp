@@ -1,58 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include "output/history.hpp"
 
 namespace crumple::output {
 
 namespace {
 
-/// The nodes of the parts of one interface.
-struct InterfaceNodes {
-  std::vector<Index> nodes;  ///< domain nodes, ascending
-  double mass = 0;           ///< [mass]
-};
-
-InterfaceNodes nodes_of(const View& view, const model::SingleSurfaceContact& contact) {
-  std::vector<bool> takes_part(view.model.parts.size());
-  for (const Index part : contact.parts) takes_part[part] = true;
-  InterfaceNodes result;
-  for (const model::ShellElement& shell : view.model.shells)
-    if (takes_part[shell.part])
-      for (const Index node : shell.node) result.nodes.push_back(view.domain.nodes.domain_node[node]);
-  std::sort(result.nodes.begin(), result.nodes.end());
-  result.nodes.erase(std::unique(result.nodes.begin(), result.nodes.end()), result.nodes.end());
-  for (const Index node : result.nodes) result.mass += view.domain.nodes.mass[node];
-  return result;
+void add_side(CsvFile& table, double time, UserId id, const char* side, const math::Vec3& force,
+              double mass) {
+  table.add_row(time, id, side, force.x, force.y, force.z, mass);
 }
 
-/// A surface in contact with itself has one side. The resultant of its forces is zero by Newton's third law:
-/// the row shows that it is.
+/// The resultant on each side of an interface, and what transducers measure. A surface in contact with itself
+/// has one side, and no resultant by Newton's third law.
 class ContactHistory : public History {
  public:
-  explicit ContactHistory(const View& view) {
-    for (const model::SingleSurfaceContact& contact : view.model.contacts)
-      interfaces_.push_back(nodes_of(view, contact));
-  }
-
   void add_rows(const View& view, CsvFile& table) override {
-    for (std::size_t i = 0; i < interfaces_.size(); ++i) {
-      math::Vec3 force;
-      if (!view.domain.contact_force.empty())
-        for (const Index node : interfaces_[i].nodes) force += view.domain.contact_force[node];
-      table.add_row(view.domain.clock.time, view.model.contacts[i].id, "single", force.x, force.y, force.z,
-                    interfaces_[i].mass);
+    const double time = view.domain.clock.time;
+    for (const domain::ContactReport& contact : view.domain.contacts) {
+      if (!contact.two_sided) {
+        add_side(table, time, contact.id, "single", {}, contact.mass[0]);
+        continue;
+      }
+      add_side(table, time, contact.id, "first", contact.force, contact.mass[0]);
+      add_side(table, time, contact.id, "second", -contact.force, contact.mass[1]);
     }
+    for (const domain::TransducerReport& transducer : view.domain.transducers)
+      add_side(table, time, transducer.id, "transducer", transducer.force, transducer.mass);
   }
-
- private:
-  std::vector<InterfaceNodes> interfaces_;
 };
 
 }  // namespace
 
-std::unique_ptr<History> make_contact_history(const View& view) {
-  return std::make_unique<ContactHistory>(view);
+std::unique_ptr<History> make_contact_history() {
+  return std::make_unique<ContactHistory>();
 }
 
 }  // namespace crumple::output

@@ -15,9 +15,12 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   if (!view.domain.walls.empty())
     entries.push_back(
         {"rwforc.csv", "time,wall,normal,fx,fy,fz", asked.rwforc_interval, make_wall_history(view)});
-  if (!view.domain.contacts.empty())
-    entries.push_back({"rcforc.csv", "time,interface,side,fx,fy,fz,mass", asked.rcforc_interval,
-                       make_contact_history(view)});
+  if (!view.domain.contacts.empty() || !view.domain.transducers.empty())
+    entries.push_back(
+        {"rcforc.csv", "time,interface,side,fx,fy,fz,mass", asked.rcforc_interval, make_contact_history()});
+  if (!view.domain.ties.empty())
+    entries.push_back({"ties.csv", "time,interface,tied,broken,fx,fy,fz,energy", asked.rcforc_interval,
+                       make_tie_history()});
   if (!view.model.rigid_bodies.empty())
     entries.push_back({"rbdout.csv", "time,body,x,y,z,vx,vy,vz,wx,wy,wz,kinetic,fx,fy,fz",
                        asked.glstat_interval, make_rigid_body_history()});

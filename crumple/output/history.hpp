@@ -35,7 +35,7 @@ std::unique_ptr<History> make_part_history(const View& view);
 /// the sum of force times time is the impulse.
 std::unique_ptr<History> make_wall_history(const View& view);
 /// Resultant force of contact interfaces.
-std::unique_ptr<History> make_contact_history(const View& view);
+std::unique_ptr<History> make_contact_history();
 /// Motion of the nodes of *DATABASE_HISTORY_NODE.
 std::unique_ptr<History> make_node_history();
 
@@ -44,6 +44,9 @@ std::unique_ptr<History> make_rigid_body_history();
 
 /// Tension and shear in the spot welds, and whether they are broken.
 std::unique_ptr<History> make_weld_history();
+
+/// Nodes that are still tied, and the resultant force of the tied contacts on them.
+std::unique_ptr<History> make_tie_history();
 
 /// Every history that has something to show in this model.
 std::vector<HistoryEntry> histories_of(const View& view);

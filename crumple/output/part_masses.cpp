@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/part_masses.hpp"
 
-#include <array>
 #include <map>
 
 namespace crumple::output {
 
-namespace {
-
-math::Vec3 position_of(const model::Model& model, Index node) {
-  const auto& x = model.nodes.position[node];
-  return {x[0], x[1], x[2]};
-}
-
-}  // namespace
-
-double shell_mass(const model::Model& model, const model::ShellElement& shell) {
-  const math::Vec3 first = position_of(model, shell.node[2]) - position_of(model, shell.node[0]);
-  const math::Vec3 second = position_of(model, shell.node[3]) - position_of(model, shell.node[1]);
+double shell_mass(const View& view, const model::ShellElement& shell) {
+  const model::Model& model = view.model;
+  const domain::NodeFields& nodes = view.domain.nodes;
+  const auto at = [&](std::size_t k) { return nodes.reference[nodes.domain_node[shell.node[k]]]; };
+  const math::Vec3 first = at(2) - at(0);
+  const math::Vec3 second = at(3) - at(1);
   const double area = 0.5 * math::norm(math::cross(first, second));
   const auto thickness = model::shell_thickness(model, shell);
   const double mean = 0.25 * (thickness[0] + thickness[1] + thickness[2] + thickness[3]);
@@ -29,7 +22,7 @@ PartMasses::PartMasses(const View& view) {
   for (const model::ShellElement& shell : view.model.shells) {
     const bool triangle = shell.node[3] == shell.node[2];
     const int corners = triangle ? 3 : 4;
-    const double share = shell_mass(view.model, shell) / corners;
+    const double share = shell_mass(view, shell) / corners;
     for (int corner = 0; corner < corners; ++corner)
       by_node[shell.part][view.domain.nodes.domain_node[shell.node[corner]]] += share;
   }

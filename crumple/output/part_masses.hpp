@@ -32,6 +32,6 @@ class PartMasses {
 };
 
 /// Mass of one shell: density times mid-surface area at time zero times mean thickness [mass].
-double shell_mass(const model::Model& model, const model::ShellElement& shell);
+double shell_mass(const View& view, const model::ShellElement& shell);
 
 }  // namespace crumple::output

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/recorder.hpp"
 
+#include "output/initial_overlaps.hpp"
+
 namespace crumple::output {
 
 Recorder::Recorder(const std::filesystem::path& folder, const std::string& name, const View& view)
@@ -10,6 +12,7 @@ Recorder::Recorder(const std::filesystem::path& folder, const std::string& name,
     tables_.push_back({CsvFile(folder / entry.file, entry.header),
                        Schedule(entry.interval, default_history_points, view.model.control),
                        std::move(entry.history)});
+  if (const auto path = write_initial_overlaps(folder, view)) start_files_.push_back(*path);
 }
 
 void Recorder::write_rows(Table& table, const View& view) {
@@ -39,6 +42,7 @@ void Recorder::write_frame(const View& view) {
 std::vector<std::filesystem::path> Recorder::files() const {
   std::vector<std::filesystem::path> paths{series_.collection()};
   for (const Table& table : tables_) paths.push_back(table.file.path());
+  paths.insert(paths.end(), start_files_.begin(), start_files_.end());
   return paths;
 }
 

@@ -46,6 +46,7 @@ class Recorder {
   ParaviewSeries series_;
   Schedule frame_schedule_;
   std::vector<Table> tables_;
+  std::vector<std::filesystem::path> start_files_;  ///< written once
 };
 
 }  // namespace crumple::output

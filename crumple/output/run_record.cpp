@@ -43,8 +43,10 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
                     {"active_pairs", contact.active_pairs},
                     {"penetration", contact.penetration},
                     {"worst_penetration", contact.worst_penetration},
-                    {"initial_penetrations", contact.initial_penetrations},
-                    {"worst_initial_penetration", contact.worst_initial},
+                    {"initial_penetrations", contact.initial_overlaps.size()},
+                    {"worst_initial_penetration",
+                     contact.initial_overlaps.empty() ? 0.0 : contact.initial_overlaps.front().depth},
+                    {"force", {contact.force.x, contact.force.y, contact.force.z}},
                     {"intersections", contact.inspection.intersections},
                     {"nodes_beyond_mid_surface", contact.inspection.nodes_beyond},
                     {"largest_relative_depth", contact.inspection.largest_depth},
@@ -52,6 +54,19 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
                     {"worst_node", contact.worst_node},
                     {"energy", contact.energy},
                     {"friction_energy", contact.friction_energy}});
+  return list;
+}
+
+Json ties_of(const std::vector<domain::Tie>& ties) {
+  Json list = Json::array();
+  for (const domain::Tie& tie : ties)
+    list.push_back({{"id", tie.id},
+                    {"tied", tie.nodes.size()},
+                    {"not_tied", tie.untied.size()},
+                    {"largest_move", tie.largest_move},
+                    {"released", tie.released},
+                    {"broken", tie.broken},
+                    {"energy", tie.energy}});
   return list;
 }
 
@@ -107,6 +122,7 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
                      {"state_hash", fmt::format("{:016x}", record.state_hash)},
                      {"timings", timings_of(domain.times)},
                      {"contact", contacts_of(domain.contacts)},
+                     {"ties", ties_of(domain.ties)},
                      {"checks", checks_of(record.checks)},
                      {"warnings", record.warnings},
                      {"files", files}};

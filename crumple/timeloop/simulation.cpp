@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "contact/tie_search.hpp"
 #include "domain/build.hpp"
 #include "elements/elements.hpp"
 #include "materials/shell_material.hpp"
@@ -26,6 +27,7 @@ void require_stiffness(const model::Model& model) {
 domain::Domain prepared_domain(const model::Model& model, const domain::Execution& execution) {
   domain::Domain domain = domain::build(model, execution);
   require_stiffness(model);
+  contact::find_ties(model, domain);
   elements::prepare_elements(model, domain);
   return domain;
 }
@@ -37,6 +39,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       domain_(prepared_domain(model, execution)),
       rigid_bodies_(model, domain_),
       spot_welds_(model, domain_),
+      tied_nodes_(model, domain_),
       node_sets_(model, domain_),
       rivets_(model, domain_),
       prescribed_motions_(model, domain_),
@@ -48,10 +51,18 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
     domain_.walls.push_back({.id = wall.id});
     walls_.emplace_back(model, wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
   }
-  for (const model::SingleSurfaceContact& contact : model.contacts) {
+  for (const model::Contact& contact : model.contacts) {
+    has_multipliers_ = has_multipliers_ || contact.enforcement == model::Enforcement::Multipliers;
     domain_.contacts.push_back({.id = contact.id, .method = model.search.method});
     contacts_.emplace_back(model, domain_, contact, static_cast<Index>(domain_.contacts.size()) - 1);
   }
+  for (const model::ForceTransducer& transducer : model.force_transducers) {
+    domain_.transducers.push_back({.id = transducer.id});
+    transducers_.emplace_back(model, domain_, transducer);
+    domain_.transducers.back().mass = transducers_.back().mass();
+  }
+  for (Index tie = 0; tie < static_cast<Index>(domain_.ties.size()); ++tie)
+    if (domain_.ties[tie].method == model::TieMethod::Penalty) tie_springs_.emplace_back(model, domain_, tie);
 }
 
 bool Simulation::finished() const {
@@ -65,18 +76,20 @@ bool Simulation::finished() const {
 std::uint64_t Simulation::state_hash() {
   domain::StateList list;
   domain_.declare(list);
-  for (contact::SingleSurface& contact : contacts_) contact.declare(list);
+  for (contact::Interface& contact : contacts_) contact.declare(list);
+  for (contact::TieSprings& springs : tie_springs_) springs.declare(list);
+  tied_nodes_.declare(list);
   prescribed_motions_.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
   return list.hash();
 }
 
 void Simulation::inspect_contacts() {
-  for (const contact::SingleSurface& contact : contacts_) contact.inspect(domain_);
+  for (const contact::Interface& contact : contacts_) contact.inspect(domain_);
 }
 
 void Simulation::verify_search_every(long cycles) {
-  for (contact::SingleSurface& contact : contacts_) contact.verify_search_every(cycles);
+  for (contact::Interface& contact : contacts_) contact.verify_search_every(cycles);
 }
 
 }  // namespace crumple::timeloop

@@ -10,7 +10,10 @@
 #include "constraints/rigid_wall.hpp"
 #include "constraints/rivets.hpp"
 #include "constraints/spot_welds.hpp"
-#include "contact/single_surface.hpp"
+#include "constraints/tied_nodes.hpp"
+#include "contact/force_transducer.hpp"
+#include "contact/interface.hpp"
+#include "contact/tie_springs.hpp"
 #include "domain/domain.hpp"
 #include "loads/body_loads.hpp"
 #include "loads/nodal_loads.hpp"
@@ -57,20 +60,26 @@ class Simulation {
  private:
   void compute_forces();
   void choose_step();
+  void close_gaps(double interval);
   void kick(double interval);
   void accelerate_free_nodes(double interval);
   bool changes_velocities() const;
   void join_nodes();
   void impose_motions(double interval);
   void stop_at_walls(double interval);
+  void sum_kinetic_energy();
   void drift();
   void balance();
 
   const model::Model* model_;
   domain::Domain domain_;
-  std::vector<contact::SingleSurface> contacts_;
+  std::vector<contact::Interface> contacts_;
+  bool has_multipliers_ = false;
+  std::vector<contact::ForceTransducer> transducers_;
+  std::vector<contact::TieSprings> tie_springs_;
   constraints::RigidBodies rigid_bodies_;
   constraints::SpotWelds spot_welds_;
+  constraints::TiedNodes tied_nodes_;
   constraints::NodeSets node_sets_;
   constraints::Rivets rivets_;
   constraints::PrescribedMotions prescribed_motions_;

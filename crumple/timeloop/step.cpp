@@ -24,6 +24,14 @@ constexpr double step_growth_limit = 10.0;
 /// square of their change, and the loss of the smallest element would change it many times over.
 constexpr double growth_in_a_cycle = 1.1;
 
+/// Multipliers throw nodes to and fro from step to step; steps that change with the forces would make energy
+/// of it. So the step stays as long as it uses most of what is allowed, and changes to the middle of that.
+double steady_step(double last, double allowed) {
+  constexpr double least_use = 0.9;
+  constexpr double middle_use = 0.95;
+  return last <= allowed && last >= least_use * allowed ? last : middle_use * allowed;
+}
+
 /// Kinetic energy over all energy supplied that can only come from a run that has lost its stability.
 constexpr double runaway_ratio = 100.0;
 
@@ -34,8 +42,12 @@ void Simulation::start() {
   choose_step();
   const AlignedArray<math::Vec3>& velocity = domain_.nodes.velocity;
   if (changes_velocities()) previous_velocity_ = velocity;
-  domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + rotational_energy(domain_) +
+  tied_nodes_.remember(domain_);
+  const constraints::KineticChange carried = tied_nodes_.carried_energy(domain_);
+  domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + carried.translational +
+                           rotational_energy(domain_) + carried.rotational +
                            constraints::RigidBodies::kinetic_energy(domain_);
+  close_gaps(0.5 * next_step_);
   balance();
   domain_.energy.initial_total = domain_.energy.total();
   kick(0.5 * next_step_);
@@ -45,6 +57,7 @@ void Simulation::step() {
   drift();
   compute_forces();
   choose_step();
+  close_gaps(0.5 * (domain_.clock.step + next_step_));
   kick(0.5 * (domain_.clock.step + next_step_));
   domain_.energy.kinetic = kick_energy_.translational + kick_energy_.rotational +
                            constraints::RigidBodies::kinetic_energy(domain_);
@@ -59,6 +72,7 @@ void Simulation::drift() {
   clock.time += next_step_;
   ++clock.cycle;
   rigid_bodies_.place_nodes(domain_);
+  tied_nodes_.place_nodes(domain_);
 }
 
 void Simulation::compute_forces() {
@@ -67,7 +81,10 @@ void Simulation::compute_forces() {
     elements::add_element_forces(domain_);
   }
   if (!contacts_.empty()) std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
-  for (contact::SingleSurface& contact : contacts_) contact.add_forces(domain_);
+  for (contact::Interface& contact : contacts_) contact.add_forces(domain_);
+  for (std::size_t i = 0; i < transducers_.size(); ++i)
+    domain_.transducers[i].force = transducers_[i].measure(contacts_);
+  for (contact::TieSprings& springs : tie_springs_) springs.add_forces(domain_);
   pressure_loads_.add_forces(domain_);
   nodal_loads_.add_forces(domain_);
   body_loads_.add_forces(domain_);
@@ -80,16 +97,26 @@ void Simulation::choose_step() {
   next_step_ = control.step_scale * domain_.clock.element_limit;
   if (first) largest_step_ = step_growth_limit * next_step_;
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
-  if (!first) next_step_ = std::min(next_step_, growth_in_a_cycle * domain_.clock.step);
   next_step_ = std::min(next_step_, largest_step_);
+  if (has_multipliers_) next_step_ = steady_step(domain_.clock.step, next_step_);
+  if (!first) next_step_ = std::min(next_step_, growth_in_a_cycle * domain_.clock.step);
   if (!(next_step_ > 0) || !std::isfinite(next_step_))
     throw_trouble(*model_, domain_, "The time step is no longer a positive number: an element has collapsed");
+}
+
+/// The contact forces that need to know all others, and the step.
+void Simulation::close_gaps(double interval) {
+  for (contact::Interface& contact : contacts_) contact.add_multipliers(domain_, interval, next_step_);
+  for (std::size_t i = 0; i < transducers_.size(); ++i)
+    domain_.transducers[i].force = transducers_[i].measure(contacts_);
 }
 
 void Simulation::kick(double interval) {
   {
     const StageTimer timer(domain_.times.constraints);
     spot_welds_.break_overloaded(domain_);
+    tied_nodes_.release(domain_);
+    tied_nodes_.remember(domain_);
     rigid_bodies_.kick(domain_, interval);
   }
   accelerate_free_nodes(interval);
@@ -97,6 +124,8 @@ void Simulation::kick(double interval) {
   join_nodes();
   impose_motions(interval);
   stop_at_walls(interval);
+  tied_nodes_.follow(domain_, interval);
+  sum_kinetic_energy();
   rigid_bodies_.carry_nodes(domain_, interval, next_step_);
 }
 
@@ -116,19 +145,25 @@ void Simulation::accelerate_free_nodes(double interval) {
 }
 
 bool Simulation::changes_velocities() const {
-  return !walls_.empty() || !rivets_.empty() || !node_sets_.empty();
+  return !walls_.empty() || !rivets_.empty() || !node_sets_.empty() || !tied_nodes_.empty();
 }
 
 void Simulation::join_nodes() {
+  kick_energy_.rotational += tied_nodes_.share(domain_).rotational;
   node_sets_.constrain(domain_);
   rivets_.constrain(domain_, next_step_);
 }
 
 void Simulation::stop_at_walls(double interval) {
-  if (!changes_velocities()) return;
   for (constraints::RigidWall& wall : walls_)
     wall.stop_nodes(domain_, previous_velocity_, interval, next_step_);
-  kick_energy_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity);
+}
+
+/// Anew, after all that has changed the velocities of the kick.
+void Simulation::sum_kinetic_energy() {
+  if (!changes_velocities()) return;
+  kick_energy_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity) +
+                               tied_nodes_.carried_energy(domain_).translational;
 }
 
 void Simulation::balance() {
@@ -144,6 +179,7 @@ void Simulation::balance() {
     energy.contact += contact.energy;
     energy.friction += contact.friction_energy;
   }
+  for (const domain::Tie& tie : domain_.ties) energy.contact += tie.energy;
   for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;
   const double supplied = std::fabs(energy.initial_total) + std::fabs(energy.external_work);
   const bool runaway = domain_.clock.cycle > 0 && energy.kinetic > runaway_ratio * supplied;

@@ -32,6 +32,25 @@ TEST_F(RunTest, APlateFallsOnAWall) {
   EXPECT_LT(json["energy"]["error"], 1e-3);
 }
 
+TEST_F(RunTest, ATiedContactTellsWhatItTies) {
+  std::string text = falling_plate();
+  const std::string end = "*END\n";
+  text.replace(text.find(end), end.size(),
+               "*NODE\n21,2.,2.,1.1\n22,8.,2.,1.1\n23,8.,8.,1.1\n24,2.,8.,9.\n"
+               "*ELEMENT_SHELL\n9,2,21,22,23,24\n*PART\ncap\n2,1,1\n"
+               "*CONTACT_TIED_SURFACE_TO_SURFACE_ID\n7,cap\n2,1,3,3\n\n\n*END\n");
+  const std::string deck = write("plate.k", text);
+  const std::string words = "tied contact 7        by constraint, 3 nodes to 4 segments, moved by up to";
+  const Result check = run({"check", deck});
+  EXPECT_NE(check.out.find(words), std::string::npos) << check.out;
+  EXPECT_NE(check.out.find("WARNING: 1 node is not tied, too far away: 24 by"), std::string::npos);
+  const Result result = run({"run", deck, "-o", path("out")});
+  ASSERT_EQ(result.code, ExitCode::Normal) << result.err;
+  EXPECT_NE(result.out.find("Tied contact 7: 3 nodes tied"), std::string::npos);
+  EXPECT_TRUE(exists("out/ties.csv"));
+  EXPECT_EQ(record("out")["ties"][0]["tied"], 3);
+}
+
 TEST_F(RunTest, HistoriesAgreeWithThePhysicsAndEndWithTheRun) {
   ASSERT_EQ(run({"run", write("plate.k", falling_plate()), "-o", path("out"), "-q"}).code, ExitCode::Normal);
   const double end = record("out")["end_time"];

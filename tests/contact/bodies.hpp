@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "contact/single_surface.hpp"
+#include "contact/interface.hpp"
 #include "domain/build.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
@@ -27,7 +27,15 @@ class Bodies {
     model.parts[0].section = 0;
     model.parts[0].material = 0;
     contact.id = 7;
-    contact.parts = {0};
+    contact.side[0].parts = {0};
+  }
+
+  /// Another part of the same shells, to which the next ones belong.
+  Index part() {
+    current_part = static_cast<Index>(model.parts.size());
+    model.parts.push_back(model.parts[0]);
+    model.parts.back().id = current_part + 1;
+    return current_part;
   }
 
   Index node(const Vec3& x) {
@@ -38,8 +46,40 @@ class Bodies {
 
   Index shell(Index a, Index b, Index c, Index d) {
     const auto place = static_cast<Index>(model.shells.size());
-    model.shells.push_back({5000 + place, 0, {a, b, c, d}, {}});
+    model.shells.push_back({5000 + place, current_part, {a, b, c, d}, {}});
     return place;
+  }
+
+  /// Adds a part of round beams to the contact, and lets edges take part.
+  void add_wires(double radius) {
+    constexpr double pi = 3.14159265358979323846;
+    model.beam_sections.resize(1);
+    model.beam_sections[0].area = pi * radius * radius;
+    model.parts.resize(2);
+    model.parts[1].id = 2;
+    model.parts[1].beam_section = 0;
+    model.parts[1].material = 0;
+    contact.side[0].parts = {0, 1};
+    contact.edges = model::ContactEdges::Free;
+  }
+
+  Index beam(Index a, Index b) {
+    const auto place = static_cast<Index>(model.beams.size());
+    model::BeamElement element;
+    element.id = 8000 + place;
+    element.part = 1;
+    element.node = {a, b};
+    model.beams.push_back(element);
+    return place;
+  }
+
+  /// A wire of n beams with node i at `at(i / n)`. Returns its first node; node i is first + i.
+  template <class At>
+  Index wire(int n, const At& at) {
+    const Index first = model.nodes.count();
+    for (int i = 0; i <= n; ++i) node(at(static_cast<double>(i) / n));
+    for (int i = 0; i < n; ++i) beam(first + i, first + i + 1);
+    return first;
   }
 
   /// A strip of nx by ny quadrilaterals: node (i, j) at `at(i / nx, j / ny)`. Returns its first node; node
@@ -67,12 +107,13 @@ class Bodies {
     return made;
   }
 
-  contact::SingleSurface attach(const domain::Domain& made) const {
-    return contact::SingleSurface(model, made, contact, 0);
+  contact::Interface attach(const domain::Domain& made) const {
+    return contact::Interface(model, made, contact, 0);
   }
 
   model::Model model;
-  model::SingleSurfaceContact contact;
+  model::Contact contact;
+  Index current_part = 0;
 };
 
 /// Index in the domain of a node of the model.
@@ -86,13 +127,13 @@ inline void clear_forces(domain::Domain& made) {
 }
 
 /// Forces at the present positions.
-inline void add_forces(contact::SingleSurface& touching, domain::Domain& made) {
+inline void add_forces(contact::Interface& touching, domain::Domain& made) {
   clear_forces(made);
   touching.add_forces(made);
 }
 
 /// Moves all nodes to new positions in one step, with the velocities that this takes, and adds the forces.
-inline void move_to(contact::SingleSurface& touching, domain::Domain& made, const std::vector<Vec3>& x,
+inline void move_to(contact::Interface& touching, domain::Domain& made, const std::vector<Vec3>& x,
                     double step) {
   for (Index i = 0; i < made.nodes.count(); ++i) {
     made.nodes.velocity[i] = (1.0 / step) * (x[i] - made.nodes.position[i]);
@@ -106,7 +147,7 @@ inline void move_to(contact::SingleSurface& touching, domain::Domain& made, cons
 
 /// One step of central differences under contact forces alone: velocities from the forces at time n, then
 /// positions and forces at n+1. Nodes in `held` keep their velocity.
-inline void integrate(contact::SingleSurface& touching, domain::Domain& made, double step,
+inline void integrate(contact::Interface& touching, domain::Domain& made, double step,
                       const std::vector<Index>& held = {}) {
   std::vector<char> fixed(made.nodes.count(), 0);
   for (const Index node : held) fixed[node] = 1;

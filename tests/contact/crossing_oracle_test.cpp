@@ -71,7 +71,7 @@ std::set<std::pair<Index, Index>> passages(const contact::Surface& surface, cons
   return found;
 }
 
-std::set<UserId> astray(const contact::SingleSurface& touching) {
+std::set<UserId> astray(const contact::Interface& touching) {
   std::set<UserId> nodes;
   for (const contact::Penetration& pair : touching.penetrations())
     if (pair.depth > pair.reach) nodes.insert(pair.node);
@@ -91,7 +91,7 @@ TEST(CrossingOracle, EveryPassageIsNoticed) {
   for (Index i = 0; i < made.nodes.count(); ++i)
     made.nodes.velocity[i] = {0.15 * std::sin(12.9 * i), 0.15 * std::sin(78.2 * i),
                               made.nodes.reference[i].z > 0.06 ? -0.35 : 0.35};
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   int noticed = 0;
   for (int cycle = 0; cycle < 250; ++cycle) {

@@ -42,7 +42,7 @@ TEST(Crossing, FastNodeIsReturnedToItsSide) {
     for (const double depth : {0.03, 0.09, 0.25}) {
       TipOverSheet scene({1.4, 1.3, side * 0.3});
       domain::Domain made = scene.bodies.build();
-      contact::SingleSurface touching = scene.bodies.attach(made);
+      contact::Interface touching = scene.bodies.attach(made);
       test::add_forces(touching, made);
       test::move_to(touching, made, scene.moved(made, {1.45, 1.3, -side * depth}), 1e-4);
       EXPECT_GT(side * made.contact_force[at(made, scene.tip)].z, 0.0);
@@ -62,7 +62,7 @@ TEST(Crossing, FastNodeIsReturnedToItsSide) {
 TEST(Crossing, PassingBesideTheFreeEdgeIsNoCrossing) {
   TipOverSheet scene({-0.3, 1.3, 0.2});
   domain::Domain made = scene.bodies.build();
-  contact::SingleSurface touching = scene.bodies.attach(made);
+  contact::Interface touching = scene.bodies.attach(made);
   test::add_forces(touching, made);
   test::move_to(touching, made, scene.moved(made, {-0.12, 1.3, -0.25}), 1e-4);
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
@@ -76,7 +76,7 @@ TEST(Crossing, PassingBesideTheFreeEdgeIsNoCrossing) {
 TEST(Crossing, OnlyRelativeMotionCounts) {
   TipOverSheet scene({1.4, 1.3, 0.3});
   domain::Domain made = scene.bodies.build();
-  contact::SingleSurface touching = scene.bodies.attach(made);
+  contact::Interface touching = scene.bodies.attach(made);
   test::add_forces(touching, made);
   std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
   for (Index n = 0; n < scene.tip; ++n) x[at(made, n)].z += 0.34;
@@ -90,7 +90,7 @@ TEST(Crossing, ShotNodeComesBack) {
   TipOverSheet scene({1.4, 1.3, 0.15});
   scene.bodies.model.control.contact_stiffness_scale = 1e5;  // stability sets the stiffness
   domain::Domain made = scene.bodies.build(1.0);
-  contact::SingleSurface touching = scene.bodies.attach(made);
+  contact::Interface touching = scene.bodies.attach(made);
   const double step = 1e-3;
   made.clock.element_limit = step;
   for (Index n = scene.tip; n < scene.tip + 3; ++n) made.nodes.velocity[at(made, n)] = {0, 0, -120};

@@ -78,7 +78,7 @@ TEST(Energy, CollisionKeepsMomentumAndEnergy) {
   const Bodies bodies = two_plates();
   domain::Domain made = bodies.build(1.0);
   throw_plates(made, {0.0, 0.0, -0.4});
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   const double step = 1e-3;
   const Balance start = balance(made, step);
@@ -108,7 +108,7 @@ TEST(Energy, FrictionAndDampingTakeEnergyOut) {
   bodies.contact.viscous_damping = 0.2;
   domain::Domain made = bodies.build(1.0);
   throw_plates(made, {0.2, 0.1, -0.4});
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   const double step = 1e-3;
   const Balance start = balance(made, step);
@@ -133,7 +133,7 @@ TEST(Energy, ManyNodesOnOneSegmentStayStable) {
   for (Vec3& v : made.nodes.velocity) v = {};
   for (Index i = 0; i < made.nodes.count(); ++i)
     if (made.nodes.reference[i].z > 0.05) made.nodes.velocity[i].z = -1.0;
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   const double step = 1e-3;
   made.clock.element_limit = step / 0.9;
   test::add_forces(touching, made);

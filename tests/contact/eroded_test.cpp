@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "contact/bodies.hpp"
 #include "contact/surface.hpp"
+#include "support/meshes.hpp"
 
 namespace crumple {
 namespace {
@@ -62,7 +64,7 @@ std::vector<Vec3> swing(const Bodies& bodies, int cycle) {
   return x;
 }
 
-void move_to(contact::SingleSurface& touching, domain::Domain& made, const std::vector<Vec3>& by_model_node) {
+void move_to(contact::Interface& touching, domain::Domain& made, const std::vector<Vec3>& by_model_node) {
   std::vector<Vec3> x(by_model_node.size());
   for (Index i = 0; i < static_cast<Index>(x.size()); ++i) x[test::at(made, i)] = by_model_node[i];
   test::move_to(touching, made, x, 0.02);
@@ -81,8 +83,8 @@ TEST(Eroded, ShellsTouchAsIfTheyHadNeverBeen) {
   domain::Domain eroded = whole.build();
   domain::Domain never = holed.build();
   prepare(eroded);
-  contact::SingleSurface one = whole.attach(eroded);
-  contact::SingleSurface other = holed.attach(never);
+  contact::Interface one = whole.attach(eroded);
+  contact::Interface other = holed.attach(never);
   one.verify_search_every(1);
   erode(eroded, without);
   double largest = 0;
@@ -107,7 +109,7 @@ TEST(Eroded, ShellsLetGoAtOnceAndTheirLonelyNodesToo) {
   const Bodies bodies = stack();
   domain::Domain made = bodies.build();
   prepare(made);
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   touching.verify_search_every(1);
   for (int cycle = 0; cycle < 10; ++cycle) move_to(touching, made, swing(bodies, cycle));
   const auto touches = [&](UserId shell) {
@@ -140,14 +142,81 @@ TEST(Eroded, NeighboursHaveFreeEdges) {
     return std::count(surface.topology.kind.begin(), surface.topology.kind.end(), contact::EdgeKind::Free);
   };
   const auto before = free_edges();
-  EXPECT_FALSE(contact::drop_eroded(surface, made));
+  EXPECT_FALSE(contact::follow_erosion(surface, made));
   erode(made, gone());
-  EXPECT_TRUE(contact::drop_eroded(surface, made));
-  EXPECT_FALSE(contact::drop_eroded(surface, made));
+  EXPECT_TRUE(contact::follow_erosion(surface, made));
+  EXPECT_FALSE(contact::follow_erosion(surface, made));
   // The hole has a rim of 8; the corner shell takes two free edges along and leaves two.
   EXPECT_EQ(free_edges(), before + 8);
   EXPECT_FALSE(surface.bears(surface.place[test::at(made, lonely_node)]));
   EXPECT_EQ(surface.eroded, 5);
+}
+
+/// A column of two solids, one on the other, and a small sheet above it.
+class Column {
+ public:
+  Column() {
+    model::Model& model = bodies_.model;
+    bodies_.sheet(1, 1, [](double u, double v) { return Vec3{0.4 + 0.2 * u, 0.4 + 0.2 * v, 2.3}; });
+    model.solid_sections.resize(1);
+    model.parts.push_back({.id = 2, .title = "column"});
+    model.parts[1].section = no_index;
+    model.parts[1].solid_section = 0;
+    model.parts[1].material = 0;
+    test::add_box(model, 1, 1, 1, 2, [](double u, double v, double w) { return test::Point{u, v, 2 * w}; });
+    bodies_.contact.side[0].parts = {0, 1};
+    made_ = bodies_.build();
+    for (domain::SolidBlock& block : made_.solids) {
+      domain::add_item(block, "active", "-", 1);
+      domain::add_item(block, "energy", "energy", 2);
+      block.double_state.assign(static_cast<std::size_t>(block.groups()) * block.components * lanes, 0.0);
+      for (Index place = 0; place < block.elements; ++place) block.set_state(place, 0, 1);
+    }
+    touching_.emplace(bodies_.attach(made_));
+    touching_->verify_search_every(1);
+    test::add_forces(*touching_, made_);
+  }
+
+  void erode_top() {
+    domain::SolidBlock& block = made_.solids[0];
+    for (Index place = 0; place < block.elements; ++place)
+      if (block.element[place] == 1) block.set_state(place, block.find("active")->first, 0);
+    ++block.eroded;
+  }
+  void lower_sheet(double by) {
+    std::vector<Vec3> x(made_.nodes.position.begin(), made_.nodes.position.end());
+    for (Index i = 0; i < 4; ++i) x[test::at(made_, i)].z -= by;
+    test::move_to(*touching_, made_, x, 0.1);
+  }
+  double force() const {
+    double sum = 0;
+    for (Index i = 0; i < 4; ++i) sum += made_.contact_force[test::at(made_, i)].z;
+    return sum;
+  }
+  const contact::Surface& surface() const { return touching_->surface(); }
+
+ private:
+  Bodies bodies_{0.1};
+  domain::Domain made_;
+  std::optional<contact::Interface> touching_;
+};
+
+// The face between two solids is none until one of them has eroded; then what comes down lands on it.
+TEST(Eroded, SolidsLeaveTheFacesBehindThem) {
+  Column whole;
+  EXPECT_EQ(std::count(whole.surface().active.begin(), whole.surface().active.end(), 1), 10 + 1);
+  whole.lower_sheet(0.28);
+  EXPECT_GT(whole.force(), 0);
+
+  Column column;
+  column.erode_top();
+  column.lower_sheet(0.28);
+  EXPECT_EQ(column.force(), 0);
+  EXPECT_EQ(std::count(column.surface().active.begin(), column.surface().active.end(), 1), 6 + 1);
+  for (int step = 0; step < 20; ++step) column.lower_sheet(0.0488);
+  EXPECT_EQ(column.force(), 0) << "at z = 1.044; the sheet has a contact thickness of 0.08, 0.4 of its edge";
+  column.lower_sheet(0.02);
+  EXPECT_GT(column.force(), 0);
 }
 
 }  // namespace

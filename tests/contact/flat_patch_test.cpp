@@ -28,7 +28,7 @@ struct NodeOverPlate {
 };
 
 /// Moves one node to the height z in one step, by contact's account of the velocity.
-void put(contact::SingleSurface& touching, domain::Domain& made, Index node, double z) {
+void put(contact::Interface& touching, domain::Domain& made, Index node, double z) {
   std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
   x[at(made, node)].z = z;
   test::move_to(touching, made, x, 1e-3);
@@ -37,7 +37,7 @@ void put(contact::SingleSurface& touching, domain::Domain& made, Index node, dou
 TEST(FlatPatch, PenaltyForceIsExact) {
   NodeOverPlate scene({0.5, 0.25, 0.2});
   domain::Domain made = scene.bodies.build();
-  contact::SingleSurface touching = scene.bodies.attach(made);
+  contact::Interface touching = scene.bodies.attach(made);
   test::add_forces(touching, made);
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
 
@@ -62,7 +62,7 @@ TEST(FlatPatch, ForceAndMomentBalanceToRoundOff) {
   scene.bodies.model.nodes.position[scene.plate + 3] = {1.1, 0.9, 0.12};
   scene.bodies.model.nodes.position[scene.plate + 1] = {-0.1, 1.05, -0.03};
   domain::Domain made = scene.bodies.build();
-  contact::SingleSurface touching = scene.bodies.attach(made);
+  contact::Interface touching = scene.bodies.attach(made);
   test::add_forces(touching, made);
   put(touching, made, scene.tip_node, 0.07);
   const double size = norm(made.contact_force[at(made, scene.tip_node)]);
@@ -77,7 +77,7 @@ TEST(FlatPatch, BothSidesPushAway) {
     for (Index n = scene.tip_node + 1; n <= scene.tip_node + 2; ++n)
       scene.bodies.model.nodes.position[n][2] = side * 1.2;
     domain::Domain made = scene.bodies.build();
-    contact::SingleSurface touching = scene.bodies.attach(made);
+    contact::Interface touching = scene.bodies.attach(made);
     test::add_forces(touching, made);
     put(touching, made, scene.tip_node, side * 0.06);
     EXPECT_GT(side * made.contact_force[at(made, scene.tip_node)].z, 0.0);
@@ -89,10 +89,10 @@ TEST(FlatPatch, ThicknessFollowsTheRule) {
   NodeOverPlate scene({0.5, 0.25, 0.9}, 0.6);
   domain::Domain made = scene.bodies.build();
   EXPECT_DOUBLE_EQ(scene.bodies.attach(made).surface().half_thickness[0], 0.2);
-  scene.bodies.contact.contact_thickness = 0.5;
+  scene.bodies.contact.side[0].contact_thickness = 0.5;
   EXPECT_DOUBLE_EQ(scene.bodies.attach(made).surface().half_thickness[0], 0.25);
-  scene.bodies.contact.contact_thickness = 0;
-  scene.bodies.contact.thickness_scale = 0.5;
+  scene.bodies.contact.side[0].contact_thickness = 0;
+  scene.bodies.contact.side[0].thickness_scale = 0.5;
   EXPECT_DOUBLE_EQ(scene.bodies.attach(made).surface().half_thickness[0], 0.15);
 }
 
@@ -109,7 +109,7 @@ TEST(FlatPatch, NodeAboveAnInnerEdgeGetsOneForce) {
     const Index c = bodies.node(foot + Vec3{0, 1, 1});
     bodies.shell(tip, b, c, c);
     domain::Domain made = bodies.build();
-    contact::SingleSurface touching = bodies.attach(made);
+    contact::Interface touching = bodies.attach(made);
     test::add_forces(touching, made);
     put(touching, made, tip, 0.02 - depth);
     const int pairs = foot.x == 0.5 && foot.y == 0.5 ? 2 : 1;

@@ -40,7 +40,7 @@ struct Strip {
 TEST(Folds, TightFoldIsNotMissed) {
   Strip strip;
   domain::Domain made = strip.bodies.build();
-  contact::SingleSurface touching = strip.bodies.attach(made);
+  contact::Interface touching = strip.bodies.attach(made);
   test::add_forces(touching, made);
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
   for (double degrees = 0; degrees < 177; degrees += 0.5) {
@@ -67,7 +67,7 @@ TEST(Folds, TightFoldIsNotMissed) {
 TEST(Folds, ClosedFoldKeepsItsSides) {
   Strip strip;
   domain::Domain made = strip.bodies.build();
-  contact::SingleSurface touching = strip.bodies.attach(made);
+  contact::Interface touching = strip.bodies.attach(made);
   test::add_forces(touching, made);
   for (double degrees = 0; degrees <= 184; degrees += 0.25) {
     const double angle = degrees / 180 * std::numbers::pi;
@@ -97,7 +97,7 @@ TEST(Folds, NodeInASharpFoldTouchesBothWalls) {
       strip.bodies.model.nodes.position[strip.first + 3 * i + j] = {x.x, x.y, x.z};
     }
   domain::Domain made = strip.bodies.build();
-  contact::SingleSurface touching = strip.bodies.attach(made);
+  contact::Interface touching = strip.bodies.attach(made);
   test::add_forces(touching, made);
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
   for (int i = 1; i <= 50; ++i) {
@@ -136,7 +136,7 @@ TEST(Folds, TJunction) {
   const Index c = bodies.node({-0.8, 0.3, 0.9});
   bodies.shell(tip, b, c, c);
   domain::Domain made = bodies.build();
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   const auto go = [&](const Vec3& to) {
     std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
@@ -166,10 +166,10 @@ TEST(Folds, TJunction) {
 // neighbours, at the start or while the sheet moves, but a strange node must feel the sheet.
 TEST(Folds, ThicknessOfNeighboursIsIgnored) {
   Bodies bodies(0.1);
-  bodies.contact.contact_thickness = 0.5;
+  bodies.contact.side[0].contact_thickness = 0.5;
   bodies.sheet(16, 8, [](double u, double v) { return Vec3{4 * u, 2 * v, 0.2 * std::sin(4 * u)}; });
   domain::Domain made = bodies.build();
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
   EXPECT_EQ(touching.statistics().initial_penetrations, 0);

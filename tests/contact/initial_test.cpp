@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include <vector>
 
 #include "contact/bodies.hpp"
+#include "contact/move_apart.hpp"
 
 namespace crumple {
 namespace {
@@ -23,7 +26,7 @@ struct TipAt {
     const Index c = bodies.node({0.4, -0.7, z + 2});
     bodies.shell(tip, b, c, c);
   }
-  void lift(contact::SingleSurface& touching, domain::Domain& made, const Vec3& by) const {
+  void lift(contact::Interface& touching, domain::Domain& made, const Vec3& by) const {
     std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
     for (Index n = tip; n < tip + 3; ++n) x[at(made, n)] += by;
     test::move_to(touching, made, x, 1e-3);
@@ -35,7 +38,7 @@ struct TipAt {
 TEST(InitialPenetration, GivesNoForceAndIsReported) {
   const TipAt scene(0.07);
   domain::Domain made = scene.bodies.build();
-  contact::SingleSurface touching = scene.bodies.attach(made);
+  contact::Interface touching = scene.bodies.attach(made);
   test::add_forces(touching, made);
   EXPECT_EQ(norm(made.contact_force[at(made, scene.tip)]), 0.0);
   EXPECT_EQ(made.contacts[0].energy, 0.0);
@@ -47,7 +50,7 @@ TEST(InitialPenetration, GivesNoForceAndIsReported) {
 TEST(InitialPenetration, ClosingFurtherPushesAndOpeningRecovers) {
   const TipAt scene(0.07);
   domain::Domain made = scene.bodies.build();
-  contact::SingleSurface touching = scene.bodies.attach(made);
+  contact::Interface touching = scene.bodies.attach(made);
   test::add_forces(touching, made);
   const double modulus = 1000.0 / 1.5;
   const double stiffness = 0.1 * modulus / std::sqrt(2.0);
@@ -74,7 +77,7 @@ TEST(InitialPenetration, NodeOnTheMidSurfaceLeavesFreely) {
   for (const double side : {1.0, -1.0}) {
     const TipAt scene(0.0);
     domain::Domain made = scene.bodies.build();
-    contact::SingleSurface touching = scene.bodies.attach(made);
+    contact::Interface touching = scene.bodies.attach(made);
     test::add_forces(touching, made);
     const auto force = [&] { return made.contact_force[at(made, scene.tip)].z; };
     EXPECT_EQ(force(), 0.0);
@@ -90,7 +93,7 @@ TEST(BirthAndDeath, ContactActsOnlyInBetween) {
   scene.bodies.contact.birth_time = 0.0015;
   scene.bodies.contact.death_time = 0.0045;
   domain::Domain made = scene.bodies.build();
-  contact::SingleSurface touching = scene.bodies.attach(made);
+  contact::Interface touching = scene.bodies.attach(made);
   test::add_forces(touching, made);
   scene.lift(touching, made, {0, 0, -0.12});  // t = 1: not yet born
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
@@ -103,6 +106,52 @@ TEST(BirthAndDeath, ContactActsOnlyInBetween) {
   scene.lift(touching, made, {0, 0, -0.01});  // t = 5: dead
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
   EXPECT_EQ(norm(made.contact_force[at(made, scene.tip)]), 0.0);
+}
+
+// Two sheets closer than their thickness: each goes half of the way. A fixed one leaves all of it to the
+// other.
+TEST(Initial, OverlapsAreMovedApart) {
+  for (const char* held : {"", "nodes", "body"}) {
+    const bool fixed = *held != 0;
+    Bodies bodies(0.1);
+    const Index low = bodies.sheet(4, 4, [](double u, double v) { return Vec3{u, v, 0}; });
+    const Index high = bodies.sheet(4, 4, [](double u, double v) { return Vec3{u, v, 0.06}; });
+    bodies.model.contacts.push_back(bodies.contact);
+    if (held == std::string("body")) {
+      bodies.model.rigid_bodies.resize(1);
+      for (Index i = low; i < high; ++i) bodies.model.rigid_bodies[0].nodes.push_back(i);
+    } else if (fixed) {
+      for (Index i = low; i < high; ++i)
+        bodies.model.fixed_nodes.push_back({.node = i, .translation = {true, true, true}, .rotation = {}});
+    }
+    const contact::MovedApart moved = contact::move_apart(bodies.model, {});
+    EXPECT_EQ(moved.nodes, fixed ? 25 : 50);
+    EXPECT_NEAR(moved.farthest, fixed ? 0.04 : 0.02, 1e-9);
+    EXPECT_EQ(moved.left, 0);
+    EXPECT_NEAR(bodies.model.nodes.position[high + 7][2], fixed ? 0.1 : 0.08, 1e-9);
+    EXPECT_NEAR(bodies.model.nodes.position[low + 7][2], fixed ? 0.0 : -0.02, 1e-9);
+    domain::Domain made = bodies.build();
+    contact::Interface touching = bodies.attach(made);
+    test::add_forces(touching, made);
+    for (const domain::InitialOverlap& overlap : made.contacts[0].initial_overlaps)
+      EXPECT_LT(overlap.depth, 1e-9);
+  }
+}
+
+TEST(Initial, OverlapsAreListedTheDeepestFirst) {
+  Bodies bodies(0.1);
+  bodies.sheet(2, 2, [](double u, double v) { return Vec3{4 * u, 4 * v, 0}; });
+  bodies.sheet(1, 1, [](double u, double v) { return Vec3{0.5 + u, 0.5 + v, 0.05 + 0.03 * u}; });
+  domain::Domain made = bodies.build();
+  contact::Interface touching = bodies.attach(made);
+  test::add_forces(touching, made);
+  const auto& overlaps = made.contacts[0].initial_overlaps;
+  ASSERT_EQ(overlaps.size(), 4U);
+  EXPECT_NEAR(overlaps[0].depth, 0.05, 1e-12);
+  EXPECT_NEAR(overlaps[1].depth, 0.05, 1e-12);
+  EXPECT_NEAR(overlaps[2].depth, 0.02, 1e-12);
+  EXPECT_EQ(overlaps[0].node, 1009);
+  EXPECT_EQ(overlaps[0].element, 5000);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(Search, NoContactIsMissedDuringRandomMotion) {
     Bodies bodies = stack();
     bodies.model.search.expansion = expansion;
     domain::Domain made = bodies.build();
-    contact::SingleSurface touching = bodies.attach(made);
+    contact::Interface touching = bodies.attach(made);
     touching.verify_search_every(1);
     ASSERT_NO_THROW(test::add_forces(touching, made));
     Index most = 0;
@@ -73,7 +73,7 @@ TEST(Search, ExpansionDoesNotChangeTheForces) {
     domain::Domain made = bodies.build();
     for (Index i = 0; i < made.nodes.count(); ++i)
       made.nodes.velocity[i] = {0.3 * std::sin(20.0 * i), made.nodes.reference[i].z, -0.4 * (i % 3)};
-    contact::SingleSurface touching = bodies.attach(made);
+    contact::Interface touching = bodies.attach(made);
     test::add_forces(touching, made);
     forces.emplace_back();
     Index most = 0;
@@ -97,7 +97,7 @@ TEST(Search, ExpansionDoesNotChangeTheForces) {
 TEST(Search, RigidTranslationNeedsNoSearch) {
   const Bodies bodies = stack();
   domain::Domain made = bodies.build();
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   for (int cycle = 1; cycle <= 50; ++cycle) {
     std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
@@ -112,13 +112,13 @@ TEST(Search, VerificationNoticesAMissedPair) {
   domain::Domain made = bodies.build();
   const contact::Surface surface = contact::build_surface(bodies.model, made, bodies.contact);
   contact::GlobalSearch search(surface, bodies.model.search, 1);
-  search.update(made, false);
-  EXPECT_NO_THROW(search.verify(made));
+  search.update(contact::present(made), false);
+  EXPECT_NO_THROW(search.verify(contact::present(made)));
   // Moved behind the back of the search: the upper sheet goes a full length to the side.
   for (Vec3& x : made.nodes.position)
     if (x.z > 0.15) x.x -= 1.0;
   try {
-    search.verify(made);
+    search.verify(contact::present(made));
     FAIL() << "the missed pair was not noticed";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("node 1"), std::string::npos) << error.what();
@@ -133,7 +133,7 @@ TEST(Search, AllMethodsGiveTheSameForces) {
     Bodies bodies = stack();
     bodies.model.search.method = std::string(cellsearch::name_of(method));
     domain::Domain made = bodies.build();
-    contact::SingleSurface touching = bodies.attach(made);
+    contact::Interface touching = bodies.attach(made);
     test::add_forces(touching, made);
     for (int cycle = 1; cycle <= 20; ++cycle) test::move_to(touching, made, swing(made, cycle), 0.02);
     domain::StateList list;
@@ -162,7 +162,7 @@ TEST(Search, ThreadsDoNotChangeABit) {
     made.clock.element_limit = 0.02;
     for (Index i = 0; i < made.nodes.count(); ++i)
       made.nodes.velocity[i] = {0.2 * std::sin(20.0 * i), 0.1, -3.0 * made.nodes.position[i].z};
-    contact::SingleSurface touching = bodies.attach(made);
+    contact::Interface touching = bodies.attach(made);
     test::add_forces(touching, made);
     Index most = 0;
     for (int cycle = 0; cycle < 30; ++cycle) {
@@ -188,7 +188,7 @@ TEST(Search, SettingsThatCannotBeFollowedAreRefused) {
   bodies.model.search.method = "guess";
   EXPECT_THROW(bodies.attach(made), Error);
   bodies.model.search.method = "linked-cell";
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   made.nodes.position[3].y = std::nan("");
   EXPECT_THROW(test::add_forces(touching, made), NumericalError);
 }
@@ -203,7 +203,7 @@ TEST(Search, OnlyNodesInsideTheCellDomainCount) {
   bodies.model.search.domain_minimum = {-0.5, -0.5, -0.5};
   bodies.model.search.domain_maximum = {2.2, 5.0, 0.5};
   domain::Domain made = bodies.build();
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   touching.verify_search_every(1);
   test::add_forces(touching, made);
   std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());

@@ -29,7 +29,7 @@ Index add_tip(Bodies& bodies, const Vec3& x, const Vec3& up) {
 std::vector<Vec3> forces_along(const Bodies& bodies, Index tip, int steps,
                                const std::function<Vec3(double)>& path) {
   domain::Domain made = bodies.build();
-  contact::SingleSurface touching = bodies.attach(made);
+  contact::Interface touching = bodies.attach(made);
   std::vector<Vec3> forces;
   for (int i = 0; i <= steps; ++i) {
     std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());

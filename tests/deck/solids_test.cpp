@@ -270,9 +270,9 @@ TEST(Solid, TakePartInContact) {
   deck.section.replace(deck.section.find("7\n*"), 2, "7,1\n")
       .replace(deck.section.find("0.1\n"), 4, "0.1,\n");
   deck.more = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n         0\n\n\n";
-  EXPECT_EQ(read_clean(deck.text()).contacts.at(0).parts, (std::vector<Index>{0, 1}));
+  EXPECT_EQ(read_clean(deck.text()).contacts.at(0).side[0].parts, (std::vector<Index>{0, 1}));
   deck.more = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n         2         0         3\n\n\n";
-  EXPECT_EQ(read_clean(deck.text()).contacts.at(0).parts, std::vector<Index>{1});
+  EXPECT_EQ(read_clean(deck.text()).contacts.at(0).side[0].parts, std::vector<Index>{1});
 }
 
 }  // namespace

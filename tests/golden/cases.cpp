@@ -42,8 +42,9 @@ model::Model crushed_tube(ShellFormulation formulation, const model::Constitutiv
       model.lumped_masses.push_back({.id = i + 1, .node = i, .mass = 0.5});
   }
   model.rigid_walls.push_back(wall);
-  model.contacts.push_back(
-      {.id = 1, .title = "self", .parts = {0}, .static_friction = 0.2, .dynamic_friction = 0.1});
+  model.contacts.push_back(model::self_contact(1, "self", {0}));
+  model.contacts.back().static_friction = 0.2;
+  model.contacts.back().dynamic_friction = 0.1;
   model.control.end_time = 1.0;
   model.control.end_cycle = 400;
   return model;
@@ -116,7 +117,7 @@ model::Model torn_strips() {
                                         .velocity = {8.0 * (model.nodes.position[i][0] - 30), 0,
                                                      model.nodes.position[i][2] > 0.45 ? -2.0 : 2.0},
                                         .angular_velocity = {}});
-  model.contacts.push_back({.id = 1, .title = "self", .parts = {0}});
+  model.contacts.push_back(model::self_contact(1, "self", {0}));
   model.control.end_time = 1.0;
   model.control.end_cycle = 400;
   return model;

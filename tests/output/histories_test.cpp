@@ -18,13 +18,20 @@ std::vector<std::string> cells(const std::string& line) {
   return result;
 }
 
-/// The sample with a wall, a contact, a history node, a rigid body and a broken weld.
+/// The sample with a wall, a contact, a history node, a rigid body, a broken weld and a tied contact.
 class HistoriesTest : public SampleTest {
  protected:
   HistoriesTest() : SampleTest(with_conditions()) {
     domain_.walls.push_back({.id = 4, .force = {}, .impulse = {}});
     domain_.contacts.push_back({.id = 2, .method = "linked-cell"});
     domain_.welds.push_back({.id = 31, .axial = 0, .shear = 0, .broken = true, .failure_time = 0.5});
+    domain::Tie& tie = domain_.ties.emplace_back();
+    tie.id = 6;
+    tie.nodes.resize(5);
+    tie.released = 2;
+    tie.broken = 1;
+    tie.force = {1, 2, 3};
+    tie.energy = 0.5;
     domain_.rigid_bodies.resize(2);
     domain_.rigid_bodies[0].id = 8;
     domain_.rigid_bodies[1].id = 31;
@@ -32,7 +39,7 @@ class HistoriesTest : public SampleTest {
   static model::Model with_conditions() {
     model::Model model = sample_model();
     model.rigid_walls.push_back({.id = 4, .title = "", .nodes = {0, 1}, .point = {}, .normal = {0, 0, 1}});
-    model.contacts.push_back({.id = 2, .title = "", .parts = {0}});
+    model.contacts.push_back(model::self_contact(2, "", {0}));
     model.output.history_nodes = {5, 0};
     model.rigid_bodies.push_back({.id = 8, .title = "", .parts = {}, .nodes = {0, 1}});
     return model;
@@ -55,6 +62,13 @@ TEST_F(HistoriesTest, HeadersAreTheDocumentedOnes) {
   EXPECT_EQ(lines(folder_ / "nodout.csv")[0], "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z");
   EXPECT_EQ(lines(folder_ / "rbdout.csv")[0], "time,body,x,y,z,vx,vy,vz,wx,wy,wz,kinetic,fx,fy,fz");
   EXPECT_EQ(lines(folder_ / "swforc.csv")[0], "time,weld,axial,shear,broken");
+  EXPECT_EQ(lines(folder_ / "ties.csv")[0], "time,interface,tied,broken,fx,fy,fz,energy");
+}
+
+TEST_F(HistoriesTest, TiesCountWhatIsStillTied) {
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  EXPECT_EQ(lines(folder_ / "ties.csv").at(1), "0,6,3,1,1,2,3,0.5");
 }
 
 TEST_F(HistoriesTest, WeldsHaveRowsOfTheirOwnAndNoneOfBodies) {

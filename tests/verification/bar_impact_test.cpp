@@ -34,7 +34,7 @@ model::Model two_bars(Index first_cells, Index second_cells, double poisson = 0)
   const Index second = add(1, second_cells, length + gap);
   for (Index i = 0; i < second; ++i)
     model.initial_velocities.push_back({.node = i, .velocity = {speed, 0, 0}, .angular_velocity = {}});
-  model.contacts.push_back({.id = 1, .title = "ends", .parts = {0, 1}});
+  model.contacts.push_back(model::self_contact(1, "ends", {0, 1}));
   model.control.end_time = 0.06;
   return model;
 }
@@ -113,6 +113,28 @@ TEST(BarImpact, BarsThatWidenExchangeTheirVelocities) {
   model::Model model = two_bars(2, 3, 0.3);
   model.solid_sections[0].formulation = model::SolidFormulation::SelectiveHexahedron;
   expect_exchange(run_impact(model));
+}
+
+TEST(BarImpact, MultipliersExchangeThemAsWell) {
+  for (const Index cells : {2, 3}) {
+    model::Model model = two_bars(2, cells);
+    model.solid_sections[0].formulation = model::SolidFormulation::SelectiveHexahedron;
+    model.contacts[0].enforcement = model::Enforcement::Multipliers;
+    expect_exchange(run_impact(model));
+  }
+}
+
+TEST(BarImpact, TheStepRecoversBesideMultipliers) {
+  model::Model model = two_bars(2, 2);
+  model.contacts[0].enforcement = model::Enforcement::Multipliers;
+  timeloop::Simulation usual(model, test::execution());
+  usual.start();
+  model.control.initial_step = 0.01 * usual.next_step();
+  timeloop::Simulation cautious(model, test::execution());
+  cautious.start();
+  EXPECT_LT(cautious.next_step(), 0.011 * usual.next_step());
+  for (int cycle = 0; cycle < 100; ++cycle) cautious.step();
+  EXPECT_GT(cautious.next_step(), 0.94 * usual.next_step()) << "it stays from 0.9 of what is allowed on";
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Index add_plate(model::Model& model, Index part, Index cells, double z, double a
 model::Model two_parts() {
   model::Model model = test::one_part(test::elastic_steel(), test::shell_section(thickness, 3));
   model.parts.push_back({.id = 2, .title = "second", .section = 0, .material = 0});
-  model.contacts.push_back({.id = 1, .title = "all", .parts = {0, 1}});
+  model.contacts.push_back(model::self_contact(1, "all", {0, 1}));
   return model;
 }
 

@@ -31,7 +31,7 @@ model::Model two_plates(Index less, double shift) {
   const Index upper = add(1, 6 - less, 1.3, shift);
   for (Index i = upper; i < model.nodes.count(); ++i)
     model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -speed}, .angular_velocity = {}});
-  model.contacts.push_back({.id = 1, .title = "all", .parts = {0, 1}});
+  model.contacts.push_back(model::self_contact(1, "all", {0, 1}));
   model.control.end_time = 0.3;
   return model;
 }

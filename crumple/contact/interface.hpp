@@ -6,21 +6,22 @@
 
 #include "contact/statistics.hpp"
 #include "contact/surface.hpp"
+#include "contact/touch.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
 
 namespace crumple::contact {
 
-/// Contact of shells and solids with themselves and each other, with no surface definition by the user.
-class SingleSurface {
+/// Contact of shells and solids with themselves or with each other.
+class Interface {
  public:
   /// Collects segments and nodes of the parts that take part. `report` is the place of this interface in
   /// domain.contacts, whose entry it keeps up to date. Throws Error for settings that cannot be followed.
-  SingleSurface(const model::Model& model, const domain::Domain& domain,
-                const model::SingleSurfaceContact& contact, Index report);
-  ~SingleSurface();
-  SingleSurface(SingleSurface&&) noexcept;
-  SingleSurface& operator=(SingleSurface&&) noexcept;
+  Interface(const model::Model& model, const domain::Domain& domain, const model::Contact& contact,
+            Index report);
+  ~Interface();
+  Interface(Interface&&) noexcept;
+  Interface& operator=(Interface&&) noexcept;
 
   /// Adds the contact forces at time n to nodes.force and domain.contact_force, which the caller clears. On
   /// entry nodes.position is x(n), nodes.velocity is v(n-1/2) and clock.step the step between them (zero
@@ -28,6 +29,11 @@ class SingleSurface {
   /// works off pairs in the order (node, segment), so that the sums are bitwise the same for any number of
   /// threads. Updates the report's energies by the trapezoidal rule, and the stage times.
   void add_forces(domain::Domain& domain);
+
+  /// The same for contact that is enforced by multipliers, where add_forces() does nothing (and this one does
+  /// nothing where add_forces() does): to be called when all other forces at time n are in nodes.force.
+  /// `next_step` leads to n+1, `interval` is what velocities will be advanced by.
+  void add_multipliers(domain::Domain& domain, double interval, double next_step);
 
   /// Declares what the contact remembers from step to step.
   void declare(domain::StateList& list);
@@ -44,6 +50,8 @@ class SingleSurface {
   const ContactStatistics& statistics() const;
   /// The pairs with a force at time n; holds until the next call of add_forces.
   std::span<const Penetration> penetrations() const;
+  /// All places that touch at time n, with their forces; holds until the next call of add_forces.
+  std::span<const Touch> touches() const;
   /// The segments and nodes of this contact.
   const Surface& surface() const;
 

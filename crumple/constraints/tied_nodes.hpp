@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/aligned_array.hpp"
+#include "constraints/kinetic_change.hpp"
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::constraints {
+
+/// Nodes that follow the segments that they are tied to (J.O. Hallquist, LS-DYNA Theory Manual, chapter on
+/// tied contact): the force and the mass of a tied node are shared out among the nodes of its segment by its
+/// weights there, and its motion is the weighted mean of theirs (docs/theory/tied.md). A node of a segment
+/// may itself be tied to another one.
+///
+/// A step calls, in this order: release(), remember(), the kick of all nodes by their own masses, share(),
+/// whatever else changes velocities, follow(), and place_nodes() when the nodes have drifted.
+class TiedNodes {
+ public:
+  /// Takes over domain.ties, whose nodes have been put onto their segments, and makes velocities at time zero
+  /// fit: momentum is kept. Throws Error for a node that something else holds or moves, naming both.
+  TiedNodes(const model::Model& model, domain::Domain& domain);
+
+  bool empty() const { return links_.empty(); }
+
+  /// Ends the ties whose segment has eroded or whose time is over. Books the energy of the relative motion
+  /// that this frees.
+  void release(domain::Domain& domain);
+
+  /// Keeps the velocities of n-1/2.
+  void remember(const domain::Domain& domain);
+
+  /// After the kick of the nodes: gives what the tied ones received to the nodes of their segments, whose
+  /// velocities of n+1/2 then are right. Returns what the rotational energy at time n changes by; for the
+  /// translational one see carried_energy().
+  KineticChange share(domain::Domain& domain);
+
+  /// Makes the tied nodes follow; forces go to domain.ties. `interval` is that of the kick.
+  void follow(domain::Domain& domain, double interval);
+
+  /// Puts the tied nodes where they belong, to round-off.
+  void place_nodes(domain::Domain& domain) const;
+
+  /// What the nodes of the segments have more than sum of 1/2 m v.v of all nodes, because they carry the
+  /// masses of the tied ones; of the remembered velocities times the present ones [energy].
+  KineticChange carried_energy(const domain::Domain& domain) const;
+
+  void declare(domain::StateList& list);
+
+ private:
+  struct Link {
+    Index node = no_index;           ///< in members_
+    std::array<Index, 4> corner{};   ///< in members_; of weight zero where a triangle repeats its last
+    std::array<double, 4> weight{};  ///< their sum is 1
+    Index tie = no_index;            ///< in domain.ties
+    Index level = 0;                 ///< 0: its corners are tied to nothing, else one more than theirs
+    bool rotates = false;            ///< the node turns with the segment
+    Index block = no_index;          ///< of the segment's element
+    Index element = no_index;
+  };
+
+  void add_links(const model::Model& model, const domain::Domain& domain);
+  void order_links(const model::Model& model, const domain::Domain& domain);
+  void check_corners(const model::Model& model, const domain::Domain& domain) const;
+  void share_masses(domain::Domain& domain);
+  void share_velocities(domain::Domain& domain);
+  void copy_velocities(domain::Domain& domain) const;
+
+  std::vector<Link> links_;               ///< those whose nodes carry nothing first
+  std::vector<std::int32_t> active_;      ///< 1 or 0, by link
+  std::vector<Index> members_;            ///< domain nodes that take part, ascending
+  std::vector<Index> tied_by_;            ///< active link of a member, or no_index
+  std::vector<double> death_time_;        ///< by tie
+  AlignedArray<math::Vec3> before_;       ///< v(n-1/2), by member
+  AlignedArray<math::Vec3> spin_before_;  ///< the same of angular velocities
+  AlignedArray<math::Vec3> momentum_;     ///< that members received in this step, and pass on
+  AlignedArray<math::Vec3> moment_;       ///< the same of angular momentum
+  Index eroded_ = 0;                      ///< elements of the model at the last look
+  bool keep_acceleration_ = false;        ///< output asks for accelerations
+};
+
+}  // namespace crumple::constraints

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/interface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/stopwatch.hpp"
+#include "contact/edge_contact.hpp"
+#include "contact/forces.hpp"
+#include "contact/global_search.hpp"
+#include "contact/intersections.hpp"
+#include "contact/local_search.hpp"
+#include "contact/multipliers.hpp"
+#include "contact/sides.hpp"
+#include "contact/surface.hpp"
+
+namespace crumple::contact {
+
+struct Interface::Implementation {
+  Implementation(const model::Model& model, const domain::Domain& domain, const model::Contact& settings,
+                 Index place)
+      : contact(settings),
+        surface(build_surface(model, domain, settings)),
+        search(surface, model.search, domain.execution.threads),
+        local(surface),
+        edges(model, domain, settings, surface),
+        forces(surface, settings, model.control),
+        multipliers(surface, settings),
+        method(model.search.method),
+        report(place) {}
+
+  bool acting(double time) const { return time >= contact.birth_time && time <= contact.death_time; }
+
+  void measure_start(std::span<const ContactPair> pairs, domain::ContactReport& entry) {
+    entry.initial_overlaps.clear();
+    for (const ContactPair& pair : pairs)
+      if (pair.offset > 0)
+        entry.initial_overlaps.push_back(
+            {surface.node_id[pair.node], surface.segment_id[pair.segment], pair.offset});
+    for (const EdgePair& pair : edges.present())
+      if (pair.share > 0 && pair.offset > 0)
+        entry.initial_overlaps.push_back(
+            {edges.node_id(pair), edges.edges().id[pair.key.second], pair.offset});
+    const auto deeper = [](const domain::InitialOverlap& a, const domain::InitialOverlap& b) {
+      return a.depth > b.depth;
+    };
+    std::stable_sort(entry.initial_overlaps.begin(), entry.initial_overlaps.end(), deeper);
+    statistics.initial_penetrations = static_cast<Index>(entry.initial_overlaps.size());
+    if (entry.initial_overlaps.empty()) return;
+    statistics.worst_initial = entry.initial_overlaps.front().depth;
+    statistics.worst_initial_node = entry.initial_overlaps.front().node;
+    statistics.worst_initial_segment = entry.initial_overlaps.front().element;
+  }
+
+  void remember(std::span<const ContactPair> pairs, const Kinematics& motion) {
+    const Configuration x{motion.position.data(), motion.velocity.data(), 0};
+    remembered.clear();
+    penetrations.clear();
+    for (const ContactPair& pair : pairs) {
+      RememberedPair memory;
+      memory.node = pair.node;
+      memory.segment = pair.segment;
+      memory.side = pair.side;
+      memory.wrong = pair.wrong;
+      memory.weight = pair.weight;
+      memory.offset = pair.offset;
+      memory.depth = std::max(0.0, pair.penetration());
+      if (dot(pair.friction, pair.friction) > 0)
+        memory.friction = frame_of(shape_of(surface, x, pair.segment)).to_local(pair.friction);
+      remembered.push_back(memory);
+      if (pair.penetration() <= 0 || pair.share == 0) continue;
+      const double height = surface.is_face(pair.segment) ? surface.height[pair.segment] : pair.reach;
+      penetrations.push_back(
+          {pair.penetration(), height, surface.node_id[pair.node], surface.segment_id[pair.segment]});
+    }
+    edges.remember(motion, std::span(touches).subspan(pairs.size()), pairs, penetrations);
+  }
+
+  /// The contacts where the nodes are or will be.
+  std::span<ContactPair> find(domain::Domain& domain, const Kinematics& motion) {
+    if (!acting(domain.clock.time)) {
+      edges.find_nothing();
+      return {};
+    }
+    {
+      const StageTimer timer(domain.times.contact_search);
+      const bool changed = follow_erosion(surface, domain);
+      if (changed)
+        std::erase_if(remembered,
+                      [&](const RememberedPair& pair) { return surface.active[pair.segment] == 0; });
+      search.update(motion, changed);
+      edges.update(domain, motion, changed);
+      if (verify_cycles > 0 && domain.clock.cycle % verify_cycles == 0) {
+        search.verify(motion);
+        edges.verify(motion);
+      }
+    }
+    const StageTimer timer(domain.times.contact_local);
+    const std::span<ContactPair> pairs = local.find(motion, search, remembered, started == 0);
+    edges.find(motion, started == 0);
+    edges.relieve(pairs);
+    if (started == 0) measure_start(pairs, domain.contacts[report]);
+    if (started == 0) measure_mass(domain.nodes, domain.contacts[report]);
+    started = 1;
+    return pairs;
+  }
+
+  /// Takes over what is left of the penetrations, by which a node may be right on a surface and not behind
+  /// it, and where it came to lie.
+  void correct(std::span<ContactPair> pairs, const Kinematics& motion) const {
+    const Configuration x{motion.position.data(), motion.velocity.data(), 0};
+    constexpr double on_surface = 1e-6;  // over the height or thickness
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      ContactPair& pair = pairs[i];
+      pair.gap = pair.reach - touches[i].penetration;
+      pair.friction = touches[i].friction;
+      const double size = std::max(pair.reach, surface.height[pair.segment]);
+      if (pair.gap > -on_surface * size) pair.wrong = 0;
+      const Vec3& node = motion.position[surface.nodes[pair.node]];
+      pair.weight = nearest_point(shape_of(surface, x, pair.segment), node).weight;
+    }
+  }
+
+  /// The pairs as the forces see them.
+  void collect_touches(std::span<const ContactPair> pairs) {
+    touches.clear();
+    for (const ContactPair& pair : pairs) touches.push_back(touch_of(surface, pair));
+    edges.append_touches(touches);
+  }
+
+  /// Gives the pairs the stiffness that their nodes have in these positions.
+  void share_stiffness(std::span<const ContactPair> pairs, const domain::Domain& domain) {
+    const Configuration x{domain.nodes.position.data(), nullptr, 0};
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (touches[i].penetration > 0)
+        touches[i].stiffness =
+            std::min(node_stiffness(surface, x, pairs[i]), surface.stiffness[pairs[i].segment]);
+  }
+
+  Vec3 force_on_first_side() const {
+    Vec3 sum;
+    for (const Touch& touch : touches) {
+      // Places on both sides belong to none, but where the other end does.
+      std::uint8_t first = first_side | second_side;
+      std::uint8_t second = first;
+      for (int i = 0; i < touch.nodes; ++i)
+        (touch.weight[i] > 0 ? first : second) &= surface.node_side[touch.place[i]];
+      const bool forwards = (first & first_side) != 0 && (second & second_side) != 0;
+      const bool backwards = (first & second_side) != 0 && (second & first_side) != 0;
+      if (forwards != backwards) sum += (forwards ? 1.0 : -1.0) * touch.force();
+    }
+    return sum;
+  }
+
+  void measure_mass(const domain::NodeFields& nodes, domain::ContactReport& entry) const {
+    entry.mass = {};
+    for (Index i = 0; i < surface.node_count(); ++i)
+      for (std::size_t side = 0; side < entry.mass.size(); ++side)
+        if ((surface.node_side[i] & (side == 0 ? first_side : second_side)) != 0)
+          entry.mass[side] += nodes.mass[surface.nodes[i]];
+  }
+
+  void write_report(domain::ContactReport& entry) {
+    entry.id = contact.id;
+    entry.method = method;
+    entry.segments = surface.segments();
+    entry.searches = search.statistics().searches + edges.search().searches();
+    entry.candidates = search.statistics().candidates + edges.search().candidates();
+    entry.active_pairs = static_cast<Index>(penetrations.size());
+    entry.penetration = 0;
+    for (const Penetration& found : penetrations) {
+      entry.penetration = std::max(entry.penetration, found.depth);
+      if (found.depth <= entry.worst_penetration) continue;
+      entry.worst_penetration = found.depth;
+      entry.worst_node = found.node;
+    }
+    entry.two_sided = contact.kind != model::ContactKind::SingleSurface;
+    if (entry.two_sided) entry.force = force_on_first_side();
+    statistics.search = search.statistics();
+    statistics.limited_pairs = forces.limited();
+    statistics.most_limited_pairs = std::max(statistics.most_limited_pairs, forces.limited());
+    statistics.nodes_astray = 0;
+    for (const RememberedPair& pair : remembered)
+      if (!surface.is_face(pair.segment)) statistics.nodes_astray += pair.wrong;
+    statistics.edges_astray = 0;
+    for (const EdgePair& pair : edges.present()) statistics.edges_astray += pair.wrong;
+  }
+
+  model::Contact contact;
+  Surface surface;
+  GlobalSearch search;
+  LocalSearch local;
+  EdgeContact edges;
+  Forces forces;
+  Multipliers multipliers;
+  std::string method;
+  Index report;
+  long verify_cycles = 0;
+  std::int64_t started = 0;  ///< 1 once the penetrations at the start are known
+  std::vector<Touch> touches;
+  std::vector<RememberedPair> remembered;
+  std::vector<Penetration> penetrations;
+  ContactStatistics statistics;
+};
+
+Interface::Interface(const model::Model& model, const domain::Domain& domain, const model::Contact& contact,
+                     Index report)
+    : implementation_(std::make_unique<Implementation>(model, domain, contact, report)) {}
+Interface::~Interface() = default;
+Interface::Interface(Interface&&) noexcept = default;
+Interface& Interface::operator=(Interface&&) noexcept = default;
+
+void Interface::add_forces(domain::Domain& domain) {
+  Implementation& own = *implementation_;
+  if (own.contact.enforcement != model::Enforcement::Penalty) return;
+  domain::ContactReport& report = domain.contacts[own.report];
+  const Kinematics motion = present(domain);
+  const std::span<ContactPair> pairs = own.find(domain, motion);
+  const StageTimer timer(domain.times.contact_forces);
+  own.collect_touches(pairs);
+  own.share_stiffness(pairs, domain);
+  own.forces.add(domain, own.touches, report);
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].friction = own.touches[i].friction;
+  own.remember(pairs, motion);
+  own.write_report(report);
+}
+
+void Interface::add_multipliers(domain::Domain& domain, double interval, double next_step) {
+  Implementation& own = *implementation_;
+  if (own.contact.enforcement != model::Enforcement::Multipliers) return;
+  domain::ContactReport& report = domain.contacts[own.report];
+  const Kinematics motion = own.multipliers.predict(domain, interval, next_step);
+  const std::span<ContactPair> pairs = own.find(domain, motion);
+  const StageTimer timer(domain.times.contact_forces);
+  own.collect_touches(pairs);
+  own.multipliers.solve(own.touches);
+  own.forces.apply(domain, own.touches, report);
+  own.correct(pairs, motion);
+  own.remember(pairs, motion);
+  own.write_report(report);
+}
+
+void Interface::declare(domain::StateList& list) {
+  Implementation& own = *implementation_;
+  list.add("contact_started", "-", domain::Entity::Contact, 1, std::span(&own.started, 1));
+  own.search.declare(list);
+  own.forces.declare(list);
+  list.add("contact_pairs", "by item", domain::Entity::Contact, 1, std::span(own.remembered));
+  own.edges.declare(list);
+}
+
+void Interface::verify_search_every(long cycles) {
+  implementation_->verify_cycles = cycles;
+}
+
+void Interface::inspect(domain::Domain& domain) const {
+  const Implementation& own = *implementation_;
+  const auto cut = intersecting_segments(own.surface, domain.nodes.position, domain.execution.threads);
+  const PenetrationSummary depth = summarise(own.penetrations);
+  domain::ContactInspection& seen = domain.contacts[own.report].inspection;
+  seen.made = true;
+  seen.intersections = static_cast<Index>(cut.size());
+  seen.first_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[0]];
+  seen.second_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[1]];
+  seen.nodes_beyond = depth.beyond;
+  seen.largest_depth = depth.largest;
+  seen.percentile_99 = depth.percentile_99;
+}
+
+const ContactStatistics& Interface::statistics() const {
+  return implementation_->statistics;
+}
+
+std::span<const Penetration> Interface::penetrations() const {
+  return implementation_->penetrations;
+}
+
+std::span<const Touch> Interface::touches() const {
+  return implementation_->touches;
+}
+
+const Surface& Interface::surface() const {
+  return implementation_->surface;
+}
+
+}  // namespace crumple::contact

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::contact {
+
+using math::Vec3;
+
+/// Nodes that springs hold to segments (tied contact with OFFSET, TIEBREAK). The other end of a spring stands
+/// at the height of the node over its segment, on the segment's normal, and moves with it: forces on the
+/// corners are the derivatives of the spring's energy by their places, so that force and moment of force add
+/// up to zero and no rigid motion makes a force (docs/theory/tied.md). Bodies may be rigid on either side.
+class TieSprings {
+ public:
+  /// `tie` is the place of the contact in Model::tied_contacts and domain.ties.
+  TieSprings(const model::Model& model, const domain::Domain& domain, Index tie);
+
+  /// Adds the forces at time n to nodes.force and ends ties that are overloaded, whose segment has eroded or
+  /// whose time is over. Work since the last call goes into the tie's energy, by the trapezoidal rule.
+  void add_forces(domain::Domain& domain);
+
+  void declare(domain::StateList& list);
+
+ private:
+  static constexpr std::size_t ends = 5;  ///< the node and four corners
+  struct Spring {
+    domain::TiedNode tied;
+    double inverse_mass = 0;       ///< bound on 1/m* with shared masses [1/mass]
+    double turning_stiffness = 0;  ///< 0: rotations are free [force * length]
+    double inverse_inertia = 0;    ///< as inverse_mass [1/(mass * length^2)]
+  };
+  /// Forces of a spring, and of its moments.
+  struct Load {
+    std::array<Vec3, ends> force{};  ///< on the node and on the corners [force]
+    Vec3 moment;                     ///< on the node; reversed and shared by weights on the corners
+    double opening = 0;              ///< stretch of the spring [length]
+    double share = 0;                ///< of its strength [-]
+  };
+
+  std::array<Index, ends> nodes_of(const Spring& spring) const;
+  void set_limits(const domain::Domain& domain, const std::vector<Index>& springs_at, Spring& spring) const;
+  bool ends_now(const domain::Domain& domain, const Spring& spring, bool look) const;
+  Load evaluate(const domain::Domain& domain, std::size_t at, double step);
+  double share_of_strength(const Spring& spring, double tension, double shear) const;
+  double add(domain::Domain& domain, std::size_t at, const Load& load);
+
+  model::TiedContact contact_;
+  Index tie_;
+  double step_scale_;
+  double budget_;
+  Index eroded_ = 0;
+  std::vector<Spring> springs_;
+  std::vector<std::int32_t> active_;
+  std::vector<Load> loads_;     ///< now
+  std::vector<Load> previous_;  ///< at time n - 1
+  std::vector<Vec3> turn_;      ///< of the node against its segment, in the segment's frame [rad]
+};
+
+}  // namespace crumple::contact

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/touch.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "contact/contact_pair.hpp"
+#include "contact/segment_shape.hpp"
+#include "contact/surface.hpp"
+
+namespace crumple::contact {
+
+double node_stiffness(const Surface& surface, const Configuration& x, const ContactPair& pair) {
+  double sum = 0;
+  for (const Index own : surface.topology.at_node(pair.node)) {
+    if (surface.of_solid[own] == 0) return surface.node_stiffness[pair.node];
+    const double share = surface.is_triangle(own) ? 1.0 / 3 : 0.25;
+    const double opposed = -dot(normalised(area_normal(shape_of(surface, x, own))), pair.normal);
+    sum += share * surface.stiffness[own] * std::max(0.0, opposed);
+  }
+  return sum > 0 ? sum : surface.node_stiffness[pair.node];
+}
+
+Touch touch_of(const Surface& surface, const ContactPair& pair) {
+  Touch touch;
+  touch.add(pair.node, 1);
+  const Index* segment = surface.segment(pair.segment);
+  const int corners = surface.is_triangle(pair.segment) ? 3 : 4;
+  for (int k = 0; k < corners; ++k) touch.add(surface.place[segment[k]], -pair.weight[k]);
+  touch.normal = pair.normal;
+  touch.penetration = pair.share > 0 ? pair.penetration() : 0;
+  // Behind a face there is no mid-surface that a strong squeeze would reach.
+  touch.reach = surface.is_face(pair.segment) ? std::numeric_limits<double>::max() : pair.reach;
+  touch.stiffness = std::min(surface.node_stiffness[pair.node], surface.stiffness[pair.segment]);
+  touch.area = surface.area[pair.segment];
+  touch.share = pair.share;
+  touch.slip = pair.slip;
+  touch.friction = pair.friction;
+  return touch;
+}
+
+}  // namespace crumple::contact

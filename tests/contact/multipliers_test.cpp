@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact by Lagrange multipliers: no penetration at the end of a step, no pull, exact stick.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "contact/bodies.hpp"
+#include "contact/force_transducer.hpp"
+
+namespace crumple {
+namespace {
+
+using test::Bodies;
+using test::Vec3;
+
+constexpr double thickness = 0.1;
+constexpr double step = 0.05;
+constexpr double mass = 2.0;
+
+/// A node of a small sheet above one large shell, integrated by central differences with the forces that a
+/// test gives and those of contact.
+class Press {
+ public:
+  explicit Press(double friction = 0, double height = 0.12) : bodies_(thickness) {
+    floor_ = bodies_.sheet(1, 1, [](double u, double v) { return Vec3{4 * u - 2, 4 * v - 2, 0}; });
+    small_ = bodies_.sheet(1, 1, [&](double u, double v) {
+      return Vec3{0.6 * u - 0.3, 0.6 * v - 0.3, height};
+    });
+    bodies_.contact.enforcement = model::Enforcement::Multipliers;
+    bodies_.contact.static_friction = bodies_.contact.dynamic_friction = friction;
+    made_ = bodies_.build(mass);
+    for (Index i = 0; i < 4; ++i) made_.nodes.fixed[test::at(made_, floor_ + i)] = 7;  // translations
+    touching_.emplace(bodies_.attach(made_));
+  }
+
+  /// One step with a force on each node of the small sheet.
+  void advance(const Vec3& force) {
+    test::clear_forces(made_);
+    for (Index i = 0; i < 4; ++i)
+      for (int axis = 0; axis < 3; ++axis) made_.nodes.force[node(i)].force[axis] = force[axis];
+    touching_->add_multipliers(made_, step, step);
+    for (Index i = 0; i < 4; ++i) {
+      const double* total = made_.nodes.force[node(i)].force;
+      made_.nodes.velocity[node(i)] += (step / mass) * Vec3{total[0], total[1], total[2]};
+      made_.nodes.position[node(i)] += step * made_.nodes.velocity[node(i)];
+    }
+    made_.clock.step = step;
+    made_.clock.time += step;
+    ++made_.clock.cycle;
+  }
+
+  Index node(Index i) const { return test::at(made_, small_ + i); }
+  Vec3 position() const { return made_.nodes.position[node(0)]; }
+  Vec3& velocity(Index i) { return made_.nodes.velocity[node(i)]; }
+  Vec3 contact_force() const { return made_.contact_force[node(0)]; }
+  const domain::Domain& made() const { return made_; }
+  /// What all four nodes feel.
+  Vec3 transducer() const {
+    model::ForceTransducer transducer;
+    for (Index i = 0; i < 4; ++i) transducer.side[0].nodes.push_back(small_ + i);
+    return contact::ForceTransducer(bodies_.model, made_, transducer).measure(*touching_);
+  }
+
+ private:
+  Bodies bodies_;
+  Index floor_ = 0;
+  Index small_ = 0;
+  domain::Domain made_;
+  std::optional<contact::Interface> touching_;
+};
+
+// The sheet comes down under a force and rests on the other: its distance is the thickness to the last bits
+// from the first touch on, and the contact force is then the load.
+TEST(Multipliers, LeaveNoPenetrationAndCarryTheLoad) {
+  Press press;
+  bool touched = false;
+  for (int i = 0; i < 200; ++i) {
+    press.advance({0, 0, -0.3});
+    EXPECT_GE(press.position().z, thickness - 1e-14);
+    EXPECT_GE(press.contact_force().z, 0);
+    touched = touched || press.contact_force().z > 0;
+    if (!touched) continue;
+    EXPECT_NEAR(press.position().z, thickness, 1e-14);
+  }
+  EXPECT_NEAR(press.contact_force().z, 0.3, 1e-13);
+  EXPECT_NEAR(press.transducer().z, 4 * 0.3, 1e-12);
+  EXPECT_EQ(press.made().contacts[0].penetration, 0);
+}
+
+TEST(Multipliers, NeverPull) {
+  Press press;
+  for (int i = 0; i < 50; ++i) press.advance({0, 0, -0.3});
+  for (int i = 0; i < 50; ++i) {
+    press.advance({0, 0, 0.01});
+    EXPECT_EQ(norm(press.contact_force()), 0);
+  }
+  EXPECT_GT(press.position().z, thickness);
+}
+
+// Where friction holds there is no slip at all; above mu N the sheet slides, and the force is mu N.
+TEST(Multipliers, StickExactlyAndSlideByCoulombsLaw) {
+  const double mu = 0.4;
+  Press press(mu);
+  for (int i = 0; i < 100; ++i) press.advance({0, 0, -0.3});
+  const Vec3 start = press.position();
+  for (int i = 0; i < 50; ++i) {
+    press.advance({0.3 * mu * 0.99, 0, -0.3});
+    EXPECT_NEAR(norm(press.position() - start), 0, 1e-13);
+  }
+  for (int i = 0; i < 20; ++i) press.advance({0.3 * mu * 1.5, 0, -0.3});
+  EXPECT_NEAR(press.contact_force().x, -mu * 0.3, 1e-13);
+  EXPECT_NEAR(press.position().x - start.x, 0.5 * (0.3 * mu * 0.5 / mass) * std::pow(20 * step, 2),
+              0.06 * 0.5 * (0.3 * mu * 0.5 / mass) * std::pow(20 * step, 2))
+      << "the discrete path is longer by one part in twenty";
+}
+
+// Two free nodes against a free segment: momentum is that of before.
+TEST(Multipliers, KeepMomentum) {
+  Bodies bodies(thickness);
+  bodies.sheet(2, 2, [](double u, double v) { return Vec3{2 * u, 2 * v, 0}; });
+  const Index small = bodies.sheet(2, 2, [](double u, double v) {
+    return Vec3{0.3 + u, 0.45 + 0.8 * v, 0.11 + 0.02 * u};
+  });
+  bodies.contact.enforcement = model::Enforcement::Multipliers;
+  bodies.contact.static_friction = bodies.contact.dynamic_friction = 0.3;
+  domain::Domain made = bodies.build(mass);
+  contact::Interface touching = bodies.attach(made);
+  for (Index i = 0; i < 9; ++i) made.nodes.velocity[test::at(made, small + i)] = {0.1, 0.05, -0.4};
+  const double initial = 9 * 0.5 * mass * (0.1 * 0.1 + 0.05 * 0.05 + 0.4 * 0.4);
+  bool touched = false;
+  for (int cycle = 0; cycle < 20; ++cycle) {
+    test::clear_forces(made);
+    touching.add_multipliers(made, step, step);
+    touched = touched || made.contacts[0].active_pairs > 0 || norm(made.contact_force[0]) > 0;
+    EXPECT_NEAR(norm(test::total_force(made)), 0, 1e-13);
+    double energy = 0;
+    for (Index i = 0; i < made.nodes.count(); ++i) {
+      made.nodes.velocity[i] += (step / mass) * made.contact_force[i];
+      made.nodes.position[i] += step * made.nodes.velocity[i];
+      energy += 0.5 * mass * dot(made.nodes.velocity[i], made.nodes.velocity[i]);
+    }
+    EXPECT_LE(energy, initial * (1 + 1e-12)) << "an impact of nodes takes energy and gives none";
+    made.clock.step = step;
+    ++made.clock.cycle;
+  }
+  EXPECT_TRUE(touched);
+}
+
+}  // namespace
+}  // namespace crumple

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Beams in contact: with each other and with shells.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "contact/bodies.hpp"
+
+namespace crumple {
+namespace {
+
+using test::Bodies;
+using test::Vec3;
+
+struct Balance {
+  double kinetic = 0;
+  Vec3 momentum;
+  Vec3 spin;
+};
+
+Balance balance(const domain::Domain& made, double step) {
+  Balance sum;
+  for (Index i = 0; i < made.nodes.count(); ++i) {
+    const double mass = made.nodes.mass[i];
+    const double* force = made.nodes.force[i].force;
+    const Vec3 before = made.nodes.velocity[i];
+    sum.kinetic += 0.5 * mass * dot(before, before + (step / mass) * Vec3{force[0], force[1], force[2]});
+    sum.momentum += mass * before;
+    sum.spin += cross(made.nodes.position[i], mass * before);
+  }
+  return sum;
+}
+
+// Two wires of several beams meet obliquely and part again: momenta to round-off, the energy is given back.
+TEST(Wires, CrossedWiresBounceElastically) {
+  for (const double aside : {0.0, 0.13, 0.5}) {
+    Bodies bodies;
+    bodies.add_wires(0.05);
+    const Index first = bodies.wire(4, [&](double u) { return Vec3{2 * u - 1 + aside, 0.1 * u, 0}; });
+    const Index second = bodies.wire(3, [](double u) { return Vec3{0.2 * u, 2 * u - 1, 0.13}; });
+    domain::Domain made = bodies.build(1.0);
+    for (Index i = first; i < second; ++i) made.nodes.velocity[test::at(made, i)] = {0.05, 0, 0.3};
+    contact::Interface touching = bodies.attach(made);
+    touching.verify_search_every(1);
+    test::add_forces(touching, made);
+    const double step = 1e-3;
+    const Balance start = balance(made, step);
+    double stored = 0;
+    double worst = 0;
+    for (int i = 0; i < 3000; ++i) {
+      test::integrate(touching, made, step);
+      const Balance now = balance(made, step);
+      stored = std::max(stored, made.contacts[0].energy);
+      worst = std::max(worst, std::fabs(now.kinetic + made.contacts[0].energy - start.kinetic));
+      ASSERT_LT(norm(now.momentum - start.momentum), 1e-12);
+      ASSERT_LT(norm(now.spin - start.spin), 1e-12);
+    }
+    EXPECT_GT(stored, 0.03 * start.kinetic);
+    EXPECT_LT(worst, 1e-3 * start.kinetic);
+    EXPECT_LT(std::fabs(made.contacts[0].energy), 1e-3 * stored) << aside;
+    EXPECT_EQ(made.contacts[0].active_pairs, 0);
+    // The contact was no pass: each of them went back or stays on its side.
+    EXPECT_LT(norm(start.momentum) * 0.5, 5 * 0.3 * 0.9);
+  }
+}
+
+// A wire falls on a wire along it, and one end on: the nodes of either carry it.
+TEST(Wires, WiresTouchWithTheirNodesToo) {
+  for (const bool along : {true, false}) {
+    Bodies bodies;
+    bodies.add_wires(0.05);
+    const Index first = bodies.wire(4, [](double u) { return Vec3{2 * u - 1, 0, 0}; });
+    const Index second = along ? bodies.wire(3,
+                                             [](double u) {
+                                               return Vec3{1.8 * u - 0.93, 0, 0.12};
+                                             })
+                               : bodies.wire(3, [](double u) {
+                                   return Vec3{0.13, 0, 0.12 + u};
+                                 });
+    domain::Domain made = bodies.build(1.0);
+    for (Index i = first; i < second; ++i) made.nodes.velocity[test::at(made, i)] = {0, 0, 0.3};
+    contact::Interface touching = bodies.attach(made);
+    touching.verify_search_every(1);
+    test::add_forces(touching, made);
+    Index most = 0;
+    for (int i = 0; i < 1500; ++i) {
+      test::integrate(touching, made, 1e-3);
+      most = std::max(most, made.contacts[0].active_pairs);
+      ASSERT_LT(norm(test::total_force(made)), 1e-12);
+      ASSERT_LT(norm(test::total_moment(made)), 1e-12);
+    }
+    EXPECT_GE(most, along ? 6 : 1);
+    EXPECT_LT(std::fabs(made.contacts[0].energy), 1e-6);
+    for (Index i = first; along && i < second; ++i) {
+      EXPECT_LT(made.nodes.position[test::at(made, i)].z, made.nodes.position[test::at(made, second)].z);
+    }
+  }
+}
+
+// A node of a wire comes down on a shell, and a wire across the free edge of one.
+TEST(Wires, WiresTouchShells) {
+  for (const double y : {0.4, 1.04}) {
+    Bodies bodies(0.1);
+    bodies.add_wires(0.05);
+    bodies.sheet(2, 1, [](double u, double v) { return Vec3{2 * u, v, 0}; });
+    const bool on_edge = y > 1;
+    const Index wire = on_edge ? bodies.wire(1,
+                                             [](double u) {
+                                               return Vec3{0.6, 2 * u + 0.3, 0.3 - 0.2 * u};
+                                             })
+                               : bodies.wire(1, [&](double u) {
+                                   return Vec3{0.6, y, 0.15 + u};
+                                 });
+    domain::Domain made = bodies.build(1.0);
+    contact::Interface touching = bodies.attach(made);
+    touching.verify_search_every(1);
+    test::add_forces(touching, made);
+    EXPECT_EQ(made.contacts[0].active_pairs, 0);
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    for (int i = 0; i < 2; ++i) x[test::at(made, wire + i)].z -= on_edge ? 0.15 : 0.08;
+    test::move_to(touching, made, x, 1e-3);
+    EXPECT_EQ(made.contacts[0].active_pairs, 1) << y;
+    EXPECT_GT((made.contact_force[test::at(made, wire)] + made.contact_force[test::at(made, wire + 1)]).z, 0);
+    EXPECT_LT(norm(test::total_force(made)), 1e-12);
+    EXPECT_LT(norm(test::total_moment(made)), 1e-12);
+  }
+}
+
+// The lower end of an upright wire rests on a sheet until its beam erodes.
+TEST(Wires, NodesOfErodedBeamsTouchNothing) {
+  for (const bool erodes : {false, true}) {
+    Bodies bodies(0.1);
+    bodies.sheet(1, 1, [](double u, double v) { return Vec3{2 * u - 1, 2 * v - 1, 0}; });
+    bodies.add_wires(0.05);
+    const Index wire = bodies.wire(1, [](double u) { return Vec3{0.1, 0.2, 0.3 + u}; });
+    domain::Domain made = bodies.build();
+    domain::BeamBlock& block = made.beams[0];
+    const Index active = domain::add_item(block, "active", "-", 1);
+    block.double_state.assign(static_cast<std::size_t>(block.groups()) * block.components * lanes, 0.0);
+    block.set_state(0, active, 1);
+    contact::Interface touching = bodies.attach(made);
+    touching.verify_search_every(1);
+    test::add_forces(touching, made);
+    if (erodes) {
+      block.set_state(0, active, 0);
+      ++block.eroded;
+    }
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    for (Index i = wire; i < wire + 2; ++i) x[test::at(made, i)].z -= 0.22;
+    test::move_to(touching, made, x, 1e-3);
+    EXPECT_EQ(made.contacts[0].active_pairs, erodes ? 0 : 1);
+  }
+}
+
+}  // namespace
+}  // namespace crumple

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Patch test of contact (R.L. Taylor, P. Papadopoulos, On a patch test for contact problems in two
+// dimensions, in Nonlinear Computational Mechanics, 1991): a block on a block, under an even pressure, free
+// to widen. The stress is the pressure everywhere, whatever the meshes. Nodes that press on segments pass it
+// where the meshes match; elsewhere the error is what is measured here. It does not fall with the mesh, but
+// stays near the interface.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "support/lines.hpp"
+#include "support/shapes.hpp"
+
+namespace crumple {
+namespace {
+
+constexpr double side = 24;
+constexpr double height = 12;
+constexpr double pressure = 0.1;
+
+/// mm, ms, kg. The lower block stands on the plane z = 0; `lower` and `upper` cells across, SLSFAC
+/// `stiffness`.
+model::Model two_blocks(Index lower, Index upper, double stiffness) {
+  model::Model model = test::one_solid_part(test::elastic_steel());
+  model.solid_sections[0].formulation = model::SolidFormulation::SelectiveHexahedron;
+  const auto add = [&](Index part, Index cells, double bottom) {
+    return test::add_box(model, part, cells, cells, 4, [=](double u, double v, double w) {
+      return test::Point{side * u, side * v, bottom + height * w};
+    });
+  };
+  add(0, lower, 0);
+  const Index second = add(test::add_solid_part(model), upper, height);
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    const test::Point& x = model.nodes.position[i];
+    model.fixed_nodes.push_back({.node = i, .translation = {x[0] == 0, x[1] == 0, x[2] == 0}});
+  }
+  model.curves.push_back({1, {0, 0.05, 1e6}, {0, 1, 1}});
+  const Index top = second + 4 * (upper + 1) * (upper + 1);
+  for (Index j = 0; j < upper; ++j)
+    for (Index i = 0; i < upper; ++i) {
+      const Index corner = top + (upper + 1) * j + i;
+      model.pressure_loads.push_back({.node = {corner, corner + 1, corner + upper + 2, corner + upper + 1},
+                                      .pressure = pressure,
+                                      .curve = 0});
+    }
+  model.control.contact_stiffness_scale = stiffness;
+  // The limit of stability shall cut no stiffness.
+  model.control.step_scale = 0.5;
+  model.control.end_time = 0.5;
+  test::touch_all(model);
+  return model;
+}
+
+/// Deviation of the stress along z from the pressure, over the pressure.
+struct Deviation {
+  double largest = 0;
+  double beside = 0;  ///< root of the mean square, of the layers of elements at the interface
+  double away = 0;    ///< of the other layers
+};
+
+Deviation pressed(Index lower, Index upper, double stiffness) {
+  const model::Model model = two_blocks(lower, upper, stiffness);
+  timeloop::Simulation simulation(model, test::execution());
+  test::run_damped(simulation, 0.02);
+  const domain::Domain& domain = simulation.domain();
+  Deviation found;
+  std::array<double, 2> count{};
+  std::array<double, 2> squares{};
+  for (const domain::SolidBlock& block : domain.solids)
+    for (Index e = 0; e < block.elements; ++e) {
+      double stress = 0;
+      double z = 0;
+      for (Index point = 0; point < block.points; ++point)
+        stress += block.state(e, 6 * point + 2) / static_cast<double>(block.points);
+      for (int k = 0; k < 8; ++k) z += domain.nodes.reference[block.node_of(e, k)].z / 8;
+      const double off = stress / pressure + 1;
+      const std::size_t layer = std::fabs(z - height) < height / 4 ? 0 : 1;
+      found.largest = std::max(found.largest, std::fabs(off));
+      squares[layer] += off * off;
+      count[layer] += 1;
+    }
+  found.beside = std::sqrt(squares[0] / count[0]);
+  found.away = std::sqrt(squares[1] / count[1]);
+  std::printf(
+      "%d on %d cells, SLSFAC %g: largest error %.2e, root of the mean square beside the interface %.2e, "
+      "elsewhere %.2e\n",
+      upper, lower, stiffness, found.largest, found.beside, found.away);
+  return found;
+}
+
+TEST(ContactPatch, IsPassedWhereMeshesMatch) {
+  EXPECT_LT(pressed(4, 4, 0.1).largest, 1e-5);
+}
+
+/// With the usual stiffness the nodes go in by some times what the elements give way, evenly for each node,
+/// and the pressure goes with the number of nodes that share it. A stiffer contact leaves the error of the
+/// form itself.
+TEST(ContactPatch, ErrorOfNodesOnSegments) {
+  EXPECT_LT(pressed(5, 4, 0.1).beside, 0.09);
+  EXPECT_LT(pressed(8, 10, 0.1).beside, 0.08);
+  EXPECT_LT(pressed(6, 4, 1).beside, 0.04);
+  EXPECT_LT(pressed(5, 4, 1).beside, 0.02);
+  const Deviation fine = pressed(8, 10, 1);
+  EXPECT_LT(fine.beside, 0.025);
+  EXPECT_LT(fine.away, 0.006);
+}
+
+}  // namespace
+}  // namespace crumple

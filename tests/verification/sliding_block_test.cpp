@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A block of solids is pressed onto a plate while it slides, and stops by friction. Exact (Coulomb): under
+// the force N(t) it loses the velocity mu / m * integral of N, so that with N growing evenly over a time T it
+// slides v T - mu N T^2 / (6 m) until then, and (v - mu N T / (2 m))^2 / (2 mu N / m) further.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "support/conservation.hpp"
+#include "support/rigid.hpp"
+#include "support/shapes.hpp"
+
+namespace crumple {
+namespace {
+
+constexpr double side = 20;    // of the block, mm
+constexpr double height = 10;  // of the block, mm
+constexpr double pressure = 0.01;
+constexpr double friction = 0.2;
+constexpr double speed = 15;
+constexpr double rise = 0.2;
+
+enum class Plate { Shells, Solids };
+
+/// mm, ms, kg. The plate's mesh is turned against the block's and does not match it.
+model::Model block_on(Plate plate) {
+  model::Model model = test::one_solid_part(test::elastic_steel());
+  model.shell_sections.push_back(test::shell_section(1.0, 3));
+  const auto turned = [](double u, double v, double z) {
+    const double x = 60 * u - 25;
+    const double y = 40 * v - 20;
+    return test::Point{x * std::cos(0.2) - y * std::sin(0.2), x * std::sin(0.2) + y * std::cos(0.2), z};
+  };
+  if (plate == Plate::Shells)
+    test::add_grid(model, test::add_shell_part(model), 9, 6,
+                   [&](double u, double v) { return turned(u, v, -0.5); });
+  else
+    test::add_box(model, test::add_solid_part(model), 9, 6, 1,
+                  [&](double u, double v, double w) { return turned(u, v, 7 * w - 7); });
+  const Index block = model.nodes.count();
+  test::hold(model, 0, block);
+  test::add_box(model, 0, 4, 4, 2, [](double u, double v, double w) {
+    return test::Point{side * (u - 0.5), side * (v - 0.5), height * w};
+  });
+  test::set_moving(model, block, {speed, 0, 0});
+  model.curves.push_back({1, {0, rise, 1e6}, {0, 1, 1}});
+  for (Index i = 0; i < 4; ++i)
+    for (Index j = 0; j < 4; ++j) {
+      const Index corner = block + 50 + 5 * j + i;
+      model.pressure_loads.push_back(
+          {.node = {corner, corner + 1, corner + 6, corner + 5}, .pressure = pressure, .curve = 0});
+    }
+  test::touch_all(model, friction);
+  model.control.end_time = 1.2;
+  return model;
+}
+
+struct Slide {
+  double distance = 0;
+  double rest = 0;  ///< velocity left
+  domain::EnergyLedger energy;
+};
+
+Slide slide(const model::Model& model) {
+  timeloop::Simulation simulation(model, test::execution());
+  test::run(simulation);
+  const domain::Domain& domain = simulation.domain();
+  Slide found;
+  double mass = 0;
+  for (Index i = 0; i < domain.nodes.count(); ++i) {
+    if (domain.nodes.fixed[i] != 0) continue;
+    mass += domain.nodes.mass[i];
+    found.distance += domain.nodes.mass[i] * (domain.nodes.position[i].x - domain.nodes.reference[i].x);
+    found.rest += domain.nodes.mass[i] * domain.nodes.velocity[i].x;
+  }
+  found.distance /= mass;
+  found.rest /= mass;
+  found.energy = domain.energy;
+  return found;
+}
+
+class SlidingBlock : public ::testing::TestWithParam<Plate> {};
+
+TEST_P(SlidingBlock, StopsWhereCoulombSays) {
+  const model::Model model = block_on(GetParam());
+  const Slide found = slide(model);
+  const double mass = side * side * height * 7.85e-6;
+  const double slowing = friction * pressure * side * side / mass;
+  const double left = speed - 0.5 * slowing * rise;
+  const double exact = speed * rise - slowing * rise * rise / 6 + left * left / (2 * slowing);
+  const double kinetic = 0.5 * mass * speed * speed;
+  std::printf(
+      "distance %.5f of %.5f mm (%.5f), velocity left %.1e, friction / kinetic energy %.5f, error %.1e\n",
+      found.distance, exact, found.distance / exact, found.rest / speed, found.energy.friction / kinetic,
+      found.energy.error());
+  EXPECT_NEAR(found.distance, exact, 0.005 * exact);
+  EXPECT_LT(std::fabs(found.rest), 0.005 * speed);
+  EXPECT_NEAR(found.energy.friction, kinetic, 0.005 * kinetic);
+  EXPECT_LT(found.energy.error(), 0.01);
+}
+
+std::string name_of(const ::testing::TestParamInfo<Plate>& info) {
+  return info.param == Plate::Shells ? "OnShells" : "OnSolids";
+}
+
+INSTANTIATE_TEST_SUITE_P(Plates, SlidingBlock, ::testing::Values(Plate::Shells, Plate::Solids), name_of);
+
+}  // namespace
+}  // namespace crumple
