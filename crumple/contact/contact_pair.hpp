@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/index.hpp"
+#include "contact/penalty.hpp"
 #include "math/vec3.hpp"
 
 namespace crumple::contact {
@@ -21,8 +22,9 @@ struct RememberedPair {
   double offset = 0;               ///< by which the contact distance is reduced [length]
   double depth = 0;                ///< penetration, offset deducted [length]
   Vec3 friction;                   ///< on the node, in the segment's frame [force]
+  PenaltyMemory penalty;
 };
-static_assert(sizeof(RememberedPair) == 88);
+static_assert(sizeof(RememberedPair) == 112);
 
 /// A node in contact with a segment, now.
 struct ContactPair {
@@ -31,14 +33,15 @@ struct ContactPair {
   std::int32_t side = 0;
   std::int32_t wrong = 0;
   std::array<double, 4> weight{};
-  Vec3 point;         ///< contact point, sum of weight[i] x[i] [length]
-  Vec3 normal;        ///< unit vector in which the node is pushed
-  double gap = 0;     ///< distance from the mid-surface, negative on the wrong side [length]
-  double reach = 0;   ///< distance at which contact begins, offset deducted [length]
-  double offset = 0;  ///< [length]
-  double share = 1;   ///< of the force; below 1 in a concave ridge that is almost flat
-  Vec3 slip;          ///< movement of the contact point over the surface since the last step [length]
-  Vec3 friction;      ///< friction force of the last step, turned with the segment [force]
+  Vec3 point;             ///< contact point, sum of weight[i] x[i] [length]
+  Vec3 normal;            ///< unit vector in which the node is pushed
+  double gap = 0;         ///< distance from the mid-surface, negative on the wrong side [length]
+  double reach = 0;       ///< distance at which contact begins, offset deducted [length]
+  double offset = 0;      ///< [length]
+  double share = 1;       ///< of the force; below 1 in a concave ridge that is almost flat
+  Vec3 slip;              ///< movement of the contact point over the surface since the last step [length]
+  Vec3 friction;          ///< friction force of the last step, turned with the segment [force]
+  PenaltyMemory penalty;  ///< of the last step
 
   double penetration() const { return reach - gap; }
 };

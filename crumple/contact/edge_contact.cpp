@@ -36,7 +36,7 @@ EdgeContact::EdgeContact(const model::Model& model, const domain::Domain& domain
     : surface_(&surface),
       edges_(build_edges(model, domain, contact, surface)),
       search_(edges_, surface, model.search, domain.execution.threads),
-      local_(edges_, surface, contact.static_friction > 0 || contact.dynamic_friction > 0) {}
+      local_(edges_, surface) {}
 
 void EdgeContact::update(const domain::Domain& domain, const Kinematics& motion, bool surface_changed) {
   if (!exists()) return;
@@ -84,6 +84,7 @@ void EdgeContact::append_touches(std::vector<Touch>& touches) const {
     touch.share = pair.share;
     touch.slip = pair.slip;
     touch.friction = pair.friction;
+    touch.penalty = pair.penalty;
     touches.push_back(touch);
   }
 }
@@ -108,6 +109,7 @@ void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touc
     memory.depth = pair.share > 0 ? std::max(0.0, pair.penetration()) : 0;
     memory.share = pair.share;
     memory.normal = pair.normal;
+    memory.penalty = touches[i].penalty;
     const Vec3& friction = touches[i].friction;
     if (dot(friction, friction) > 0)
       memory.friction = frame_of(edge_shape(edges_.ends(pair.key.first), x),

@@ -48,8 +48,11 @@ std::span<EdgePair> EdgeLocalSearch::find(const Kinematics& motion, const EdgeSe
   });
   for (const auto& found : parts_) pairs_.insert(pairs_.end(), found.begin(), found.end());
   relieve_ends();
-  if (friction_)
-    for (EdgePair& pair : pairs_) carry_friction(view, pairs_, pair);
+  const auto found_pairs = static_cast<Index>(pairs_.size());
+  parallel_for(pieces(found_pairs, piece), motion.threads, [&](Index part) {
+    for (Index i = part * piece; i < std::min((part + 1) * piece, found_pairs); ++i)
+      carry_on(view, pairs_, pairs_[static_cast<std::size_t>(i)]);
+  });
   return pairs_;
 }
 

@@ -17,9 +17,7 @@ namespace crumple::contact {
 /// other (docs/theory/contact.md).
 class EdgeLocalSearch {
  public:
-  /// `friction`: whether there is any, so that it must be carried along.
-  EdgeLocalSearch(const Edges& edges, const Surface& surface, bool friction)
-      : edges_(&edges), surface_(&surface), friction_(friction) {}
+  EdgeLocalSearch(const Edges& edges, const Surface& surface) : edges_(&edges), surface_(&surface) {}
 
   /// Finds the contacts at time n. `remembered` are those of the step before, in order. With `tracking` every
   /// contact is allowed the penetration that it has now (first step of a contact). `node_depths` are the
@@ -35,7 +33,6 @@ class EdgeLocalSearch {
 
   const Edges* edges_;
   const Surface* surface_;
-  bool friction_;
   std::vector<std::vector<EdgePair>> parts_;
   std::vector<EdgePair> pairs_;
 };

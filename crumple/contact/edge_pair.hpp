@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/index.hpp"
+#include "contact/penalty.hpp"
 #include "math/vec3.hpp"
 
 namespace crumple::contact {
@@ -43,8 +44,11 @@ struct RememberedEdgePair {
   double share = 0;  ///< of the force
   Vec3 normal;       ///< in which the first edge is pushed
   Vec3 friction;     ///< on the first edge, along it, across it, and along the normal [force]
+  PenaltyMemory penalty;
+
+  bool loaded() const { return penalty.slope_limit > 0 || dot(friction, friction) > 0; }
 };
-static_assert(sizeof(RememberedEdgePair) == 104);
+static_assert(sizeof(RememberedEdgePair) == 128);
 
 /// Something that is known of a node and an edge.
 struct NodeOnEdge {
@@ -70,6 +74,7 @@ struct EdgePair {
   double share = 1;   ///< of the force; 0 where others see to this contact
   Vec3 slip;          ///< movement of the first contact point over the second since the last step [length]
   Vec3 friction;      ///< on the first edge at the last step, turned with the edges [force]
+  PenaltyMemory penalty;  ///< of the last step
 
   double penetration() const { return reach - gap; }
 };

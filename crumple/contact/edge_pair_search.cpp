@@ -345,7 +345,7 @@ void EdgePairSearch::examine_end(EdgeMeeting meeting, Index other, double full,
   found.push_back(pair);
 }
 
-void carry_friction(const EdgeView& view, std::span<const EdgePair> present, EdgePair& pair) {
+void carry_on(const EdgeView& view, std::span<const EdgePair> present, EdgePair& pair) {
   if (pair.share == 0) return;
   const RememberedEdgePair* from = nullptr;
   double turned = 1;
@@ -356,11 +356,10 @@ void carry_friction(const EdgeView& view, std::span<const EdgePair> present, Edg
   };
   visit_connected(view, pair.key, [&](const RememberedEdgePair& other, double sign) {
     const bool own = other.key == pair.key;
-    const bool rubbed = dot(other.friction, other.friction) > 0;
-    if (!own && (!rubbed || !rests(other.key))) return;
+    if (!own && (!other.loaded() || !rests(other.key))) return;
     // The pair itself comes before its neighbours if it has anything to remember.
-    const bool better = from == nullptr || (own && rubbed) ||
-                        (from->key == pair.key && dot(from->friction, from->friction) == 0);
+    const bool better =
+        from == nullptr || (own && other.loaded()) || (from->key == pair.key && !from->loaded());
     if (!better) return;
     from = &other;
     turned = sign;
@@ -372,6 +371,7 @@ void carry_friction(const EdgeView& view, std::span<const EdgePair> present, Edg
   const Vec3 normal = from->key == pair.key ? pair.normal : turned * pair.normal;
   pair.slip = turned * (first.at(from->fraction[0]) - second.at(from->fraction[1]));
   pair.friction = turned * frame_of(first, second, normal).to_global(from->friction);
+  pair.penalty = from->penalty;
 }
 
 Frame frame_of(const EdgeShape& first, const EdgeShape& second, const Vec3& normal) {

@@ -66,9 +66,9 @@ class EdgePairSearch {
 /// The domain node of a contact of an end.
 Index end_of(const Edges& edges, const EdgePairKey& key);
 
-/// Finds the friction force and the contact points of the step before, of this pair or of one of their
-/// neighbours that the contact has left. `present` are the contacts now, in order.
-void carry_friction(const EdgeView& view, std::span<const EdgePair> present, EdgePair& pair);
+/// Finds the friction force, the largest slope and the contact points of the step before, of this pair or of
+/// one of their neighbours that the contact has left. `present` are the contacts now, in order.
+void carry_on(const EdgeView& view, std::span<const EdgePair> present, EdgePair& pair);
 
 /// Axes that turn with a pair of edges: along the first one, or the second or any where that is the normal,
 /// across it, and along the normal.

@@ -27,6 +27,18 @@ double judged_step(const domain::Domain& domain, double step_scale) {
   return std::max(domain.clock.step, step_scale * domain.clock.element_limit);
 }
 
+/// Factor on the force because contact begins and ends within steps. `square`: omega^2 that the touch is
+/// expected to have where it begins; where it goes on, its acceleration in the last step tells.
+double factor_in_step(const PenaltyMemory& before, const PenaltyMemory& now, double step, double square) {
+  const double travel = std::fabs(now.speed) * step;
+  if (travel <= 0) return 1;
+  if (before.slope_limit <= 0)
+    return now.speed < 0 ? landing_factor(now.depth / travel, square * step * step) : 1;
+  if (now.speed < 0 || before.depth <= 0) return 1;
+  return leaving_factor(now.depth / travel,
+                        std::clamp((now.speed - before.speed) * step / before.depth, 0.0, 1.0));
+}
+
 /// SLSFAC times the larger of SFS and SFM.
 double stiffness_scale(const model::Contact& contact, const model::Control& control) {
   return control.contact_stiffness_scale *
@@ -53,7 +65,8 @@ Forces::Forces(const Surface& surface, const model::Contact& contact, const mode
       contact_(contact),
       step_scale_(control.step_scale),
       budget_(stability_budget(control.step_scale, stiffness_scale(contact, control)) *
-              damping_factor(contact.viscous_damping)) {
+              damping_factor(contact.viscous_damping)),
+      largest_budget_(stability_budget(control.step_scale) * damping_factor(contact.viscous_damping)) {
   const std::size_t places = surface.nodes.size();
   touches_.resize(places);
   marked_.resize(places);
@@ -119,33 +132,46 @@ double Forces::least_stiffness(const domain::NodeFields& nodes, const Touch& tou
 bool Forces::evaluate(const domain::Domain& domain, Touch& touch) const {
   if (touch.penetration <= 0) {
     touch.friction = touch.normal_force = Vec3{};
+    touch.penalty = {};
     return false;
   }
   const domain::NodeFields& nodes = domain.nodes;
   const double inverse = inverse_mass(nodes, touch);
   const double step = judged_step(domain, step_scale_);
-  PenaltyLaw law;
-  law.stiffness = std::max(touch.stiffness, least_stiffness(nodes, touch, step));
-  law.limit = step > 0 ? budget_ / (step * step * inverse) : std::numeric_limits<double>::max();
-  law.reach = touch.reach;
-
   Vec3 relative;
   for (int i = 0; i < touch.nodes; ++i)
     relative += touch.weight[i] * nodes.velocity[surface_->nodes[touch.place[i]]];
+  const PenaltyMemory before = touch.penalty;
+  touch.penalty.slope_limit = slope_limit(before, inverse, step);
+  touch.penalty.depth = touch.penetration;
+  touch.penalty.speed = dot(relative, touch.normal);
+  PenaltyLaw law;
+  law.stiffness = std::max(touch.stiffness, least_stiffness(nodes, touch, step));
+  law.limit = touch.penalty.slope_limit;
+  law.reach = touch.reach;
   const double stiffness = std::min(law.stiffness, law.limit);
+  const double factor = factor_in_step(before, touch.penalty, domain.clock.step, stiffness * inverse);
   const double damping = 2 * contact_.viscous_damping * std::sqrt(stiffness / inverse);
   // Damping may take the force down to zero, but never pulls.
-  const double size = std::max(0.0, law.force(touch.penetration) - damping * dot(relative, touch.normal));
+  const double size = std::max(0.0, factor * law.force(touch.penetration) - damping * touch.penalty.speed);
 
   touch.normal_force = touch.share * size * touch.normal;
-  add_friction(domain, touch, law, inverse);
+  add_friction(domain, touch, law.stiffness, inverse);
   return law.limit < law.stiffness;
+}
+
+/// A touch keeps the limit with which it began, as a slope that changes under load makes or eats energy,
+/// until that is too much beside the others that have come [force/length].
+double Forces::slope_limit(const PenaltyMemory& before, double inverse, double step) const {
+  if (step <= 0) return std::numeric_limits<double>::max();
+  const double unit = 1 / (step * step * inverse);
+  return before.slope_limit > 0 ? std::min(before.slope_limit, largest_budget_ * unit) : budget_ * unit;
 }
 
 /// Friction acts at the two points, which are an arm apart: the nodes of the second take the couple of the
 /// two as well, so that the moment of momentum is kept, and a touch that sticks feels no work where both turn
 /// together. The same goes for a face that pushes straight out beyond its rim.
-void Forces::add_friction(const domain::Domain& domain, Touch& touch, const PenaltyLaw& law,
+void Forces::add_friction(const domain::Domain& domain, Touch& touch, double stiffness,
                           double inverse) const {
   constexpr double round_off = 1e-9;
   const domain::NodeFields& nodes = domain.nodes;
@@ -169,7 +195,8 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, const Pena
       lightest = std::max(lightest, touches_[touch.place[i]] / (lent(touch.weight[i]) *
                                                                 nodes.mass[surface_->nodes[touch.place[i]]]));
     const double turning = couple.largest_square(arm) * lightest;
-    const double stiffness = std::min(law.stiffness, law.limit * inverse / (inverse + turning));
+    const double step = judged_step(domain, step_scale_);
+    if (step > 0) stiffness = std::min(stiffness, budget_ / (step * step * (inverse + turning)));
     touch.friction = friction(touch, size, touch.share * stiffness, domain.clock.step);
   }
   touch.couple = couple.forces(-cross(arm, touch.force()));

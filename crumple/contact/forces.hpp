@@ -40,7 +40,8 @@ class Forces {
   double inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const;
   double least_stiffness(const domain::NodeFields& nodes, const Touch& touch, double step) const;
   bool evaluate(const domain::Domain& domain, Touch& touch) const;
-  void add_friction(const domain::Domain& domain, Touch& touch, const PenaltyLaw& law, double inverse) const;
+  double slope_limit(const PenaltyMemory& before, double inverse, double step) const;
+  void add_friction(const domain::Domain& domain, Touch& touch, double stiffness, double inverse) const;
   Vec3 friction(const Touch& touch, double normal_force, double stiffness, double step) const;
   void scatter(std::span<const Touch> touches);
   void add_work(const domain::Domain& domain, domain::ContactReport& report);
@@ -49,7 +50,8 @@ class Forces {
   const Surface* surface_;
   model::Contact contact_;
   double step_scale_;
-  double budget_;
+  double budget_;          ///< of a touch that begins
+  double largest_budget_;  ///< of one that goes on
   Index limited_ = 0;
   std::vector<std::uint8_t> is_limited_;  ///< by touch
   std::vector<double> touches_;           ///< weights of those that act on a node, by place

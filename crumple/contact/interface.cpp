@@ -70,6 +70,7 @@ struct Interface::Implementation {
       memory.depth = std::max(0.0, pair.penetration());
       if (dot(pair.friction, pair.friction) > 0)
         memory.friction = frame_of(shape_of(surface, x, pair.segment)).to_local(pair.friction);
+      memory.penalty = pair.penalty;
       remembered.push_back(memory);
       if (pair.penetration() <= 0 || pair.share == 0) continue;
       const double height = surface.is_face(pair.segment) ? surface.height[pair.segment] : pair.reach;
@@ -223,7 +224,10 @@ void Interface::add_forces(domain::Domain& domain) {
   own.collect_touches(pairs);
   own.share_stiffness(pairs, domain);
   own.forces.add(domain, own.touches, report);
-  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].friction = own.touches[i].friction;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i].friction = own.touches[i].friction;
+    pairs[i].penalty = own.touches[i].penalty;
+  }
   own.remember(pairs, motion);
   own.write_report(report);
 }

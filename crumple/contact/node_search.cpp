@@ -50,7 +50,7 @@ void NodeSearch::find(std::vector<ContactPair>& found) {
     if (looks_at_all() || candidates.slack(c) <= candidates.consumed()) examine(candidates.segment(c), found);
   if (found.size() - before > 1) keep_owners(found, before);
   const std::span<ContactPair> present = std::span(found).subspan(before);
-  for (ContactPair& pair : present) carry_friction(pair, present);
+  for (ContactPair& pair : present) carry_on(pair, present);
 }
 
 const RememberedPair* NodeSearch::memory_of(Index segment) const {
@@ -307,9 +307,9 @@ void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first)
               found.end());
 }
 
-/// Finds the friction force and the contact point of the step before, on this segment or on a connected one
-/// that the node has left.
-void NodeSearch::carry_friction(ContactPair& pair, std::span<const ContactPair> present) const {
+/// Finds the friction force, the largest slope and the contact point of the step before, on this segment or
+/// on a connected one that the node has left.
+void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> present) const {
   const auto left = [&](Index segment) {
     return std::none_of(present.begin(), present.end(),
                         [&](const ContactPair& other) { return other.segment == segment; });
@@ -324,6 +324,7 @@ void NodeSearch::carry_friction(ContactPair& pair, std::span<const ContactPair> 
   for (int k = 0; k < 4; ++k) old_point += from->weight[k] * shape.corner[k];
   pair.slip = pair.point - old_point;
   pair.friction = frame_of(shape).to_global(from->friction);
+  pair.penalty = from->penalty;
 }
 
 }  // namespace crumple::contact

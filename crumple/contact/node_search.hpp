@@ -38,7 +38,7 @@ class NodeSearch {
   double contact_distance(Index segment) const;
   double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
-  void carry_friction(ContactPair& pair, std::span<const ContactPair> present) const;
+  void carry_on(ContactPair& pair, std::span<const ContactPair> present) const;
   bool came_from(const RememberedPair& other, Index segment) const;
   double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
   bool meets(const Vec3& normal) const;

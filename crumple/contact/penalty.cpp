@@ -37,6 +37,21 @@ double stability_budget(double step_scale, double stiffness_scale) {
   return std::max(smallest_budget, std::min({left, largest_budget, budget_by_stiffness * stiffness_scale}));
 }
 
+double landing_factor(double depth, double square) {
+  if (depth >= 1) return 1;
+  // 1/2 e g^2 - (1 + 1/2 e) g + 1/2 (1 + a) = 0 with e = a (omega dt)^2, g the factor.
+  const double e = depth * square;
+  const double half = 1 + 0.5 * e;
+  return (1 + depth) / (half + std::sqrt(half * half - e * (1 + depth)));
+}
+
+double leaving_factor(double depth, double square) {
+  // 1/2 e g^2 + g - 1/2 (1 + b) = 0
+  const double e = depth * square;
+  const double factor = (1 + depth) / (1 + std::sqrt(1 + e * (1 + depth)));
+  return depth < 1 + e * factor ? factor : 1;
+}
+
 double damping_factor(double fraction) {
   const double root = std::sqrt(1 + fraction * fraction) - fraction;
   return root * root;

@@ -16,12 +16,30 @@ struct PenaltyLaw {
   double force(double penetration) const;
 };
 
+/// What the penalty remembers of a touch from one step to the next.
+struct PenaltyMemory {
+  double slope_limit = 0;  ///< largest slope of the force by stability; 0 if there was none [force/length]
+  double depth = 0;        ///< penetration [length]
+  double speed = 0;        ///< at which the two points part [length/time]
+};
+
 /// (omega dt)^2 that contact may add in a step that uses the share `step_scale` (TSSFAC) of the stable step
 /// of the elements: 4 - 4 TSSFAC^2 is left of the stability bound 4 of central differences, of which 0.9 is
 /// used; never more than 1, and never less than 0.1. Nor more than 3.5 times the scale of the penalty
 /// stiffness (SLSFAC SFS): with the usual 0.1 an impact takes five steps or more, by which its energy is kept
 /// to a per cent.
 double stability_budget(double step_scale, double stiffness_scale = 1);
+
+/// Factor on the force in the first step of a contact. Central differences take the node into the surface by
+/// a part of a step, and with the full force of that depth they lose energy: half of (omega dt)^2 a (1 - a)
+/// of the kinetic energy, with a the depth over the approach in the step. With this factor the first step
+/// keeps the invariant of the scheme, v(n+1/2)^2 + omega^2 x(n) x(n+1) (own derivation). `depth`: a; 1 if
+/// that is 1 or more. `square`: (omega dt)^2 of the contact, below 1.
+double landing_factor(double depth, double square);
+
+/// The same for the last step, mirrored in time. `depth`: penetration over the movement outwards in the last
+/// step; 1 if the node will still be inside after the next.
+double leaving_factor(double depth, double square);
 
 /// Factor on the stiffness limit with viscous damping of `fraction` of critical, computed with velocities
 /// half a step old: the stable step shrinks by sqrt(1 + x^2) - x.

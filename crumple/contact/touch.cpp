@@ -36,6 +36,7 @@ Touch touch_of(const Surface& surface, const ContactPair& pair) {
   touch.share = pair.share;
   touch.slip = pair.slip;
   touch.friction = pair.friction;
+  touch.penalty = pair.penalty;
   return touch;
 }
 

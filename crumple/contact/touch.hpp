@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/index.hpp"
+#include "contact/penalty.hpp"
 #include "math/vec3.hpp"
 
 namespace crumple::contact {
@@ -26,11 +27,12 @@ struct Touch {
   std::array<double, most_nodes> weight{};
   Vec3 normal;             ///< unit vector in which the first point is pushed
   double penetration = 0;  ///< [length]
-  double reach = 0;      ///< penetration at which the mid-surfaces meet; the largest number if they never do
-  double stiffness = 0;  ///< penalty stiffness [force/length]
-  double area = 0;       ///< on which friction may act at most [length^2]
-  double share = 1;      ///< of the force
-  Vec3 slip;             ///< movement of the first point over the second since the last step [length]
+  double reach = 0;       ///< penetration at which the mid-surfaces meet; the largest number if they never do
+  double stiffness = 0;   ///< penalty stiffness [force/length]
+  PenaltyMemory penalty;  ///< at the last step, then at the present one
+  double area = 0;        ///< on which friction may act at most [length^2]
+  double share = 1;       ///< of the force
+  Vec3 slip;              ///< movement of the first point over the second since the last step [length]
   Vec3 friction;      ///< on the first point, at the last step, turned to now; then the present one [force]
   Vec3 normal_force;  ///< on the first point now [force]
   /// On the nodes that bear a couple, see Forces: takes up the moment that the forces leave [force].

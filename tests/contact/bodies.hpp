@@ -145,6 +145,13 @@ inline void move_to(contact::Interface& touching, domain::Domain& made, const st
   add_forces(touching, made);
 }
 
+/// Holds everything where it is for a step, after which contacts have the force of their depth: a landing
+/// step has less.
+inline void settle(contact::Interface& touching, domain::Domain& made) {
+  const std::vector<Vec3> here(made.nodes.position.begin(), made.nodes.position.end());
+  move_to(touching, made, here, made.clock.step);
+}
+
 /// One step of central differences under contact forces alone: velocities from the forces at time n, then
 /// positions and forces at n+1. Nodes in `held` keep their velocity.
 inline void integrate(contact::Interface& touching, domain::Domain& made, double step,

@@ -93,6 +93,7 @@ TEST(Edges, CrossedStripsPushEachOtherApart) {
   test::add_forces(touching, made);
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
   test::move_to(touching, made, cross.moved(made, {0, 0, -0.16}), 1e-3);
+  test::settle(touching, made);
   // 0.04 apart with thickness 0.1: penetration 0.06; the lever arms share it out.
   EXPECT_EQ(made.contacts[0].active_pairs, 1);
   const double half = 0.05;
@@ -123,12 +124,10 @@ TEST(Edges, ForceStaysTheSameOverNodes) {
   for (int i = 0; i < 15; ++i) test::move_to(touching, made, cross.moved(made, {0, 0, -0.001}), 1e-3);
   const double before = cross.on_upper(made).z;
   EXPECT_GT(before, 0);
-  int changes = 0;
   for (int i = 0; i < 100; ++i) {
     // Over a node at x = 0.5 and exactly on it on the way.
     test::move_to(touching, made, cross.moved(made, {-0.0042, 0, 0}), 1e-3);
     EXPECT_NEAR(cross.on_upper(made).z, before, 1e-9 * before) << i;
-    changes += std::fabs(cross.on_upper(made).z - before) > 0 ? 1 : 0;
   }
   EXPECT_NEAR(made.contacts[0].friction_energy, 0, 1e-15);
 }
@@ -205,6 +204,7 @@ TEST(Edges, FrictionSticksAndSlips) {
   contact::Interface touching = cross.bodies.attach(made);
   test::add_forces(touching, made);
   test::move_to(touching, made, cross.moved(made, {0, 0, -0.15}), 1e-3);
+  test::settle(touching, made);
   const double normal = cross.on_upper(made).z;
   test::move_to(touching, made, cross.moved(made, {1e-3, 2e-3, 0}), 1e-3);
   Vec3 force = cross.friction_on_upper(touching, made);

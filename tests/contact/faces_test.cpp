@@ -83,6 +83,7 @@ TEST(Faces, PushOutWhatWentThrough) {
   blocks.move({0, 0, -0.09});
   EXPECT_EQ(norm(blocks.force()), 0) << "there is no thickness";
   blocks.move({0, 0, -0.02});
+  blocks.move({0, 0, 0});
   const double depth = 0.01;
   // Four nodes, each with a quarter of the stiffness of the only face that looks down.
   const contact::Surface& surface = blocks.touching().surface();

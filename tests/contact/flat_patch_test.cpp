@@ -43,6 +43,7 @@ TEST(FlatPatch, PenaltyForceIsExact) {
 
   const double depth = 0.01;
   put(touching, made, scene.tip_node, 0.1 - depth);
+  test::settle(touching, made);
   // K = E / (3 (1 - 2 nu)); the square has A = 1 and a diagonal of sqrt(2), the triangle of the tip an area
   // of sqrt(3) / 2 and sides of sqrt(2). The softer of the two governs.
   const double modulus = 1000.0 / (3 * 0.5);
@@ -112,6 +113,7 @@ TEST(FlatPatch, NodeAboveAnInnerEdgeGetsOneForce) {
     contact::Interface touching = bodies.attach(made);
     test::add_forces(touching, made);
     put(touching, made, tip, 0.02 - depth);
+    test::settle(touching, made);
     const int pairs = foot.x == 0.5 && foot.y == 0.5 ? 2 : 1;
     EXPECT_EQ(made.contacts[0].active_pairs, pairs);
     const double stiffness = 0.1 * (1000.0 / 1.5) * 0.5 / std::sqrt(2.0);

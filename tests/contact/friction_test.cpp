@@ -158,6 +158,7 @@ TEST(Contact, StiffnessByMassAndStep) {
     test::add_forces(touching, made);
     // To the middle of a segment, whose nodes bear a quarter each.
     Slider::shift(touching, made, slider.tip, {0.2, 0.2, -0.1 - depth}, step);
+    test::settle(touching, made);
     const double by_mass = 0.5 * 0.1 * 2.0 / 1.25 / (step * step);
     const double limit = 0.35 * 2.0 / 1.25 / (step * step);
     const double expected = std::min(limit, std::max(by_mass, Slider::stiffness()));

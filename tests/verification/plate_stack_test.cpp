@@ -76,10 +76,13 @@ TEST(PlateStack, FallsAndReboundsWithoutLossOfEnergy) {
   const domain::Domain& domain = simulation.domain();
   Index cuts = 0;
   double least = 1e9;
+  double left = -1e9;  // energy of contact when last no plates touched
   test::Conservation kept;
   test::run(simulation, [&](const domain::Domain& now) {
     kept.watch(now);
     least = std::min(least, closest(now));
+    const domain::ContactReport& contact = now.contacts[0];
+    if (contact.active_pairs == 0 && contact.worst_penetration > 0) left = contact.energy;
     if (now.clock.cycle % 50 != 0) return;
     simulation.inspect_contacts();
     cuts += now.contacts[0].inspection.intersections + now.contacts[0].inspection.nodes_beyond;
@@ -89,17 +92,16 @@ TEST(PlateStack, FallsAndReboundsWithoutLossOfEnergy) {
       "one, "
       "%.1e of the absorbed one, contact energy left %.3f\n",
       least / thickness, domain.contacts[0].worst_penetration / thickness, kept.worst_imbalance,
-      domain.energy.error(), domain.energy.contact / domain.energy.initial_total);
+      domain.energy.error(), left / domain.energy.initial_total);
   EXPECT_EQ(cuts, 0);
   EXPECT_GT(least, 0.97 * thickness);
   EXPECT_GT(domain.contacts[0].worst_penetration, 0) << "they must have met";
   EXPECT_LT(domain.energy.error(), 1e-5);
   EXPECT_GT(test::momentum(domain).z, 0) << "they have rebounded";
-  // Without damping the contact should give all back; what it keeps comes from its stiffness, which the
-  // stability limit changes with the number of plates that act on a node. It never adds any.
-  EXPECT_EQ(domain.contacts[0].active_pairs, 0);
-  EXPECT_GT(domain.energy.contact, 0);
-  EXPECT_LT(domain.energy.contact, 0.1 * domain.energy.initial_total);
+  // Without damping the contact gives all back but for what begins and ends within steps of what the springs
+  // of many plates do together, 0.1 % with a ninth of the step.
+  EXPECT_GT(left, -0.01 * domain.energy.initial_total);
+  EXPECT_LT(left, 0.03 * domain.energy.initial_total);
 }
 
 TEST(PlateStack, ComesToRestUnderItsWeight) {

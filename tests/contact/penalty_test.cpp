@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/penalty.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace crumple::contact {
+namespace {
+
+/// Speed after the rebound of a unit mass with unit speed, by central differences with unit steps, from a
+/// linear spring that it first touches after `phase` of a step. `square` is (omega dt)^2.
+double rebound(double square, double phase, bool with_factors) {
+  double x = phase;  // penetration
+  double v = -1;     // of parting
+  double last_v = 0;
+  double last_x = 0;
+  while (x > 0) {
+    const double depth = x / std::fabs(v);
+    double factor = 1;
+    if (with_factors && last_x == 0) factor = landing_factor(depth, square);
+    if (with_factors && last_x > 0 && v > 0)
+      factor = leaving_factor(depth, std::clamp((v - last_v) / last_x, 0.0, 1.0));
+    last_v = v;
+    last_x = x;
+    v += square * factor * x;
+    x -= v;
+  }
+  return v;
+}
+
+// Without the factors an impact gains or loses energy with the phases at which it begins and ends.
+TEST(Penalty, ALinearImpactGivesBackItsEnergyWhateverItsPhase) {
+  double worst_without = 0;
+  for (const double square : {0.05, 0.2, 0.35, 0.5})
+    for (double phase = 0.02; phase < 1; phase += 0.02) {
+      EXPECT_NEAR(rebound(square, phase, true), 1, 1e-13) << square << " " << phase;
+      worst_without = std::max(worst_without, std::fabs(rebound(square, phase, false) - 1));
+    }
+  EXPECT_GT(worst_without, 0.02);
+}
+
+TEST(Penalty, FactorsEndWhereTheWholeStepIsInside) {
+  for (const double square : {0.0, 0.35, 0.9}) {
+    EXPECT_NEAR(landing_factor(1 - 1e-12, square), 1, 1e-11);
+    EXPECT_EQ(landing_factor(3, square), 1);
+    EXPECT_EQ(leaving_factor(30, square), 1);
+    EXPECT_NEAR(landing_factor(0, square), 0.5, 1e-15);
+    EXPECT_NEAR(leaving_factor(0, square), 0.5, 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace crumple::contact
