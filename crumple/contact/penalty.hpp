@@ -31,14 +31,14 @@ struct PenaltyMemory {
 double stability_budget(double step_scale, double stiffness_scale = 1);
 
 /// Factor on the force in the first step of a contact. Central differences take the node into the surface by
-/// a part of a step, and with the full force of that depth they lose energy: half of (omega dt)^2 a (1 - a)
-/// of the kinetic energy, with a the depth over the approach in the step. With this factor the first step
-/// keeps the invariant of the scheme, v(n+1/2)^2 + omega^2 x(n) x(n+1) (own derivation). `depth`: a; 1 if
-/// that is 1 or more. `square`: (omega dt)^2 of the contact, below 1.
+/// a part of a step, and with the full force of that depth they lose (omega dt)^2 a (1 - a) of the kinetic
+/// energy, with a the depth over the approach in the step. With this factor the first step keeps the
+/// invariant of the scheme, v(n+1/2)^2 + omega^2 x(n) x(n+1) (own derivation). `depth`: a; 1 if that is 1 or
+/// more. `square`: (omega dt)^2 of the contact, below 1.
 double landing_factor(double depth, double square);
 
 /// The same for the last step, mirrored in time. `depth`: penetration over the movement outwards in the last
-/// step; 1 if the node will still be inside after the next.
+/// step; returns 1 if the node will still be inside after the next.
 double leaving_factor(double depth, double square);
 
 /// Factor on the stiffness limit with viscous damping of `fraction` of critical, computed with velocities
