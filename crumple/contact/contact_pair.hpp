@@ -24,7 +24,7 @@ struct RememberedPair {
   Vec3 friction;                   ///< on the node, in the segment's frame [force]
   PenaltyMemory penalty;
 };
-static_assert(sizeof(RememberedPair) == 112);
+static_assert(sizeof(RememberedPair) == 120);
 
 /// A node in contact with a segment, now.
 struct ContactPair {

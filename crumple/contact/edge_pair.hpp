@@ -48,7 +48,7 @@ struct RememberedEdgePair {
 
   bool loaded() const { return penalty.slope_limit > 0 || dot(friction, friction) > 0; }
 };
-static_assert(sizeof(RememberedEdgePair) == 128);
+static_assert(sizeof(RememberedEdgePair) == 136);
 
 /// Something that is known of a node and an edge.
 struct NodeOnEdge {

@@ -39,10 +39,12 @@ double factor_in_step(const PenaltyMemory& before, const PenaltyMemory& now, dou
                         std::clamp((now.speed - before.speed) * step / before.depth, 0.0, 1.0));
 }
 
-/// SLSFAC times the larger of SFS and SFM.
+/// SLSFAC times SFS, the larger of SFS and SFM where there are two sides.
 double stiffness_scale(const model::Contact& contact, const model::Control& control) {
-  return control.contact_stiffness_scale *
-         std::max(contact.side[0].stiffness_scale, contact.side[1].stiffness_scale);
+  double scale = contact.side[0].stiffness_scale;
+  if (contact.kind != model::ContactKind::SingleSurface)
+    scale = std::max(scale, contact.side[1].stiffness_scale);
+  return control.contact_stiffness_scale * scale;
 }
 
 /// True for a touch of two edges, of two nodes each.
@@ -63,8 +65,9 @@ int first_bearing(const Touch& touch) {
 Forces::Forces(const Surface& surface, const model::Contact& contact, const model::Control& control)
     : surface_(&surface),
       contact_(contact),
+      stiffness_scale_(stiffness_scale(contact, control)),
       step_scale_(control.step_scale),
-      budget_(stability_budget(control.step_scale, stiffness_scale(contact, control)) *
+      budget_(stability_budget(control.step_scale, stiffness_scale_) *
               damping_factor(contact.viscous_damping)),
       largest_budget_(stability_budget(control.step_scale) * damping_factor(contact.viscous_damping)) {
   const std::size_t places = surface.nodes.size();
@@ -118,14 +121,30 @@ double Forces::inverse_mass(const domain::NodeFields& nodes, const Touch& touch)
   return sum;
 }
 
-/// Of SOFT = 1: 1/2 SOFSCL m* / dt^2 with the whole masses of the nodes (LS-DYNA Keyword User's Manual,
-/// *CONTACT, optional card A) [force/length].
-double Forces::least_stiffness(const domain::NodeFields& nodes, const Touch& touch, double step) const {
-  if (contact_.soft_scale <= 0 || step <= 0) return 0;
+/// Of SOFT = 1: 1/2 SOFSCL m* / dt^2 with the whole masses of the nodes. Of SOFT = 2: 1/2 SLSFAC SFS m1 m2 /
+/// (m1 + m2) / dt^2, with the masses of the segments, which are those of their nodes (LS-DYNA Keyword User's
+/// Manual, *CONTACT, optional card A) [force/length].
+double Forces::stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const {
+  if (step <= 0) return 0;
   double inverse = 0;
-  for (int i = 0; i < touch.nodes; ++i)
-    inverse += touch.weight[i] * touch.weight[i] / nodes.mass[surface_->nodes[touch.place[i]]];
-  return 0.5 * contact_.soft_scale / (step * step * inverse);
+  std::array<double, 2> mass{};
+  for (int i = 0; i < touch.nodes; ++i) {
+    const double weight = touch.weight[i];
+    const double own = nodes.mass[surface_->nodes[touch.place[i]]];
+    inverse += weight * weight / own;
+    mass[weight > 0 ? 0 : 1] += std::fabs(weight) * own;
+  }
+  const double unit = 0.5 / (step * step);
+  return contact_.mass_stiffness ? unit * stiffness_scale_ * mass[0] * mass[1] / (mass[0] + mass[1])
+                                 : unit * contact_.soft_scale / inverse;
+}
+
+/// The stiffness before stability limits it. What masses and steps give a touch keeps while it lasts.
+double Forces::stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const {
+  if (!contact_.mass_stiffness && contact_.soft_scale <= 0) return touch.stiffness;
+  double& by_mass = touch.penalty.stiffness;
+  if (by_mass <= 0) by_mass = stiffness_by_mass(nodes, touch, step);
+  return contact_.mass_stiffness ? by_mass : std::max(touch.stiffness, by_mass);
 }
 
 /// Writes the forces of a touch; true if stability limits its stiffness.
@@ -146,7 +165,7 @@ bool Forces::evaluate(const domain::Domain& domain, Touch& touch) const {
   touch.penalty.depth = touch.penetration;
   touch.penalty.speed = dot(relative, touch.normal);
   PenaltyLaw law;
-  law.stiffness = std::max(touch.stiffness, least_stiffness(nodes, touch, step));
+  law.stiffness = stiffness(nodes, touch, step);
   law.limit = touch.penalty.slope_limit;
   law.reach = touch.reach;
   const double stiffness = std::min(law.stiffness, law.limit);

@@ -38,7 +38,8 @@ class Forces {
  private:
   void count_touches(std::span<const Touch> touches);
   double inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const;
-  double least_stiffness(const domain::NodeFields& nodes, const Touch& touch, double step) const;
+  double stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const;
+  double stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const;
   bool evaluate(const domain::Domain& domain, Touch& touch) const;
   double slope_limit(const PenaltyMemory& before, double inverse, double step) const;
   void add_friction(const domain::Domain& domain, Touch& touch, double stiffness, double inverse) const;
@@ -49,6 +50,7 @@ class Forces {
 
   const Surface* surface_;
   model::Contact contact_;
+  double stiffness_scale_;
   double step_scale_;
   double budget_;          ///< of a touch that begins
   double largest_budget_;  ///< of one that goes on

@@ -261,6 +261,7 @@ void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
   pair.share = share;
   pair.offset =
       view_.tracking ? overlap : std::clamp(offset_of(segment, memory, full, pair.gap), 0.0, overlap);
+  if (overlap > surface_.release_depth[segment]) pair.offset = overlap;
   pair.reach = full - pair.offset;
   if (pair.penetration() > 0 || pair.offset > 0 || waits) found.push_back(pair);
 }

@@ -101,6 +101,7 @@ void SegmentCollector::add(const NewSegment& segment, const Measure& size) {
   surface_.stiffness.push_back(segment.stiffness);
   surface_.area.push_back(size.area);
   surface_.height.push_back(segment.height);
+  surface_.release_depth.push_back(release_depth(segment));
   surface_.face.push_back(segment.face ? 1 : 0);
   if (segment.face) surface_.nodes_behind.push_back(segment.nodes_behind);
   surface_.of_solid.push_back(segment.of_solid ? 1 : 0);
@@ -112,6 +113,12 @@ void SegmentCollector::add(const NewSegment& segment, const Measure& size) {
   surface_.largest_half_thickness = std::max(surface_.largest_half_thickness, segment.half_thickness);
   edge_sum_ += size.edge_sum;
   edges_ += size.edges;
+}
+
+double SegmentCollector::release_depth(const NewSegment& segment) const {
+  if (contact_.release_depth <= 0) return std::numeric_limits<double>::max();
+  if (contact_.oriented) return contact_.release_depth;
+  return contact_.release_depth * (segment.of_solid ? segment.height : 2 * segment.half_thickness);
 }
 
 double SegmentCollector::thickness_of(const model::ShellElement& shell, std::uint8_t sides,
@@ -180,8 +187,10 @@ void SegmentCollector::add_face(const model::SolidFace& face, std::uint8_t sides
   segment.ahead = ahead;
   const Measure size = measure(segment.nodes);
   segment.height = volume_of(solid, domain_.nodes) / size.area;
-  segment.stiffness =
-      stiffness_scale(sides) * bulk_modulus(model_, model_.parts[solid.part]) * size.area / segment.height;
+  segment.half_thickness = 0.5 * contact_.solid_thickness;
+  const double modulus =
+      contact_.solid_modulus > 0 ? contact_.solid_modulus : bulk_modulus(model_, model_.parts[solid.part]);
+  segment.stiffness = stiffness_scale(sides) * modulus * size.area / segment.height;
   add(segment, size);
 }
 

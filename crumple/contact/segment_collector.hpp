@@ -52,6 +52,7 @@ class SegmentCollector {
   }
   Measure measure(const std::array<Index, 4>& segment) const;
   void add(const NewSegment& segment, const Measure& size);
+  double release_depth(const NewSegment& segment) const;
   double thickness_of(const model::ShellElement& shell, std::uint8_t sides, double shortest_edge) const;
   void add_shell(Index shell, const ElementPlace& place, double modulus);
   void add_face(const model::SolidFace& face, std::uint8_t sides, const ElementPlace& ahead);

@@ -91,10 +91,9 @@ constexpr Field contact_card_mpp[] = {
     unused("-"),       only("CPARM8", {0}, "all edges and beams take part")};
 
 constexpr Field contact_card_a[] = {
-    only(
-        "SOFT", {0, 1},
-        "0 takes the penalty stiffness from the material, 1 at least from mass and step; contact of segments "
-        "with segments (2) is not supported"),
+    only("SOFT", {0, 1, 2},
+         "0 takes the penalty stiffness from the material, 1 at least from mass and step, 2 always from "
+         "these"),
     real_or_default("SOFSCL", 0.1, above_zero),  // for SOFT=1
     only("LCIDAB", {0}, "airbags are not supported"),
     unused("MAXPAR"),  // inside-outside search has no such margin
@@ -105,14 +104,14 @@ constexpr Field contact_card_a[] = {
 };
 
 constexpr Field contact_card_b[] = {
-    only("PENMAX", {0}, "nodes are not released by their penetration"),
+    real("PENMAX", 0, not_negative),
     only("THKOPT", {0, 1, 2}, "0 takes SHLTHK of *CONTROL_CONTACT, 1 that beside it, 2 is no thickness"),
     only("SHLTHK", {0, 1, 2}, "0 leaves out the thickness of shells, 1 that of rigid ones"),
     harmless("SNLOG", {0}, "node release logic is built in"),
     only("ISYM", {0}, "symmetry planes are not known to contact"),
     unused("I2D3D"),
-    only("SLDTHK", {0}, "faces of solids have no thickness"),
-    only("SLDSTF", {0}, "the stiffness of faces comes from the bulk modulus"),
+    real("SLDTHK", 0, not_negative),
+    real("SLDSTF", 0, not_negative),
 };
 
 constexpr Field contact_card_c[] = {
@@ -218,13 +217,20 @@ void read_optional_cards(Cards& cards, RawContact& raw) {
   if (!cards.has_line()) return;
   const Card soft = cards.next(contact_card_a);
   if (soft.real("SOFT") == 1) raw.contact.soft_scale = soft.real("SOFSCL");
-  // 5, 15, 25, ...: edges against edges. Contacts without edges do not look at it.
+  raw.contact.mass_stiffness = soft.real("SOFT") == 2;
+  // 5, 15, 25, ...: edges against edges, which contacts of two sides do not have.
   constexpr int last_digit = 10;
   constexpr int edges_to_edges = 5;
-  if (raw.contact.edges != model::ContactEdges::None && soft.integer("DEPTH") % last_digit == edges_to_edges)
+  const bool may_have_edges =
+      raw.contact.edges != model::ContactEdges::None ||
+      (raw.contact.mass_stiffness && raw.contact.kind == model::ContactKind::SingleSurface);
+  if (may_have_edges && soft.integer("DEPTH") % last_digit == edges_to_edges)
     raw.contact.edges = model::ContactEdges::All;
   if (!cards.has_line()) return;
   const Card thickness = cards.next(contact_card_b);
+  raw.contact.release_depth = thickness.real("PENMAX");
+  raw.contact.solid_thickness = thickness.real("SLDTHK");
+  raw.contact.solid_modulus = thickness.real("SLDSTF");
   raw.takes_own_thickness_option = thickness.real("THKOPT") > 0;
   if (thickness.real("THKOPT") == 1) raw.thickness_option = static_cast<int>(thickness.real("SHLTHK"));
   for (const Layout layout :

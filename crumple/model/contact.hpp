@@ -66,6 +66,12 @@ struct Contact {
   double friction_stress = 0;   ///< VC VSF: friction over the segment's area stays below it [stress]; 0: none
   double viscous_damping = 0;   ///< VDC, fraction of critical [-]; 0.2 is 20 %
   double soft_scale = 0;        ///< SOFSCL with SOFT = 1: least stiffness by mass and step [-]; 0 is none
+  bool mass_stiffness = false;  ///< SOFT = 2: stiffness by mass and step, whatever the material
+  /// PENMAX: nodes that overlap more are let go, until they come back. Over the thickness of shells and the
+  /// height of solids [-], of oriented contacts [length]; 0: never.
+  double release_depth = 0;
+  double solid_thickness = 0;  ///< SLDTHK: thickness of the faces of solids [length]
+  double solid_modulus = 0;    ///< SLDSTF: for their stiffness, instead of the bulk modulus [stress]; 0: that
   double birth_time = 0;        ///< BT [time]
   double death_time = 1e20;     ///< DT [time]
 };

@@ -21,7 +21,8 @@ using math::Vec3;
 /// it, 0.2 wide, whose lowest nodes are at z = `bottom`.
 class Blocks {
  public:
-  Blocks(double height, double bottom) {
+  Blocks(double height, double bottom, const model::Contact& contact = {}) {
+    bodies_.contact = contact;
     bodies_.model.solid_sections.resize(1);
     for (int part = 0; part < 2; ++part) {
       if (part == 1) bodies_.model.parts.push_back({.id = 2, .title = "second"});
@@ -76,6 +77,24 @@ TEST(Faces, OuterFacesAreSegmentsWithTheirStiffness) {
   const double modulus = 1000 / 1.5;
   EXPECT_NEAR(surface.stiffness[0], 0.1 * modulus * 4 / 0.5, 1e-9);
   EXPECT_NEAR(surface.height[0], 0.5, 1e-12);
+}
+
+// SLDTHK and SLDSTF.
+TEST(Faces, MayHaveAThicknessAndAStiffnessOfTheirOwn) {
+  model::Contact contact;
+  contact.solid_thickness = 0.04;
+  contact.solid_modulus = 30;
+  Blocks blocks(0.5, 0.6, contact);
+  const contact::Surface& surface = blocks.touching().surface();
+  EXPECT_NEAR(surface.stiffness[0], 0.1 * 30 * 4 / 0.5, 1e-12);
+  EXPECT_NEAR(surface.half_thickness[0], 0.02, 1e-15);
+  blocks.move({0, 0, -0.05});
+  EXPECT_EQ(norm(blocks.force()), 0);
+  // In front of each other, 0.03 apart.
+  blocks.move({0, 0, -0.02});
+  blocks.move({0, 0, 0});
+  const double stiffness = std::min(surface.stiffness[0], surface.stiffness[6]);
+  EXPECT_NEAR(blocks.force().z, stiffness * 0.01, 1e-3 * stiffness * 0.01);
 }
 
 TEST(Faces, PushOutWhatWentThrough) {

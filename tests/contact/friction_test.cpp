@@ -166,6 +166,47 @@ TEST(Contact, StiffnessByMassAndStep) {
   }
 }
 
+// SOFT = 2: 1/2 SLSFAC SFS m1 m2 / (m1 + m2) / dt^2, whatever the material, and the same while it lasts.
+TEST(Contact, StiffnessByMassesOfSegments) {
+  for (const double step : {1e-3, 1.0}) {
+    Slider slider(0, 0, 0);
+    slider.bodies.contact.mass_stiffness = true;
+    slider.bodies.contact.side[0].stiffness_scale = 0.5;
+    domain::Domain made = slider.bodies.build(2.0);
+    contact::Interface touching = slider.bodies.attach(made);
+    test::add_forces(touching, made);
+    Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, step);
+    test::settle(touching, made);
+    const double expected = 0.5 * 0.1 * 0.5 * 1.0 / (step * step);
+    EXPECT_NEAR(made.contact_force[at(made, slider.tip)].z, expected * depth, 1e-9 * expected);
+    Slider::shift(touching, made, slider.tip, {0, 0, 0}, 0.9 * step);
+    EXPECT_NEAR(made.contact_force[at(made, slider.tip)].z, expected * depth, 1e-9 * expected);
+  }
+}
+
+// PENMAX: a node that overlaps more than that of the thickness is let go; on its way back it is not thrown.
+TEST(Contact, LetsGoOfNodesThatAreTooDeep) {
+  Slider slider(0, 0, 0);
+  slider.bodies.contact.release_depth = 0.3;
+  domain::Domain made = slider.bodies.build();
+  contact::Interface touching = slider.bodies.attach(made);
+  test::add_forces(touching, made);
+  const auto force_at = [&](double overlap) {
+    const double height = made.nodes.position[at(made, slider.tip)].z;
+    Slider::shift(touching, made, slider.tip, {0, 0, thickness - overlap - height}, 1e-3);
+    test::settle(touching, made);
+    return made.contact_force[at(made, slider.tip)].z;
+  };
+  EXPECT_NEAR(force_at(0.02), Slider::stiffness() * 0.02, 1e-10);
+  EXPECT_NEAR(force_at(0.029), Slider::stiffness() * 0.029, 1e-10);
+  EXPECT_EQ(force_at(0.031), 0);
+  EXPECT_EQ(force_at(0.06), 0);
+  EXPECT_EQ(force_at(0.031), 0);
+  EXPECT_EQ(force_at(0.01), 0);
+  EXPECT_EQ(force_at(-0.01), 0);
+  EXPECT_NEAR(force_at(0.02), Slider::stiffness() * 0.02, 1e-10);
+}
+
 // A rigid rotation of both bodies together is no slip, and the friction force turns with them.
 TEST(Friction, RigidRotationIsNoSlip) {
   Slider slider(0.6, 0.6, 0);

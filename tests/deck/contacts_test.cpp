@@ -64,6 +64,32 @@ TEST(Contact, SoftnessAndLimitOfFriction) {
   EXPECT_EQ(read_clean(deck.text()).contacts.at(0).soft_scale, 0);
 }
 
+// SOFT = 2 has edges where DEPTH ends in 5 and the contact is with itself.
+TEST(Contact, StiffnessByMassAlone) {
+  SmallDeck deck;
+  const auto contact = [&](const std::string& keyword, const std::string& card_1, const std::string& card_a) {
+    deck.more = "*CONTACT_" + keyword + "\n" + card_1 + "\n\n\n" + card_a + "\n";
+    return read_clean(deck.text()).contacts.at(0);
+  };
+  EXPECT_TRUE(contact("AUTOMATIC_SINGLE_SURFACE", "0", "2").mass_stiffness);
+  EXPECT_EQ(contact("AUTOMATIC_SINGLE_SURFACE", "0", "2").soft_scale, 0);
+  EXPECT_EQ(contact("AUTOMATIC_SINGLE_SURFACE", "0", "2,,,,,2").edges, model::ContactEdges::None);
+  EXPECT_EQ(contact("AUTOMATIC_SINGLE_SURFACE", "0", "2,,,,,35").edges, model::ContactEdges::All);
+  EXPECT_EQ(contact("AUTOMATIC_SINGLE_SURFACE", "0", "1,,,,,5").edges, model::ContactEdges::None);
+  const model::Contact two = contact("AUTOMATIC_SURFACE_TO_SURFACE", "1,1,3,3", "2,,,,,5");
+  EXPECT_TRUE(two.mass_stiffness);
+  EXPECT_EQ(two.edges, model::ContactEdges::None);
+}
+
+TEST(Contact, ReleaseAndSolids) {
+  SmallDeck deck;
+  deck.more = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n\n\n0\n0.4,,,,,,0.02,50\n";
+  const model::Contact contact = read_clean(deck.text()).contacts.at(0);
+  EXPECT_EQ(contact.release_depth, 0.4);
+  EXPECT_EQ(contact.solid_thickness, 0.02);
+  EXPECT_EQ(contact.solid_modulus, 50);
+}
+
 /// Two parts of one shell each, sets of all kinds, and a contact.
 model::Model read_contact(const std::string& contact) {
   SmallDeck deck;
