@@ -11,7 +11,6 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "contact/inside_outside.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -23,6 +22,9 @@ constexpr double automatic_margin = 0.4;
 
 /// Most steps that eq. (10) may predict.
 constexpr int longest_interval = 100000;
+
+/// Of a search, for each segment and each candidate; over the cost of a look at a pair in vain.
+constexpr long cost_of_search = 2;
 
 constexpr Index piece = 1024;
 
@@ -78,6 +80,13 @@ Vec3 vector_of(const cellsearch::Point& a) {
                        " is not a finite number any more.");
 }
 
+/// True if a segment shares a node with a segment of `place`: a next neighbour in the mesh.
+bool next_neighbour(const Surface& surface, Index place, Index segment) {
+  for (const Index own : surface.topology.at_node(place))
+    if (connected(surface, own, segment)) return true;
+  return false;
+}
+
 /// True if a point is further than `distance` from a box along some axis.
 bool beyond(const Range& box, const Vec3& p, double distance) {
   return box.low[0] - p.x > distance || p.x - box.high[0] > distance || box.low[1] - p.y > distance ||
@@ -99,6 +108,7 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
                   ", but it must exceed the largest contact distance, " + std::to_string(largest_distance) +
                   ".");
     statistics_.margin = settings.expansion - largest_distance;
+    automatic_ = false;
   } else {
     statistics_.margin = automatic_margin * surface.mean_edge;
   }
@@ -129,10 +139,17 @@ void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
     }
     // Between two steps no pair comes nearer than at the worse of the two.
     consumed_ = std::max(consumed_, norm(vector_of(motion_.motion())));
-    if (!motion_.due() && !surface_changed) return;
+    if (!motion_.due() && !surface_changed && !worth_while()) return;
   }
   search(motion);
   consumed_ = norm(step_motion(motion));
+}
+
+/// True if looking at pairs that do not touch, which a search puts off by their new distances, has cost as
+/// much as a search.
+bool GlobalSearch::worth_while() const {
+  return automatic_ &&
+         in_vain_ > cost_of_search * (surface_->segments() + static_cast<long>(segment_.size()));
 }
 
 /// Largest relative motion of any two nodes in the step that led to now, along each axis.
@@ -159,6 +176,7 @@ void GlobalSearch::search(const Kinematics& motion) {
     rethrow(error, *surface_);
   }
   measure_slack(motion);
+  in_vain_ = 0;
   ++statistics_.searches;
   statistics_.candidates += static_cast<long>(segment_.size());
 
@@ -186,9 +204,18 @@ void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
       if (counts(surface_->place[node], s)) segment_[next[surface_->place[node]]++] = s;
 }
 
+double GlobalSearch::distance_of(const SurfaceAt& reference, Index place, Index segment) const {
+  const double full = surface_->contact_distance(place, segment);
+  if (!next_neighbour(*surface_, place, segment)) return full;
+  const Vec3 origin = reference.x[surface_->nodes[place]];
+  return std::min(full, std::sqrt(nearest_point(reference.shape(segment), origin).distance_squared));
+}
+
 void GlobalSearch::measure_slack(const Kinematics& motion) {
   const Index places = surface_->node_count();
   const SurfaceAt at{surface_, {motion.position.data(), motion.velocity.data(), 0}};
+  const SurfaceAt reference{surface_, {motion.reference.data(), motion.velocity.data(), 0}};
+  distance_.resize(segment_.size());
   slack_.resize(segment_.size());
   node_slack_.resize(places);
   parallel_for(pieces(places, piece), threads_, [&](Index part) {
@@ -196,8 +223,9 @@ void GlobalSearch::measure_slack(const Kinematics& motion) {
       double smallest = std::numeric_limits<double>::max();
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
         const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), searched(i));
-        slack_[pair] = std::sqrt(nearest.distance_squared) - surface_->contact_distance(i, segment_[pair]) -
-                       surface_->watch(segment_[pair]);
+        distance_[pair] = distance_of(reference, i, segment_[pair]);
+        slack_[pair] =
+            std::sqrt(nearest.distance_squared) - distance_[pair] - surface_->watch(segment_[pair]);
         smallest = std::min(smallest, slack_[pair]);
       }
       node_slack_[i] = smallest;

@@ -11,6 +11,7 @@
 #include <cellsearch/search.hpp>
 
 #include "base/index.hpp"
+#include "contact/inside_outside.hpp"
 #include "contact/kinematics.hpp"
 #include "contact/statistics.hpp"
 #include "contact/surface.hpp"
@@ -27,13 +28,17 @@ class GlobalSearch {
   /// Throws Error for an unknown method or an expansion that does not exceed the contact distance.
   GlobalSearch(const Surface& surface, const model::SearchSettings& settings, int threads);
 
-  /// Searches anew if the candidates may no longer be complete, or if the surface has changed. Throws
+  /// Searches anew if the candidates may no longer be complete, if the surface has changed, or, where the
+  /// expansion is our choice, if that is cheaper than to look again at pairs that do not touch. Throws
   /// NumericalError if a coordinate is not a finite number.
   void update(const Kinematics& motion, bool surface_changed);
 
   /// Places in the arrays below of the candidates of a node, segments ascending.
   std::int64_t first(Index place) const { return first_[place]; }
   Index segment(std::int64_t pair) const { return segment_[pair]; }
+  /// Distance at which the pair touches. A node and its next neighbours may be nearer by thickness alone: it
+  /// is at most what the undeformed mesh leaves between them [length].
+  double contact_distance(std::int64_t pair) const { return distance_[pair]; }
   /// The pair cannot have touched since the last step while this exceeds consumed() [length].
   double slack(std::int64_t pair) const { return slack_[pair]; }
   /// Smallest slack of a node's pairs.
@@ -41,6 +46,9 @@ class GlobalSearch {
   /// Bound on the relative motion of any two nodes since the search, or in the step before it if there was
   /// one just now [length].
   double consumed() const { return consumed_; }
+
+  /// To be told after each step: how many candidates the local search looked at in vain.
+  void looked_in_vain(long pairs) { in_vain_ += pairs; }
 
   /// Every pair closer than its contact distance must be a candidate: throws Error naming the first that is
   /// not. Looks at all nodes and segments, O(N^2).
@@ -55,12 +63,14 @@ class GlobalSearch {
  private:
   void search(const Kinematics& motion);
   void sort_by_node(const cellsearch::Candidates& found);
+  bool worth_while() const;
   void measure_slack(const Kinematics& motion);
   /// Position at the last search.
   Vec3 searched(Index place) const {
     const double* x = motion_.reference().data() + 3 * static_cast<std::size_t>(place);
     return {x[0], x[1], x[2]};
   }
+  double distance_of(const SurfaceAt& reference, Index place, Index segment) const;
   Vec3 step_motion(const Kinematics& motion) const;
   bool listed(Index place, Index segment) const;
 
@@ -76,9 +86,12 @@ class GlobalSearch {
   cellsearch::MotionTracker motion_;  ///< of the surface's nodes, by place, since the last search
   std::vector<std::int64_t> first_;
   std::vector<Index> segment_;
+  std::vector<double> distance_;
   std::vector<double> slack_;
   std::vector<double> node_slack_;
   double consumed_ = 0;
+  bool automatic_ = true;  ///< the expansion is our choice
+  long in_vain_ = 0;       ///< since the last search
   SearchStatistics statistics_;
 };
 

@@ -101,6 +101,7 @@ struct Interface::Implementation {
     }
     const StageTimer timer(domain.times.contact_local);
     const std::span<ContactPair> pairs = local.find(motion, search, remembered, started == 0);
+    search.looked_in_vain(local.in_vain());
     edges.find(motion, started == 0);
     edges.relieve(pairs);
     if (started == 0) measure_start(pairs, domain.contacts[report]);

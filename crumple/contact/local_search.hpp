@@ -28,10 +28,15 @@ class LocalSearch {
   std::span<ContactPair> find(const Kinematics& motion, const GlobalSearch& candidates,
                               std::span<const RememberedPair> remembered, bool tracking);
 
+  /// Candidates that the last call looked at in vain.
+  long in_vain() const { return in_vain_; }
+
  private:
   const Surface* surface_;
   std::vector<std::vector<ContactPair>> parts_;
+  std::vector<long> parts_in_vain_;
   std::vector<ContactPair> pairs_;
+  long in_vain_ = 0;
 };
 
 }  // namespace crumple::contact

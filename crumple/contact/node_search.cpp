@@ -23,13 +23,6 @@ int sign_of(double a) {
   return a > 0 ? 1 : a < 0 ? -1 : 0;
 }
 
-/// True if a segment shares a node with a segment of `place`: a next neighbour in the mesh.
-bool next_neighbour(const Surface& surface, Index place, Index segment) {
-  for (const Index own : surface.topology.at_node(place))
-    if (connected(surface, own, segment)) return true;
-  return false;
-}
-
 }  // namespace
 
 NodeSearch::NodeSearch(const StepView& view, Index place, std::span<const RememberedPair> remembered)
@@ -42,30 +35,27 @@ NodeSearch::NodeSearch(const StepView& view, Index place, std::span<const Rememb
   for (const RememberedPair& pair : remembered_) astray_ = astray_ || pair.wrong != 0;
 }
 
-void NodeSearch::find(std::vector<ContactPair>& found) {
+long NodeSearch::find(std::vector<ContactPair>& found) {
   const GlobalSearch& candidates = *view_.candidates;
   const std::size_t before = found.size();
   if (view_.tracking) measure_faces();
-  for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c)
-    if (looks_at_all() || candidates.slack(c) <= candidates.consumed()) examine(candidates.segment(c), found);
+  long in_vain = 0;
+  for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c) {
+    if (!looks_at_all() && candidates.slack(c) > candidates.consumed()) continue;
+    const std::size_t known = found.size();
+    examine(candidates.segment(c), candidates.contact_distance(c), found);
+    in_vain += found.size() == known ? 1 : 0;
+  }
   if (found.size() - before > 1) keep_owners(found, before);
   const std::span<ContactPair> present = std::span(found).subspan(before);
   for (ContactPair& pair : present) carry_on(pair, present);
+  return in_vain;
 }
 
 const RememberedPair* NodeSearch::memory_of(Index segment) const {
   for (const RememberedPair& pair : remembered_)
     if (pair.segment == segment) return &pair;
   return nullptr;
-}
-
-/// A node and its next neighbours may touch by thickness alone: their contact distance is at most what the
-/// undeformed mesh leaves between them.
-double NodeSearch::contact_distance(Index segment) const {
-  const double full = surface_.contact_distance(place_, segment);
-  if (!next_neighbour(surface_, place_, segment)) return full;
-  const Vec3 origin = view_.reference.x[node_];
-  return std::min(full, std::sqrt(nearest_point(view_.reference.shape(segment), origin).distance_squared));
 }
 
 /// True if the node was in contact with that segment of the same surface and now is nearer to another one.
@@ -208,20 +198,19 @@ void NodeSearch::measure(const Vec3& away, double distance, const Vec3& normal, 
   pair.normal = distance > 0 ? sign / distance * away : (pair.side < 0 ? -1.0 : 1.0) * normal;
 }
 
-void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
+/// `full`: the distance at which the pair touches, before what is allowed for is deducted.
+void NodeSearch::examine(Index segment, double full, std::vector<ContactPair>& found) {
   const RememberedPair* memory = memory_of(segment);
   const SegmentShape shape = view_.now.shape(segment);
-  const double touching = surface_.contact_distance(place_, segment);
   // One that may have gone through the segment looks at it as well.
   const bool face = surface_.is_face(segment);
   const bool known_face = face && memory != nullptr;
-  const bool look =
-      looks_at_all() || known_face || may_be_near(shape, p_, touching + surface_.watch(segment));
+  const bool look = looks_at_all() || known_face || may_be_near(shape, p_, full + surface_.watch(segment));
   if (!look && !may_be_near(shape, p_, relative_motion(view_.now, node_, segment, view_.step))) return;
   const NearestPoint nearest = nearest_point(shape, p_);
   const double distance = std::sqrt(nearest.distance_squared);
-  const bool near = distance < touching;
-  const bool watched = distance < touching + surface_.watch(segment);
+  const bool near = distance < full;
+  const bool watched = distance < full + surface_.watch(segment);
   if (!near && !watched && !known_face && !looks_at_all() &&
       distance > relative_motion(view_.now, node_, segment, view_.step))
     return;
@@ -255,7 +244,6 @@ void NodeSearch::examine(Index segment, std::vector<ContactPair>& found) {
   }
   // On a face the way to it is round-off and has no direction.
   if (face && distance <= on_face(segment)) pair.normal = normalised(area_normal(shape));
-  const double full = contact_distance(segment);
   const double overlap = std::max(0.0, full - pair.gap);
   // What has opened stays open: the allowance only shrinks.
   pair.share = share;

@@ -24,18 +24,18 @@ class NodeSearch {
  public:
   NodeSearch(const StepView& view, Index place, std::span<const RememberedPair> remembered);
 
-  /// Appends the contacts of the node to `found`, segments ascending.
-  void find(std::vector<ContactPair>& found);
+  /// Appends the contacts of the node to `found`, segments ascending. Returns how many candidates it looked
+  /// at in vain.
+  long find(std::vector<ContactPair>& found);
 
  private:
   /// A node that is astray looks at all its candidates; so does every node at the start of a contact.
   bool looks_at_all() const { return astray_ || view_.tracking; }
   static void measure(const Vec3& away, double distance, const Vec3& normal, ContactPair& pair);
-  void examine(Index segment, std::vector<ContactPair>& found);
+  void examine(Index segment, double full, std::vector<ContactPair>& found);
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
   void measure_faces();
   bool starts_inside(Index segment, double distance) const;
-  double contact_distance(Index segment) const;
   double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
   void carry_on(ContactPair& pair, std::span<const ContactPair> present) const;
