@@ -251,20 +251,22 @@ void Forces::scatter(std::span<const Touch> touches) {
       marked_[place] = 1;
       active_.push_back(place);
     }
+    // Without friction the couple is that of the normal force.
+    AlignedArray<Vec3>& turning = is_zero(touch.friction) ? normal_ : friction_;
     const int first = first_bearing(touch);
-    for (int i = first; i < touch.nodes; ++i) friction_[touch.place[i]] += touch.couple[i - first];
+    for (int i = first; i < touch.nodes; ++i) turning[touch.place[i]] += touch.couple[i - first];
   }
   std::sort(active_.begin(), active_.end());
 }
 
 /// Trapezoidal rule: the mean of the forces at both ends of the step, times the displacement between them.
 void Forces::add_work(const domain::Domain& domain, domain::ContactReport& report) {
-  std::vector<Index> both;
+  both_.clear();
   std::set_union(active_.begin(), active_.end(), previous_active_.begin(), previous_active_.end(),
-                 std::back_inserter(both));
+                 std::back_inserter(both_));
   double normal = 0;
   double friction = 0;
-  for (const Index place : both) {
+  for (const Index place : both_) {
     const Vec3& v = domain.nodes.velocity[surface_->nodes[place]];
     normal += dot(previous_normal_[place] + normal_[place], v);
     friction += dot(previous_friction_[place] + friction_[place], v);

@@ -60,6 +60,7 @@ class Forces {
   std::vector<std::uint8_t> marked_;      ///< 1 for places in active_
   std::vector<Index> active_;             ///< places with a force now, ascending
   std::vector<Index> previous_active_;
+  std::vector<Index> both_;      ///< places with a force now or a step ago, ascending
   AlignedArray<Vec3> normal_;    ///< on the nodes now, by place [force]
   AlignedArray<Vec3> friction_;  ///< the same
   AlignedArray<Vec3> previous_normal_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "contact/edge_contact.hpp"
 #include "contact/forces.hpp"
@@ -135,11 +136,15 @@ struct Interface::Implementation {
 
   /// Gives the pairs the stiffness that their nodes have in these positions.
   void share_stiffness(std::span<const ContactPair> pairs, const domain::Domain& domain) {
+    constexpr Index piece = 128;
     const Configuration x{domain.nodes.position.data(), nullptr, 0};
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      if (touches[i].penetration > 0)
-        touches[i].stiffness =
-            std::min(node_stiffness(surface, x, pairs[i]), surface.stiffness[pairs[i].segment]);
+    const auto count = static_cast<Index>(pairs.size());
+    parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
+      for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i)
+        if (touches[i].penetration > 0)
+          touches[i].stiffness =
+              std::min(node_stiffness(surface, x, pairs[i]), surface.stiffness[pairs[i].segment]);
+    });
   }
 
   Vec3 force_on_first_side() const {

@@ -210,8 +210,9 @@ void SegmentCollector::add_faces() {
       if (!ahead.exists()) continue;
     } else if (!shells.empty()) {
       const std::array<Index, 4> key = model::key_of(face.node);
-      const auto cover = std::lower_bound(shells.begin(), shells.end(), key, before);
-      if (cover != shells.end() && cover->key == key && cover->sides == sides) ahead = cover->place;
+      auto cover = std::lower_bound(shells.begin(), shells.end(), key, before);
+      while (cover != shells.end() && cover->key == key && cover->sides != sides) ++cover;
+      if (cover != shells.end() && cover->key == key) ahead = cover->place;
     }
     if (ahead.exists() && erodes_[ahead.block] == 0) continue;
     add_face(face, sides, ahead);
