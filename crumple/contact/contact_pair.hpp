@@ -17,12 +17,15 @@ struct RememberedPair {
   Index node = no_index;     ///< place in Surface::nodes
   Index segment = no_index;  ///< in Surface
   std::int32_t side = 0;     ///< side of the segment's normal on which the node belongs; 0 where it is round
-  std::int32_t wrong = 0;    ///< 1 while the node is on the other side
+  std::int16_t wrong = 0;    ///< 1 while the node is on the other side
+  std::int16_t let_go = 0;   ///< 1 from where it was too deep until it has come back
   std::array<double, 4> weight{};  ///< of the segment's nodes, at the contact point
   double offset = 0;               ///< by which the contact distance is reduced [length]
   double depth = 0;                ///< penetration, offset deducted [length]
   Vec3 friction;                   ///< on the node, in the segment's frame [force]
   PenaltyMemory penalty;
+
+  bool loaded() const { return penalty.slope_limit > 0 || dot(friction, friction) > 0; }
 };
 static_assert(sizeof(RememberedPair) == 120);
 
@@ -31,7 +34,8 @@ struct ContactPair {
   Index node = no_index;     ///< place in Surface::nodes
   Index segment = no_index;  ///< in Surface
   std::int32_t side = 0;
-  std::int32_t wrong = 0;
+  std::int16_t wrong = 0;
+  std::int16_t let_go = 0;
   std::array<double, 4> weight{};
   Vec3 point;             ///< contact point, sum of weight[i] x[i] [length]
   Vec3 normal;            ///< unit vector in which the node is pushed

@@ -134,6 +134,7 @@ double Forces::stiffness_by_mass(const domain::NodeFields& nodes, const Touch& t
     inverse += weight * weight / own;
     mass[weight > 0 ? 0 : 1] += std::fabs(weight) * own;
   }
+  if (mass[0] + mass[1] <= 0) return 0;
   const double unit = 0.5 / (step * step);
   return contact_.mass_stiffness ? unit * stiffness_scale_ * mass[0] * mass[1] / (mass[0] + mass[1])
                                  : unit * contact_.soft_scale / inverse;
@@ -187,6 +188,12 @@ double Forces::slope_limit(const PenaltyMemory& before, double inverse, double s
   return before.slope_limit > 0 ? std::min(before.slope_limit, largest_budget_ * unit) : budget_ * unit;
 }
 
+/// What a normal force that uses `used` of (omega dt)^2 leaves to friction.
+double Forces::friction_budget(double used) const {
+  constexpr double least = 0.1;
+  return budget_ * std::clamp(std::max(2.0, largest_budget_ / budget_) - used / budget_, least, 1.0);
+}
+
 /// Friction acts at the two points, which are an arm apart: the nodes of the second take the couple of the
 /// two as well, so that the moment of momentum is kept, and a touch that sticks feels no work where both turn
 /// together. The same goes for a face that pushes straight out beyond its rim.
@@ -215,7 +222,9 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
                                                                 nodes.mass[surface_->nodes[touch.place[i]]]));
     const double turning = couple.largest_square(arm) * lightest;
     const double step = judged_step(domain, step_scale_);
-    if (step > 0) stiffness = std::min(stiffness, budget_ / (step * step * (inverse + turning)));
+    if (step > 0)
+      stiffness = std::min(stiffness, friction_budget(touch.penalty.slope_limit * step * step * inverse) /
+                                          (step * step * (inverse + turning)));
     touch.friction = friction(touch, size, touch.share * stiffness, domain.clock.step);
   }
   touch.couple = couple.forces(-cross(arm, touch.force()));

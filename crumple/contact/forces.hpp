@@ -42,6 +42,7 @@ class Forces {
   double stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const;
   bool evaluate(const domain::Domain& domain, Touch& touch) const;
   double slope_limit(const PenaltyMemory& before, double inverse, double step) const;
+  double friction_budget(double used) const;
   void add_friction(const domain::Domain& domain, Touch& touch, double stiffness, double inverse) const;
   Vec3 friction(const Touch& touch, double normal_force, double stiffness, double step) const;
   void scatter(std::span<const Touch> touches);

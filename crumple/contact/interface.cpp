@@ -66,6 +66,7 @@ struct Interface::Implementation {
       memory.segment = pair.segment;
       memory.side = pair.side;
       memory.wrong = pair.wrong;
+      memory.let_go = pair.let_go;
       memory.weight = pair.weight;
       memory.offset = pair.offset;
       memory.depth = std::max(0.0, pair.penetration());

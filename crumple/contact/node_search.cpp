@@ -42,9 +42,8 @@ long NodeSearch::find(std::vector<ContactPair>& found) {
   long in_vain = 0;
   for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c) {
     if (!looks_at_all() && candidates.slack(c) > candidates.consumed()) continue;
-    const std::size_t known = found.size();
-    examine(candidates.segment(c), candidates.contact_distance(c), found);
-    in_vain += found.size() == known ? 1 : 0;
+    const bool far = examine(candidates.segment(c), candidates.contact_distance(c), found);
+    in_vain += far && !looks_at_all() ? 1 : 0;
   }
   if (found.size() - before > 1) keep_owners(found, before);
   const std::span<ContactPair> present = std::span(found).subspan(before);
@@ -198,35 +197,36 @@ void NodeSearch::measure(const Vec3& away, double distance, const Vec3& normal, 
   pair.normal = distance > 0 ? sign / distance * away : (pair.side < 0 ? -1.0 : 1.0) * normal;
 }
 
-/// `full`: the distance at which the pair touches, before what is allowed for is deducted.
-void NodeSearch::examine(Index segment, double full, std::vector<ContactPair>& found) {
+/// `full`: the distance at which the pair touches, before what is allowed for is deducted. True if the node
+/// is further away.
+bool NodeSearch::examine(Index segment, double full, std::vector<ContactPair>& found) {
   const RememberedPair* memory = memory_of(segment);
   const SegmentShape shape = view_.now.shape(segment);
   // One that may have gone through the segment looks at it as well.
   const bool face = surface_.is_face(segment);
   const bool known_face = face && memory != nullptr;
   const bool look = looks_at_all() || known_face || may_be_near(shape, p_, full + surface_.watch(segment));
-  if (!look && !may_be_near(shape, p_, relative_motion(view_.now, node_, segment, view_.step))) return;
+  if (!look && !may_be_near(shape, p_, relative_motion(view_.now, node_, segment, view_.step))) return true;
   const NearestPoint nearest = nearest_point(shape, p_);
   const double distance = std::sqrt(nearest.distance_squared);
   const bool near = distance < full;
   const bool watched = distance < full + surface_.watch(segment);
   if (!near && !watched && !known_face && !looks_at_all() &&
       distance > relative_motion(view_.now, node_, segment, view_.step))
-    return;
+    return true;
   const double share = hold(segment, nearest, memory);
-  if (share == 0) return;
+  if (share == 0) return false;
 
   const Vec3 away = p_ - nearest.point;
   const Vec3 normal = side_normal(view_.now, segment, nearest, away);
   const bool round = dot(normal, normal) == 0;
   const int present = round ? 0 : sign_of(dot(away, normal));
   const int side = round ? 0 : side_of(segment, memory, distance, present);
-  if (side < 0 && face) return;
+  if (side < 0 && face) return false;
   const bool wrong = present != 0 && side != 0 && present != side;
   // What is in front of a face is remembered, so that it is known later which way it came.
   const bool waits = face && side > 0 && watched;
-  if (!near && !wrong && !waits) return;
+  if (!near && !wrong && !waits) return false;
 
   ContactPair pair;
   pair.node = place_;
@@ -249,9 +249,13 @@ void NodeSearch::examine(Index segment, double full, std::vector<ContactPair>& f
   pair.share = share;
   pair.offset =
       view_.tracking ? overlap : std::clamp(offset_of(segment, memory, full, pair.gap), 0.0, overlap);
-  if (overlap > surface_.release_depth[segment]) pair.offset = overlap;
+  const double release_depth = surface_.release_depth[segment];
+  const bool away_from = memory != nullptr && memory->let_go != 0;
+  pair.let_go = overlap - (away_from ? 0 : pair.offset) > release_depth ? 1 : 0;
+  if (pair.let_go != 0 || away_from) pair.offset = overlap;
   pair.reach = full - pair.offset;
   if (pair.penetration() > 0 || pair.offset > 0 || waits) found.push_back(pair);
+  return false;
 }
 
 /// True if the node is behind two faces of a solid that meet in an edge or corner standing out: it has come
@@ -304,9 +308,11 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
                         [&](const ContactPair& other) { return other.segment == segment; });
   };
   const RememberedPair* from = memory_of(pair.segment);
-  for (std::size_t i = 0; from == nullptr && i < remembered_.size(); ++i)
-    if (connected(surface_, pair.segment, remembered_[i].segment) && left(remembered_[i].segment))
-      from = &remembered_[i];
+  for (std::size_t i = 0; i < remembered_.size() && (from == nullptr || !from->loaded()); ++i) {
+    const RememberedPair& other = remembered_[i];
+    if (other.segment == pair.segment || !connected(surface_, pair.segment, other.segment)) continue;
+    if (left(other.segment) && (from == nullptr || other.loaded())) from = &other;
+  }
   if (from == nullptr) return;
   const SegmentShape shape = view_.now.shape(from->segment);
   Vec3 old_point;

@@ -32,7 +32,7 @@ class NodeSearch {
   /// A node that is astray looks at all its candidates; so does every node at the start of a contact.
   bool looks_at_all() const { return astray_ || view_.tracking; }
   static void measure(const Vec3& away, double distance, const Vec3& normal, ContactPair& pair);
-  void examine(Index segment, double full, std::vector<ContactPair>& found);
+  bool examine(Index segment, double full, std::vector<ContactPair>& found);
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
   void measure_faces();
   bool starts_inside(Index segment, double distance) const;

@@ -212,7 +212,8 @@ void build_contact(Build& build, Sides& sides, const RawContact& raw, std::size_
   build.enter(Item::Contact, {contact.id, "ID", raw.where}, number);
   const bool two_sided = contact.kind != model::ContactKind::SingleSurface;
   const bool has_second = two_sided && !(raw.only_measures && raw.side[1].id == 0);
-  const bool beams = contact.edges != model::ContactEdges::None;
+  // Contact by the masses of segments knows no beams.
+  const bool beams = contact.edges != model::ContactEdges::None && !contact.mass_stiffness;
   bool good = sides.add(raw.side[0], raw.where, beams, contact.side[0]);
   if (has_second) good = sides.add(raw.side[1], raw.where, beams, contact.side[1]) && good;
   if (!good) return;

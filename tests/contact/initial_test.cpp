@@ -75,6 +75,24 @@ TEST(InitialPenetration, ClosingFurtherPushesAndOpeningRecovers) {
   EXPECT_NEAR(force(), stiffness * 0.01, 1e-10);
 }
 
+// PENMAX counts what comes beyond the overlap at the start.
+TEST(InitialPenetration, IsNoReasonToLetANodeGo) {
+  TipAt scene(0.07);
+  scene.bodies.contact.release_depth = 0.2;
+  domain::Domain made = scene.bodies.build();
+  contact::Interface touching = scene.bodies.attach(made);
+  test::add_forces(touching, made);
+  const auto force_after = [&](double shift) {
+    scene.lift(touching, made, {0, 0, shift});
+    test::settle(touching, made);
+    return made.contact_force[at(made, scene.tip)].z;
+  };
+  const double stiffness = 0.1 * (1000.0 / 1.5) / std::sqrt(2.0);
+  EXPECT_NEAR(force_after(-0.01), stiffness * 0.01, 1e-10);
+  EXPECT_EQ(force_after(-0.011), 0);
+  EXPECT_EQ(force_after(0.011), 0);
+}
+
 // Coincident surfaces: neither side is known, nothing pushes, and the side is taken where the node goes.
 TEST(InitialPenetration, NodeOnTheMidSurfaceLeavesFreely) {
   for (const double side : {1.0, -1.0}) {
