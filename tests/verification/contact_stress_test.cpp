@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Contact where it is hardest: tubes that fold onto themselves, tubes that cross at speed, a sheet crumpled
-// by a ball, thin strips, a shot. In every cycle the candidates of the search are compared with those of
-// brute force, which stops the run at the first that was missed; at the end no mid-surface cuts another and
-// no node is beyond one. Momentum is kept where nothing holds the bodies, and energy is in all of them.
+// by a ball, thin strips, a shot. In every cycle, where the case does not say otherwise, the candidates of
+// the search are compared with those of brute force, which stops the run at the first that was missed; at the
+// end no mid-surface cuts another and no node is beyond one. Momentum is kept where nothing holds the bodies,
+// and energy is in all of them.
 
 #include <gtest/gtest.h>
 
@@ -72,12 +73,13 @@ Ordeal endure(const char* name, const model::Model& model, long every = 1) {
   return found;
 }
 
-void expect_sound(const Ordeal& found) {
+/// `energy_error` is the bound of the case on the error of the balance.
+void expect_sound(const Ordeal& found, double energy_error) {
   EXPECT_EQ(found.cuts, 0);
   EXPECT_EQ(found.beyond, 0);
   EXPECT_GT(found.contact.worst_penetration, 0) << "there must have been contact";
-  EXPECT_LT(found.energy.error(), 0.01);
-  EXPECT_GT(found.energy.contact, -0.01 * found.energy.internal);
+  EXPECT_LT(found.energy.error(), energy_error);
+  EXPECT_GT(found.energy.contact, -0.004 * found.energy.internal);
 }
 
 /// A square tube, 40 mm wide and 1.2 mm thick, thrown onto a rigid wall with a mass at its far end.
@@ -109,7 +111,7 @@ model::Model box_tube(Index cells_of_side, double length, double time) {
 }
 
 TEST(ContactStress, BoxTubeFoldsOntoItself) {
-  expect_sound(endure("box tube", box_tube(6, 120, 3)));
+  expect_sound(endure("box tube", box_tube(6, 120, 3)), 1e-5);
 }
 
 /// Round tubes across each other, in layers, each layer moving against the next at 100 m/s. `in_layer` tubes
@@ -139,16 +141,25 @@ model::Model crossing_tubes(Index layers, Index in_layer, Index around, Index al
 
 TEST(ContactStress, CrossingTubes) {
   const Ordeal found = endure("4 tubes", crossing_tubes(2, 2, 16, 14, 0.8));
-  expect_sound(found);
+  expect_sound(found, 5e-5);
+  EXPECT_LT(found.drift, 1e-13);
+  EXPECT_LT(found.turning, 1e-13);
+}
+
+void expect_twenty_tubes_sound(long every) {
+  const Ordeal found = endure("20 tubes", crossing_tubes(5, 4, 20, 32, 0.6), every);
+  expect_sound(found, 3e-4);
   EXPECT_LT(found.drift, 1e-13);
   EXPECT_LT(found.turning, 1e-13);
 }
 
 TEST(ContactStressSlow, TwentyCrossingTubes) {
-  const Ordeal found = endure("20 tubes", crossing_tubes(5, 4, 20, 32, 0.6), 25);
-  expect_sound(found);
-  EXPECT_LT(found.drift, 1e-13);
-  EXPECT_LT(found.turning, 1e-13);
+  expect_twenty_tubes_sound(25);
+}
+
+/// Brute force over all nodes and segments takes minutes.
+TEST(ContactStressNightly, TwentyCrossingTubesInEveryCycle) {
+  expect_twenty_tubes_sound(1);
 }
 
 /// A thin sheet that is held nowhere, with a ball that flies into it: it wraps around the ball and onto
@@ -166,13 +177,13 @@ TEST(ContactStressSlow, SheetCrumpledByABall) {
   test::set_moving(model, ball, {0, 0, -60});
   test::touch_all(model, 0.1);
   model.control.end_time = 1.5;
-  const Ordeal found = endure("sheet", model, 5);
-  expect_sound(found);
+  const Ordeal found = endure("sheet", model);
+  expect_sound(found, 2e-5);
   EXPECT_LT(found.drift, 1e-13);
 }
 
 /// Strips one element wide, thrown at each other at random.
-TEST(ContactStress, ThinStrips) {
+model::Model thin_strips(model::ContactEdges edges, double friction) {
   model::Model model = test::one_part(mild_steel(), test::shell_section(0.8, 3));
   model.control.hourglass.form = model::HourglassForm::Stiffness;
   std::mt19937 engine(7);
@@ -192,15 +203,35 @@ TEST(ContactStress, ThinStrips) {
     });
     test::set_moving(model, first, {random(-5, 5), random(-5, 5), -8.0 * (i - 0.5 * (strips - 1))});
   }
-  test::touch_all(model, 0.1);
+  test::touch_all(model, friction).edges = edges;
   model.control.end_time = 1.5;
-  const Ordeal found = endure("strips", model);
+  return model;
+}
+
+TEST(ContactStress, ThinStrips) {
+  const Ordeal found = endure("strips", thin_strips(model::ContactEdges::None, 0.1));
   EXPECT_EQ(found.beyond, 0);
   // Edges against edges are not seen by nodes on segments: strips have little else, and a few of them cut.
   EXPECT_LE(found.cuts, 6);
-  EXPECT_LT(found.energy.error(), 0.01);
-  EXPECT_GT(found.energy.contact, -0.01 * found.energy.internal);
+  EXPECT_LT(found.energy.error(), 2e-4);
+  EXPECT_GT(found.energy.contact, -0.004 * found.energy.internal);
   EXPECT_LT(found.drift, 1e-13);
+  EXPECT_LT(found.turning, 1e-13);
+}
+
+TEST(ContactStressSlow, ThinStripsThatTouchWithTheirEdges) {
+  const Ordeal found = endure("strips with edges", thin_strips(model::ContactEdges::Free, 0.1));
+  expect_sound(found, 2e-4);
+  EXPECT_LT(found.drift, 1e-13);
+  // Friction of edges that cross at a small angle leaves its couple.
+  EXPECT_LT(found.turning, 2e-3);
+}
+
+TEST(ContactStress, ThinStripsWithSmoothEdgesKeepTheirMoment) {
+  const Ordeal found = endure("smooth strips with edges", thin_strips(model::ContactEdges::Free, 0), 25);
+  expect_sound(found, 2e-4);
+  EXPECT_LT(found.drift, 1e-13);
+  EXPECT_LT(found.turning, 1e-13);
 }
 
 /// A ball above or below a sheet of 20 x 20 elements of 4 mm.
@@ -239,7 +270,7 @@ TEST(ContactStress, ShotIntoASheet) {
   model::Model model = sheet_and_ball({1, 0.5, 30}, {0, 0, -300});
   model.control.end_time = 0.3;
   const Ordeal found = endure("shot", model);
-  expect_sound(found);
+  expect_sound(found, 5e-5);
   EXPECT_LT(found.drift, 1e-13);
   EXPECT_LT(found.turning, 1e-13);
 }
