@@ -10,14 +10,17 @@
 
 namespace crumple::test {
 
-/// Moment of momentum about the origin, that of turning shell nodes included. With the positions of time n
-/// and the velocities of n + 1/2 central differences keep it to round-off if the forces do.
+/// Moment of momentum about the origin, that of turning shell nodes included; nodes that are tied by
+/// constraint count with those that carry them. With the positions of time n and the velocities of n + 1/2
+/// central differences keep it to round-off if the forces do.
 inline math::Vec3 moment_of_momentum(const domain::Domain& domain) {
   math::Vec3 sum;
   const domain::NodeFields& nodes = domain.nodes;
-  for (Index i = 0; i < nodes.count(); ++i)
-    sum += nodes.mass[i] * cross(nodes.position[i], nodes.velocity[i]) +
-           nodes.inertia[i] * nodes.angular_velocity[i];
+  for (Index i = 0; i < nodes.count(); ++i) {
+    if (nodes.is_tied(i)) continue;
+    sum += nodes.moving_mass(i) * cross(nodes.position[i], nodes.velocity[i]) +
+           nodes.moving_inertia(i) * nodes.angular_velocity[i];
+  }
   return sum;
 }
 
@@ -55,5 +58,13 @@ class Conservation {
   double momentum_scale_ = 0;
   double turning_scale_ = 0;
 };
+
+/// Runs the model to its end and tells what was kept on the way.
+inline Conservation watched_run(const model::Model& model) {
+  timeloop::Simulation simulation(model, execution());
+  Conservation kept;
+  run(simulation, [&](const domain::Domain& now) { kept.watch(now); });
+  return kept;
+}
 
 }  // namespace crumple::test

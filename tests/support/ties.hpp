@@ -81,6 +81,14 @@ inline model::Model two_bars(Index first_cells, Index second_cells,
   return model;
 }
 
+/// Gives the nodes velocities with no order in them: bodies shake and tumble.
+inline void shake(model::Model& model) {
+  for (Index i = 0; i < model.nodes.count(); ++i)
+    model.initial_velocities.push_back({.node = i,
+                                        .velocity = {std::sin(1.0 * i), std::sin(2.0 * i), std::sin(3.0 * i)},
+                                        .angular_velocity = {}});
+}
+
 /// A plate of 40 x 20 in the plane z = 0, held at its ends x = 0 and x = 40, and a strip of 20 x 20 on its
 /// middle line x = 20, loaded sideways at the top; in one mesh or tied.
 inline model::Model shell_joint(bool tied, Index cells) {

@@ -108,10 +108,10 @@ TEST_P(SlidingBlock, StopsWhereCoulombSays) {
       "distance %.5f of %.5f mm (%.5f), velocity left %.1e, friction / kinetic energy %.5f, error %.1e\n",
       found.distance, exact, found.distance / exact, found.rest / speed, found.energy.friction / kinetic,
       found.energy.error());
-  EXPECT_NEAR(found.distance, exact, 0.005 * exact);
-  EXPECT_LT(std::fabs(found.rest), 0.005 * speed);
-  EXPECT_NEAR(found.energy.friction, kinetic, 0.005 * kinetic);
-  EXPECT_LT(found.energy.error(), 0.01);
+  EXPECT_NEAR(found.distance, exact, 0.001 * exact);
+  EXPECT_LT(std::fabs(found.rest), 5e-4 * speed);
+  EXPECT_NEAR(found.energy.friction, kinetic, 0.003 * kinetic);
+  EXPECT_LT(found.energy.error(), 1e-7);
 }
 
 std::string name_of(const ::testing::TestParamInfo<Plate>& info) {

@@ -33,9 +33,10 @@ TEST(TiedMotion, PrescribedMotionOfASegmentMovesWhatItCarries) {
   timeloop::Simulation simulation(model, test::execution());
   test::run(simulation);
   const domain::EnergyLedger& energy = simulation.domain().energy;
-  std::printf("work %.4g, imbalance %.2e\n", energy.external_work, energy.imbalance());
+  std::printf("work %.4g, imbalance over it %.2e\n", energy.external_work,
+              energy.imbalance() / energy.external_work);
   EXPECT_GT(energy.external_work, 0);
-  EXPECT_LT(std::fabs(energy.imbalance()), 2e-3 * energy.external_work);
+  EXPECT_LT(std::fabs(energy.imbalance()), 2e-6 * energy.external_work);
 }
 
 /// The joint runs through the place of the impact: the wall stops segments with what is tied to them.
@@ -57,8 +58,9 @@ TEST(TiedMotion, WallTakesTheMomentumOfWhatIsTied) {
   for (const double nodal : domain.nodes.mass) mass += nodal;
   test::run(simulation);
   const Vec3 change = test::momentum(domain) - Vec3{0, 0, -mass};
-  std::printf("momentum %.4g of %.4g, wall %.2e off, energy error %.2e\n", change.z, mass,
-              norm(change + domain.walls[0].impulse) / norm(change), domain.energy.error());
+  std::printf("momentum %.4g of %.4g, wall %.2e off, imbalance over initial %.2e\n", change.z, mass,
+              norm(change + domain.walls[0].impulse) / norm(change),
+              domain.energy.imbalance() / domain.energy.initial_total);
   EXPECT_GT(change.z, mass);
   EXPECT_LT(norm(change + domain.walls[0].impulse), 1e-12 * norm(change));
   // That of the impact itself: twice as much without the tie.
@@ -89,7 +91,7 @@ TEST(TiedMotion, ErosionOfTheSegmentFreesTheNode) {
                 tie.nodes.size(), tie.energy, domain.energy.error());
     EXPECT_EQ(tie.released, static_cast<Index>(tie.nodes.size()));
     EXPECT_EQ(tie.broken, 0);
-    EXPECT_LT(domain.energy.error(), 0.01);
+    EXPECT_LT(domain.energy.error(), 4e-3);
   }
 }
 
@@ -133,7 +135,7 @@ TEST(TiedMotion, AfterTheBreakTheSurfacesTouch) {
   // take 0.079 of it, and softer at the rims.
   EXPECT_GT(deepest, -0.085);
   EXPECT_LT(deepest, -0.01);
-  EXPECT_LT(domain.energy.error(), 0.01);
+  EXPECT_LT(domain.energy.error(), 4e-4);
 }
 
 TEST(TiedMotion, SameBitsForAnyNumberOfThreads) {
@@ -142,16 +144,12 @@ TEST(TiedMotion, SameBitsForAnyNumberOfThreads) {
     model.tied_contacts[0].ties_rotations = true;
     if (method == model::TieMethod::Penalty)
       model.tied_contacts[0].failure = model::TieFailure{.normal_strength = 0.5, .shear_strength = 0.5};
-    for (Index i = 0; i < model.nodes.count(); ++i)
-      model.initial_velocities.push_back(
-          {.node = i,
-           .velocity = {std::sin(1.0 * i), std::sin(2.0 * i), std::sin(3.0 * i)},
-           .angular_velocity = {}});
+    test::shake(model);
     model.control.end_time = 0.01;
     timeloop::Simulation simulation(model, {precision, default_isa(), threads});
     test::run(simulation);
-    EXPECT_LT(std::fabs(simulation.domain().energy.imbalance()),
-              2e-3 * simulation.domain().energy.initial_total);
+    const domain::EnergyLedger& energy = simulation.domain().energy;
+    EXPECT_LT(std::fabs(energy.imbalance()), 4e-4 * energy.initial_total);
     return simulation.state_hash();
   };
   for (const model::TieMethod method : {model::TieMethod::Constraint, model::TieMethod::Penalty})

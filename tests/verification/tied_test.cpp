@@ -7,25 +7,12 @@
 #include <cmath>
 
 #include "support/rigid.hpp"
-#include "support/run.hpp"
-#include "support/ties.hpp"
+#include "support/tied_runs.hpp"
 
 namespace crumple {
 namespace {
 
 using math::Vec3;
-
-/// Angular momentum about the origin of what moves: the nodes of segments carry the masses of the tied ones.
-Vec3 angular_momentum(const domain::Domain& domain) {
-  const domain::NodeFields& nodes = domain.nodes;
-  Vec3 sum;
-  for (Index i = 0; i < nodes.count(); ++i) {
-    if (nodes.is_tied(i)) continue;
-    sum += nodes.moving_mass(i) * cross(nodes.position[i], nodes.velocity[i]) +
-           nodes.moving_inertia(i) * nodes.angular_velocity[i];
-  }
-  return sum;
-}
 
 struct Patch {
   double stress_error = 0;  ///< largest over all elements and components, over the mean stress [-]
@@ -88,31 +75,17 @@ TEST(Tied, StressIsConstantAcrossMeshesThatDoNotMatch) {
   EXPECT_LT(other.energy_error, 1e-3);
 }
 
-/// A pulse through a bar of two halves: how much of its energy comes back from the joint.
+/// A pulse through a bar of two halves: how much of it comes back from the joint.
 TEST(Tied, WavesPassTheJoint) {
-  const auto run = [](Index first, Index second) {
-    model::Model model = test::two_bars(first, second);
-    timeloop::Simulation simulation(model, test::execution());
-    test::run(simulation);
-    const domain::Domain& domain = simulation.domain();
-    // By now the pulse is in the second half; what is left in the first one came back.
-    double behind = 0;
-    double ahead = 0;
-    for (Index i = 0; i < domain.nodes.count(); ++i) {
-      const double energy = domain.nodes.mass[i] * dot(domain.nodes.velocity[i], domain.nodes.velocity[i]);
-      (domain.nodes.reference[i].x < 100 ? behind : ahead) += energy;
-    }
-    return std::array<double, 2>{std::sqrt(behind / (ahead + behind)), domain.energy.error()};
-  };
-  const auto same = run(2, 2);
-  const auto refined = run(2, 4);
-  const auto odd = run(2, 3);
-  std::printf("reflected amplitude: 2:2 %.4f, 2:4 %.4f, 2:3 %.4f; energy error %.1e\n", same[0], refined[0],
-              odd[0], odd[1]);
-  EXPECT_LT(same[0], 0.005);
-  EXPECT_LT(refined[0], 0.005);
-  EXPECT_LT(odd[0], 0.01);
-  EXPECT_LT(odd[1], 1e-3);
+  const test::Reflection same = test::reflection(test::two_bars(2, 2));
+  const test::Reflection refined = test::reflection(test::two_bars(2, 4));
+  const test::Reflection odd = test::reflection(test::two_bars(2, 3));
+  std::printf("reflected amplitude: 2:2 %.4f, 2:4 %.4f, 2:3 %.4f; energy error %.1e\n", same.amplitude,
+              refined.amplitude, odd.amplitude, odd.energy_error);
+  EXPECT_LT(same.amplitude, 0.005);
+  EXPECT_LT(refined.amplitude, 0.005);
+  EXPECT_LT(odd.amplitude, 0.01);
+  EXPECT_LT(odd.energy_error, 1e-3);
 }
 
 TEST(Tied, TurningMakesNoForceAndKeepsMomenta) {
@@ -147,58 +120,30 @@ TEST(Tied, TurningMakesNoForceAndKeepsMomenta) {
   EXPECT_NEAR(domain.energy.total(), domain.energy.initial_total, 1e-6 * domain.energy.initial_total);
 }
 
-TEST(Tied, MomentOfMomentumIsKept) {
+TEST(Tied, MomentaAndEnergyAreKept) {
   model::Model model = test::two_blocks(2, 3, 4);
-  // Any velocities: the blocks shake and tumble.
-  for (Index i = 0; i < model.nodes.count(); ++i)
-    model.initial_velocities.push_back({.node = i,
-                                        .velocity = {std::sin(1.0 * i), std::sin(2.0 * i), std::sin(3.0 * i)},
-                                        .angular_velocity = {}});
+  test::shake(model);
   model.control.end_time = 0.1;
-  timeloop::Simulation simulation(model, test::execution());
-  simulation.start();
-  const domain::Domain& domain = simulation.domain();
-  simulation.step();
-  // x(n) x v(n+1/2) and x(n+1) x v(n+1/2) are the same: it matters not to which time the places belong.
-  const Vec3 before = angular_momentum(domain);
-  const Vec3 momentum = test::momentum(domain);
-  double energy_error = 0;
-  while (!simulation.finished()) {
-    simulation.step();
-    energy_error = std::max(energy_error, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
-  }
-  const double size = norm(before);
-  std::printf("angular momentum %.2e, momentum %.2e, energy %.2e\n",
-              norm(angular_momentum(domain) - before) / size,
-              norm(test::momentum(domain) - momentum) / norm(momentum), energy_error);
-  EXPECT_LT(norm(angular_momentum(domain) - before), 1e-11 * size);
-  EXPECT_LT(norm(test::momentum(domain) - momentum), 1e-11 * norm(momentum));
-  EXPECT_LT(energy_error, 1e-3);
+  const test::Conservation kept = test::watched_run(model);
+  std::printf("moment of momentum %.2e, momentum %.2e, energy %.2e\n", kept.turning_drift,
+              kept.momentum_drift, kept.worst_imbalance);
+  EXPECT_LT(kept.turning_drift, 3e-15);
+  EXPECT_LT(kept.momentum_drift, 3e-15);
+  EXPECT_LT(kept.worst_imbalance, 1e-3);
 }
 
 /// A strip on edge, tied to the middle of a plate, against the same in one mesh.
 TEST(Tied, EdgeOfShellCarriesItsMoment) {
-  const auto deflection = [](bool tied, bool rotations) {
-    model::Model model = test::shell_joint(tied, 6);
-    if (tied) model.tied_contacts[0].ties_rotations = rotations;
-    timeloop::Simulation simulation(model, test::execution());
-    simulation.start();
-    const domain::Domain& domain = simulation.domain();
-    double largest = 0;
-    while (!simulation.finished()) {
-      simulation.step();
-      for (const model::NodalLoad& load : model.nodal_loads)
-        largest = std::max(largest, std::fabs(test::displacement(domain, load.node).y));
-    }
-    EXPECT_LT(domain.energy.error(), 0.01);
-    return largest;
-  };
-  const double one = deflection(false, false);
-  const double joined = deflection(true, true);
-  const double hinged = deflection(true, false);
-  std::printf("largest deflection: one mesh %.5f, tied %.5f, without rotations %.5f\n", one, joined, hinged);
-  EXPECT_NEAR(joined, one, 1e-6 * one);
-  EXPECT_GT(hinged, 2 * one);
+  const test::Deflection one = test::deflection(test::shell_joint(false, 6));
+  const test::Deflection joined = test::deflection(test::shell_joint(true, 6));
+  model::Model model = test::shell_joint(true, 6);
+  model.tied_contacts[0].ties_rotations = false;
+  const test::Deflection hinged = test::deflection(model);
+  std::printf("largest deflection: one mesh %.5f, tied %.5f, without rotations %.5f; energy error %.1e\n",
+              one.largest, joined.largest, hinged.largest, hinged.energy_error);
+  EXPECT_NEAR(joined.largest, one.largest, 1e-6 * one.largest);
+  EXPECT_GT(hinged.largest, 2 * one.largest);
+  for (const test::Deflection& found : {one, joined, hinged}) EXPECT_LT(found.energy_error, 0.01);
 }
 
 }  // namespace
