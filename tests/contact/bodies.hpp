@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "contact/interface.hpp"
@@ -170,6 +171,41 @@ inline void integrate(contact::Interface& touching, domain::Domain& made, double
   made.clock.time += step;
   ++made.clock.cycle;
   add_forces(touching, made);
+}
+
+struct Balance {
+  double kinetic = 0;  ///< at time n, from the velocities before and after the kick [energy]
+  Vec3 momentum;       ///< before the kick [mass * length/time]
+  Vec3 spin;           ///< moment of momentum about the origin [mass * length^2/time]
+};
+
+inline Balance balance(const domain::Domain& made, double step) {
+  Balance sum;
+  for (Index i = 0; i < made.nodes.count(); ++i) {
+    const double mass = made.nodes.mass[i];
+    const double* force = made.nodes.force[i].force;
+    const Vec3 kick = (step / mass) * Vec3{force[0], force[1], force[2]};
+    const Vec3 before = made.nodes.velocity[i];
+    sum.kinetic += 0.5 * mass * dot(before, before + kick);
+    sum.momentum += mass * before;
+    sum.spin += cross(made.nodes.position[i], mass * before);
+  }
+  return sum;
+}
+
+/// Turns everything as one body about an axis through the origin by an angle [rad], in many steps.
+inline void turn(contact::Interface& touching, domain::Domain& made, const Vec3& axis, double angle,
+                 int steps) {
+  const Vec3 e = normalised(axis);
+  const std::vector<Vec3> start(made.nodes.position.begin(), made.nodes.position.end());
+  std::vector<Vec3> x(start.size());
+  for (int i = 1; i <= steps; ++i) {
+    const double a = angle * i / steps;
+    for (std::size_t n = 0; n < x.size(); ++n)
+      x[n] = std::cos(a) * start[n] + std::sin(a) * cross(e, start[n]) +
+             (1 - std::cos(a)) * dot(e, start[n]) * e;
+    move_to(touching, made, x, 1e-3);
+  }
 }
 
 inline Vec3 total_force(const domain::Domain& made) {

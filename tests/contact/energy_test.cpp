@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <vector>
 
 #include "contact/bodies.hpp"
 #include "contact/penalty.hpp"
@@ -10,6 +9,8 @@
 namespace crumple {
 namespace {
 
+using test::balance;
+using test::Balance;
 using test::Bodies;
 using test::Vec3;
 
@@ -38,27 +39,6 @@ TEST(Penalty, ForceIsContinuousAndItsSlopeIsLimited) {
 TEST(Penalty, DecayIsTheExponentialFunction) {
   for (double x = 0; x < 690; x += 0.37) EXPECT_NEAR(contact::decay(x) / std::exp(-x), 1.0, 5e-13);
   EXPECT_EQ(contact::decay(1e6), 0.0);
-}
-
-struct Balance {
-  double kinetic = 0;
-  Vec3 momentum;
-  Vec3 spin;
-};
-
-/// Kinetic energy at time n from the velocities before and after the kick, and momenta.
-Balance balance(const domain::Domain& made, double step) {
-  Balance sum;
-  for (Index i = 0; i < made.nodes.count(); ++i) {
-    const double mass = made.nodes.mass[i];
-    const double* force = made.nodes.force[i].force;
-    const Vec3 kick = (step / mass) * Vec3{force[0], force[1], force[2]};
-    const Vec3 before = made.nodes.velocity[i];
-    sum.kinetic += 0.5 * mass * dot(before, before + kick);
-    sum.momentum += mass * before;
-    sum.spin += cross(made.nodes.position[i], mass * before);
-  }
-  return sum;
 }
 
 /// Two plates of loose masses, elements not aligned, that fly at each other at an angle.

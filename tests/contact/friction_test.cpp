@@ -92,26 +92,26 @@ TEST(Friction, KeepsTheMomentOfMomentum) {
   }
 }
 
-// A pair that sticks while both turn together: no work is done.
-TEST(Friction, DoesNoWorkInARigidRotation) {
-  Slider slider(0.6, 0.6, 0);
+/// A tip that sticks to the sheet with a stretched spring.
+struct Stuck {
+  Stuck() {
+    test::add_forces(touching, made);
+    Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
+    Slider::shift(touching, made, slider.tip, {0.005, 0.002, 0}, 1e-3);
+  }
+  Vec3 force() const { return made.contact_force[at(made, slider.tip)]; }
+
+  Slider slider{0.6, 0.6, 0};
   domain::Domain made = slider.bodies.build();
   contact::Interface touching = slider.bodies.attach(made);
-  test::add_forces(touching, made);
-  Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
-  Slider::shift(touching, made, slider.tip, {0.005, 0.002, 0}, 1e-3);
-  const double stored = made.contacts[0].friction_energy;
-  const std::vector<Vec3> x0(made.nodes.position.begin(), made.nodes.position.end());
-  const int steps = 2000;
-  for (int i = 1; i <= steps; ++i) {
-    const double a = 1.5 * i / steps;
-    std::vector<Vec3> x;
-    x.reserve(x0.size());
-    for (const Vec3& r : x0)
-      x.push_back({std::cos(a) * r.x + std::sin(a) * r.z, r.y, std::cos(a) * r.z - std::sin(a) * r.x});
-    test::move_to(touching, made, x, 1e-3);
-  }
-  EXPECT_NEAR(made.contacts[0].friction_energy, stored, 1e-5 * stored);
+};
+
+// A pair that sticks while both turn together: no work is done.
+TEST(Friction, DoesNoWorkInARigidRotation) {
+  Stuck stuck;
+  const double stored = stuck.made.contacts[0].friction_energy;
+  test::turn(stuck.touching, stuck.made, {0, 1, 0}, 1.5, 2000);
+  EXPECT_NEAR(stuck.made.contacts[0].friction_energy, stored, 1e-5 * stored);
 }
 
 // mu = FD + (FS - FD) exp(-DC v).
@@ -209,27 +209,12 @@ TEST(Contact, LetsGoOfNodesThatAreTooDeep) {
 
 // A rigid rotation of both bodies together is no slip, and the friction force turns with them.
 TEST(Friction, RigidRotationIsNoSlip) {
-  Slider slider(0.6, 0.6, 0);
-  domain::Domain made = slider.bodies.build();
-  contact::Interface touching = slider.bodies.attach(made);
-  test::add_forces(touching, made);
-  Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
-  Slider::shift(touching, made, slider.tip, {0.005, 0.002, 0}, 1e-3);
-  const Vec3 start = made.contact_force[at(made, slider.tip)];
+  Stuck stuck;
+  const Vec3 start = stuck.force();
   ASSERT_LT(start.x, -0.1);
-  const std::vector<Vec3> x0(made.nodes.position.begin(), made.nodes.position.end());
-  const int steps = 500;
-  for (int i = 1; i <= steps; ++i) {
-    // 120 degrees about (1, 1, 1): x -> y -> z -> x at the end.
-    const double a = 2.0943951023931953 * i / steps;
-    const Vec3 axis = normalised(Vec3{1, 1, 1});
-    std::vector<Vec3> x;
-    x.reserve(x0.size());
-    for (const Vec3& r : x0)
-      x.push_back(std::cos(a) * r + std::sin(a) * cross(axis, r) + (1 - std::cos(a)) * dot(axis, r) * axis);
-    test::move_to(touching, made, x, 1e-3);
-  }
-  const Vec3 end = made.contact_force[at(made, slider.tip)];
+  // 120 degrees about (1, 1, 1): x -> y -> z -> x at the end.
+  test::turn(stuck.touching, stuck.made, {1, 1, 1}, 2.0943951023931953, 500);
+  const Vec3 end = stuck.force();
   EXPECT_NEAR(end.y, start.x, 1e-9);
   EXPECT_NEAR(end.z, start.y, 1e-9);
   EXPECT_NEAR(end.x, start.z, 1e-9);

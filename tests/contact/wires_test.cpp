@@ -11,27 +11,10 @@
 namespace crumple {
 namespace {
 
+using test::balance;
+using test::Balance;
 using test::Bodies;
 using test::Vec3;
-
-struct Balance {
-  double kinetic = 0;
-  Vec3 momentum;
-  Vec3 spin;
-};
-
-Balance balance(const domain::Domain& made, double step) {
-  Balance sum;
-  for (Index i = 0; i < made.nodes.count(); ++i) {
-    const double mass = made.nodes.mass[i];
-    const double* force = made.nodes.force[i].force;
-    const Vec3 before = made.nodes.velocity[i];
-    sum.kinetic += 0.5 * mass * dot(before, before + (step / mass) * Vec3{force[0], force[1], force[2]});
-    sum.momentum += mass * before;
-    sum.spin += cross(made.nodes.position[i], mass * before);
-  }
-  return sum;
-}
 
 // Two wires of several beams meet obliquely and part again: momenta to round-off, the energy is given back.
 TEST(Wires, CrossedWiresBounceElastically) {
