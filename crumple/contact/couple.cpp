@@ -28,7 +28,7 @@ Couple::Couple(std::span<const Vec3> nodes, Bearing bearing) {
   const double cofactor_xy = yz * zx - xy * zz;
   const double cofactor_zx = xy * yz - yy * zx;
   const double determinant = xx * cofactor_xx + xy * cofactor_xy + zx * cofactor_zx;
-  const double collinear = bearing == Bearing::All ? 1e-9 : 1e-2;
+  constexpr double collinear = 1e-9;
   const double trace = xx + yy + zz;
   if (determinant <= collinear * trace * trace * trace) return;
   const double scale = 1 / determinant;

@@ -23,7 +23,7 @@ class Couple {
   explicit Couple(std::span<const Vec3> nodes, Bearing bearing = Bearing::All);
 
   /// Forces on the nodes whose moment is `moment` [force * length]; zero where the nodes lie on a line, which
-  /// bears none about itself, or the halves on lines that are almost parallel.
+  /// bears none about itself, or the halves on parallel lines.
   Forces forces(const Vec3& moment) const;
 
   /// Bound on the sum of their squares for the moment of any unit force with the arm `arm` [1].

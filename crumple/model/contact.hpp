@@ -72,8 +72,8 @@ struct Contact {
   double release_depth = 0;
   double solid_thickness = 0;  ///< SLDTHK: thickness of the faces of solids [length]
   double solid_modulus = 0;    ///< SLDSTF: for their stiffness, instead of the bulk modulus [stress]; 0: that
-  double birth_time = 0;        ///< BT [time]
-  double death_time = 1e20;     ///< DT [time]
+  double birth_time = 0;       ///< BT [time]
+  double death_time = 1e20;    ///< DT [time]
 };
 
 /// Measures what the contacts of the model do to a surface, and changes nothing (*CONTACT_FORCE_TRANSDUCER).

@@ -223,8 +223,7 @@ TEST(ContactStressSlow, ThinStripsThatTouchWithTheirEdges) {
   const Ordeal found = endure("strips with edges", thin_strips(model::ContactEdges::Free, 0.1));
   expect_sound(found, 2e-4);
   EXPECT_LT(found.drift, 1e-13);
-  // Friction of edges that cross at less than some 34 degrees leaves its couple.
-  EXPECT_LT(found.turning, 2e-3);
+  EXPECT_LT(found.turning, 1e-13);
 }
 
 TEST(ContactStress, ThinStripsWithSmoothEdgesKeepTheirMoment) {
