@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -191,6 +192,32 @@ inline Balance balance(const domain::Domain& made, double step) {
     sum.spin += cross(made.nodes.position[i], mass * before);
   }
   return sum;
+}
+
+/// What an impact under contact forces alone does to the sums.
+struct Impact {
+  Balance start;
+  double stored = 0;  ///< largest energy in the contact [energy]
+  double imbalance =
+      0;  ///< largest difference of the kinetic and the stored energy from that at first [energy]
+  double momentum = 0;  ///< largest change [mass * length/time]
+  double spin = 0;      ///< largest change of the moment of momentum [mass * length^2/time]
+};
+
+/// Runs `steps` steps.
+inline Impact impact(contact::Interface& touching, domain::Domain& made, double step, int steps) {
+  Impact found;
+  found.start = balance(made, step);
+  for (int i = 0; i < steps; ++i) {
+    integrate(touching, made, step);
+    const Balance now = balance(made, step);
+    const double stored = made.contacts[0].energy;
+    found.stored = std::max(found.stored, stored);
+    found.imbalance = std::max(found.imbalance, std::fabs(now.kinetic + stored - found.start.kinetic));
+    found.momentum = std::max(found.momentum, norm(now.momentum - found.start.momentum));
+    found.spin = std::max(found.spin, norm(now.spin - found.start.spin));
+  }
+  return found;
 }
 
 /// Turns everything as one body about an axis through the origin by an angle [rad], in many steps.

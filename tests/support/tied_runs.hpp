@@ -4,8 +4,11 @@
 // What the models of ties.hpp tell when they are run, shared by the tests of ties by constraint and by
 // springs.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "support/conservation.hpp"
 #include "support/ties.hpp"
@@ -46,6 +49,19 @@ inline Deflection deflection(const model::Model& model) {
   });
   found.energy_error = simulation.domain().energy.error();
   return found;
+}
+
+/// Shakes the model for a time of 0.1: momentum and moment of momentum are kept to round-off, the energy to
+/// the order of the step.
+inline void expect_kept_when_shaken(model::Model model) {
+  shake(model);
+  model.control.end_time = 0.1;
+  const Conservation kept = watched_run(model);
+  std::printf("moment of momentum %.2e, momentum %.2e, energy %.2e\n", kept.turning_drift,
+              kept.momentum_drift, kept.worst_imbalance);
+  EXPECT_LT(kept.turning_drift, 3e-15);
+  EXPECT_LT(kept.momentum_drift, 3e-15);
+  EXPECT_LT(kept.worst_imbalance, 1e-3);
 }
 
 }  // namespace crumple::test
