@@ -12,15 +12,15 @@ namespace crumple::contact {
 /// The two domain nodes of an edge.
 using EdgeNodes = std::array<Index, 2>;
 
-/// A straight edge.
 struct EdgeShape {
-  Vec3 start;
-  Vec3 end;
+  Vec3 start;  ///< [length]
+  Vec3 end;    ///< [length]
 
   Vec3 along() const { return end - start; }
   Vec3 at(double fraction) const { return start + fraction * along(); }
 };
 
+/// The edge where its nodes are.
 inline EdgeShape edge_shape(const EdgeNodes& nodes, const Configuration& x) {
   return {x[nodes[0]], x[nodes[1]]};
 }

@@ -37,7 +37,7 @@ class EdgeSearch {
   double contact_distance(const Kinematics& motion, Index one, Index other) const;
   /// The pair cannot have touched since the last step while this exceeds consumed() [length].
   double slack(std::int64_t pair) const { return slack_[static_cast<std::size_t>(pair)]; }
-  /// Smallest slack of an edge's pairs.
+  /// Smallest slack of an edge's pairs [length].
   double edge_slack(Index edge) const { return edge_slack_[static_cast<std::size_t>(edge)]; }
   /// As GlobalSearch::consumed() [length].
   double consumed() const { return consumed_; }

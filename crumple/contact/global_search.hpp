@@ -41,7 +41,7 @@ class GlobalSearch {
   double contact_distance(std::int64_t pair) const { return distance_[pair]; }
   /// The pair cannot have touched since the last step while this exceeds consumed() [length].
   double slack(std::int64_t pair) const { return slack_[pair]; }
-  /// Smallest slack of a node's pairs.
+  /// Smallest slack of a node's pairs [length].
   double node_slack(Index place) const { return node_slack_[place]; }
   /// Bound on the relative motion of any two nodes since the search, or in the step before it if there was
   /// one just now [length].

@@ -11,9 +11,9 @@ namespace crumple::contact {
 
 /// Positions at time n, or `back` before: x - back v, with the velocities of the step that led to time n.
 struct Configuration {
-  const Vec3* position = nullptr;
-  const Vec3* velocity = nullptr;
-  double back = 0;  ///< [time]
+  const Vec3* position = nullptr;  ///< by domain node [length]
+  const Vec3* velocity = nullptr;  ///< likewise [length/time]
+  double back = 0;                 ///< [time]
 
   Vec3 operator[](Index node) const {
     return back == 0 ? position[node] : position[node] - back * velocity[node];
@@ -22,13 +22,14 @@ struct Configuration {
 
 /// The mid-surface of a segment: a triangle, or a quadrilateral as the four flat triangles that join its
 /// edges to the mean of its corners. The surface is continuous from segment to segment, warped or not, and
-/// the nearest point is found in closed form. Sub-triangle k stands on edge k.
+/// the nearest point is found in closed form (own choice). Sub-triangle k stands on edge k.
 struct SegmentShape {
-  std::array<Vec3, 4> corner;
-  Vec3 centre;
+  std::array<Vec3, 4> corner;  ///< the last of a triangle is the third [length]
+  Vec3 centre;                 ///< [length]
   bool triangle = false;
 };
 
+/// The segment where its nodes are.
 SegmentShape shape_of(const Surface& surface, const Configuration& x, Index segment);
 
 /// Where on a segment a point was found.
@@ -71,6 +72,7 @@ struct Frame {
   Vec3 to_global(const Vec3& a) const { return a.x * first + a.y * second + a.z * third; }
 };
 
+/// Axes that turn with a segment: along its first edge, across it, and along its normal.
 Frame frame_of(const SegmentShape& shape);
 
 }  // namespace crumple::contact

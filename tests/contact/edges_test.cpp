@@ -124,11 +124,14 @@ TEST(Edges, ForceStaysTheSameOverNodes) {
   for (int i = 0; i < 15; ++i) test::move_to(touching, made, cross.moved(made, {0, 0, -0.001}), 1e-3);
   const double before = cross.on_upper(made).z;
   EXPECT_GT(before, 0);
+  const double stored = made.contacts[0].energy;
+  ASSERT_GT(stored, 0);
   for (int i = 0; i < 100; ++i) {
     // Over a node at x = 0.5 and exactly on it on the way.
     test::move_to(touching, made, cross.moved(made, {-0.0042, 0, 0}), 1e-3);
     EXPECT_NEAR(cross.on_upper(made).z, before, 1e-9 * before) << i;
   }
+  EXPECT_NEAR(made.contacts[0].energy, stored, 1e-9 * stored);
   EXPECT_NEAR(made.contacts[0].friction_energy, 0, 1e-15);
 }
 
@@ -356,7 +359,6 @@ TEST(Edges, VerificationNoticesAMissedPair) {
   domain::Domain made = cross.bodies.build();
   const contact::Surface surface = contact::build_surface(cross.bodies.model, made, cross.bodies.contact);
   const contact::Edges edges = contact::build_edges(cross.bodies.model, made, cross.bodies.contact, surface);
-  contact::EdgeSearch search(edges, surface, cross.bodies.model.search, 1);
   cross.bodies.model.search.expansion = 0.11;
   contact::EdgeSearch narrow(edges, surface, cross.bodies.model.search, 1);
   narrow.update(contact::present(made), false);

@@ -248,9 +248,6 @@ TEST(Sides, TransducersMeasureWhatContactsDo) {
     transducer.side[0].parts = std::move(first);
     transducer.side[1].parts = std::move(second);
     const contact::ForceTransducer measuring(layers.bodies().model, layers.made(), transducer);
-    std::vector<contact::Interface> contacts;
-    contacts.push_back(layers.bodies().attach(layers.made()));
-    // A new interface would allow what is there: the touches are those of the old one.
     return measuring.measure(layers.touching());
   };
   const double round_off = 1e-12 * layers.force(1).z;

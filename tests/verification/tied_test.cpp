@@ -115,6 +115,8 @@ TEST(Tied, TurningMakesNoForceAndKeepsMomenta) {
   std::printf("turned %.2f rad, momentum %.1e, gap %.1e, energy error %.1e, kinetic %.6g of %.6g\n", turned,
               norm(test::momentum(domain) - momentum) / norm(momentum), gap, domain.energy.error(),
               domain.energy.kinetic, domain.energy.initial_total);
+  EXPECT_NEAR(domain.energy.kinetic, domain.energy.initial_total, 1e-4 * domain.energy.initial_total)
+      << "it turns freely";
   EXPECT_LT(norm(test::momentum(domain) - momentum), 1e-12 * norm(momentum));
   EXPECT_LT(gap, 1e-12);
   EXPECT_NEAR(domain.energy.total(), domain.energy.initial_total, 1e-6 * domain.energy.initial_total);
