@@ -10,13 +10,13 @@
 #include "cellsearch/error.hpp"
 #include "cellsearch/search_interval.hpp"
 #include "parallel.hpp"
+#include "two_lanes.hpp"
 
 namespace cellsearch {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Point unknown{infinity, infinity, infinity};
-constexpr Point origin{0.0, 0.0, 0.0};
 constexpr std::size_t most = static_cast<std::size_t>(std::numeric_limits<Index>::max());
 
 // The blocks do not depend on the number of threads, and neither does the order in which they are joined.
@@ -44,10 +44,52 @@ struct MotionTracker::Range {
   Point hi{-infinity, -infinity, -infinity};
   bool bad = false;  ///< something was not finite; lo and hi mean nothing then
 
-  void include(int axis, double value) {
+  /// Includes now - then of so many nodes, each array x, y, z, x, ...; `then` may be null. Two nodes at a
+  /// time fill three pairs of lanes.
+  void include(std::size_t nodes, const double* now, const double* then) {
+    std::array<TwoLanes, 3> low;
+    std::array<TwoLanes, 3> high;
+    std::array<TwoLanes, 3> wrong;  // stays 0 until something is not finite
+    low.fill(TwoLanes::both(infinity));
+    high.fill(TwoLanes::both(-infinity));
+    wrong.fill(TwoLanes::both(0.0));
+    const TwoLanes zero = TwoLanes::both(0.0);
+    const auto take = [&](std::size_t k, TwoLanes value) {
+      low[k] = min(value, low[k]);
+      high[k] = max(value, high[k]);
+      wrong[k] = wrong[k] + value * zero;
+    };
+    std::size_t node = 0;
+    for (; node + 2 <= nodes; node += 2)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t at = 3 * node + 2 * k;
+        take(k, then == nullptr ? TwoLanes::load(now + at)
+                                : TwoLanes::load(now + at) - TwoLanes::load(then + at));
+      }
+    for (std::size_t k = 0; k < 3; ++k) include_lanes(2 * k, low[k], high[k], wrong[k]);
+    for (std::size_t axis = 0; node < nodes && axis < 3; ++axis) {
+      const std::size_t at = 3 * node + axis;
+      include(axis, now[at] - (then == nullptr ? 0.0 : then[at]));
+    }
+  }
+
+  void include_lanes(std::size_t first, TwoLanes low, TwoLanes high, TwoLanes wrong) {
+    std::array<std::array<double, 2>, 3> lanes;
+    low.store(lanes[0].data());
+    high.store(lanes[1].data());
+    wrong.store(lanes[2].data());
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      const std::size_t axis = (first + lane) % 3;
+      lo[axis] = std::min(lo[axis], lanes[0][lane]);
+      hi[axis] = std::max(hi[axis], lanes[1][lane]);
+      bad |= lanes[2][lane] != 0.0;
+    }
+  }
+
+  void include(std::size_t axis, double value) {
     lo[axis] = std::min(lo[axis], value);
     hi[axis] = std::max(hi[axis], value);
-    // Comparisons pass over NaN, so it is noticed apart. Without a branch: it is part of the inner loop.
+    // Comparisons pass over NaN, so it is noticed apart.
     bad |= !(std::fabs(value) <= std::numeric_limits<double>::max());
   }
 
@@ -91,6 +133,7 @@ void MotionTracker::start(const Positions& positions) {
   count_ = second_ = positions.count();
   two_lists_ = false;
   highest_ = static_cast<Index>(count_) - 1;
+  find_runs();
   remember(positions);
 }
 
@@ -158,6 +201,22 @@ void MotionTracker::watch(const Positions& positions, std::span<const Index> nod
   highest_ = highest;
   second_ = nodes.size();
   count_ = nodes_.size();
+  find_runs();
+}
+
+void MotionTracker::start_again(const Positions& positions) {
+  if (!started_) return;
+  check_layout(positions);
+  started_ = false;
+  motion_ = unknown;
+  remember(positions);
+}
+
+/// Lists of nodes mostly follow the numbering over long stretches, which are read as one piece of memory.
+void MotionTracker::find_runs() {
+  runs_.clear();
+  for (std::size_t place = 0; place < count_; ++place)
+    if (place == 0 || watched(place) != watched(place - 1) + 1) runs_.push_back(static_cast<Index>(place));
 }
 
 /// Copies the positions; from now on nothing has moved.
@@ -196,10 +255,16 @@ MotionTracker::Range MotionTracker::range(const Positions& values, bool since_st
     const std::size_t part_begin = begin + static_cast<std::size_t>(places.begin);
     const std::size_t part_end = begin + static_cast<std::size_t>(places.end);
     Range part;
-    for (std::size_t place = part_begin; place < part_end; ++place) {
+    auto next = std::upper_bound(runs_.begin(), runs_.end(), static_cast<Index>(part_begin));
+    for (std::size_t place = part_begin; place < part_end;) {
+      std::size_t run_end =
+          next == runs_.end() ? part_end : std::min(part_end, static_cast<std::size_t>(*next));
+      if (values.stride() != 3) run_end = place + 1;
       const double* now = values[watched(place)];
-      const double* then = since_start ? reference_.data() + 3 * place : origin.data();
-      for (int axis = 0; axis < 3; ++axis) part.include(axis, now[axis] - then[axis]);
+      const double* then = reference_.data() + 3 * place;
+      part.include(run_end - place, now, since_start ? then : nullptr);
+      place = run_end;
+      if (next != runs_.end() && static_cast<std::size_t>(*next) <= place) ++next;
     }
     parts[static_cast<std::size_t>(block)] = part;
   });

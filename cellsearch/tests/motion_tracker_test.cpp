@@ -343,6 +343,51 @@ TEST(MotionTracker, RemembersAcrossARestart) {
   EXPECT_EQ(other.motion(), tracker.motion());
 }
 
+// Nodes that follow each other by number are read in one go: any mixture of runs, odd or even, of records of
+// any length, must give what one node at a time gives.
+TEST(MotionTracker, RunsOfNodesChangeNothing) {
+  const std::vector<double> before = random_points(60, 1);
+  const std::vector<double> after = random_points(60, 2);
+  const std::vector<std::vector<Index>> lists{
+      {7}, {7, 8}, {3, 4, 5}, {0, 1, 2, 3, 9, 8, 20, 21, 22, 23, 24}, {11, 11, 12, 0, 40, 41}};
+  for (const std::vector<Index>& list : lists)
+    for (const std::size_t stride : {3U, 4U}) {
+      MotionTracker tracker(2.0, 0.5);
+      tracker.start(Positions(before, stride), list);
+      tracker.update(Positions(after, stride));
+      const Point together = tracker.motion();
+      Point expected{0, 0, 0};
+      for (const Index a : list)
+        for (const Index b : list)
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto moved = [&](Index node) {
+              const std::size_t at = static_cast<std::size_t>(node) * stride + axis;
+              return after[at] - before[at];
+            };
+            expected[axis] = std::max(expected[axis], moved(a) - moved(b));
+          }
+      EXPECT_EQ(together, expected) << list.size() << " " << stride;
+    }
+}
+
+TEST(MotionTracker, StartsAgainWithTheSameNodes) {
+  const std::vector<double> points = random_points(20, 3);
+  std::vector<double> moved = points;
+  MotionTracker tracker(2.0, 0.5);
+  tracker.start_again(Positions(points));
+  EXPECT_TRUE(tracker.due());
+  tracker.start(Positions(points), std::vector<Index>{2, 3, 9});
+  moved[3 * 9] += 1;
+  moved[3 * 10] += 5;
+  tracker.update(Positions(moved));
+  EXPECT_NEAR(tracker.used(), 1, 1e-14);
+  tracker.start_again(Positions(moved));
+  EXPECT_EQ(tracker.used(), 0);
+  moved[3 * 9 + 2] = nan;
+  expect_error(ErrorKind::NonFiniteCoordinate, 9, [&] { tracker.start_again(Positions(moved)); });
+  EXPECT_TRUE(tracker.due());
+}
+
 TEST(MotionTracker, GivesTheSameBitsForAnyNumberOfThreads) {
   const std::vector<double> start = random_points(50000, 1);
   const std::vector<double> now = random_points(50000, 2);

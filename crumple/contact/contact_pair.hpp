@@ -6,6 +6,7 @@
 
 #include "base/index.hpp"
 #include "contact/penalty.hpp"
+#include "contact/segment_shape.hpp"
 #include "math/vec3.hpp"
 
 namespace crumple::contact {
@@ -45,6 +46,7 @@ struct ContactPair {
   double share = 1;       ///< of the force; below 1 in a concave ridge that is almost flat
   Vec3 slip;              ///< movement of the contact point over the surface since the last step [length]
   Vec3 friction;          ///< friction force of the last step, turned with the segment [force]
+  Frame frame;            ///< of the segment, where friction has needed it
   PenaltyMemory penalty;  ///< of the last step
 
   double penetration() const { return reach - gap; }

@@ -29,7 +29,7 @@ Place place_at(const SurfaceAt& now, Index node, Index segment, double back) {
   const Vec3 p = then.x[node];
   const NearestPoint nearest = nearest_point(shape, p);
   const Vec3 away = p - nearest.point;
-  Vec3 normal = side_normal(then, segment, nearest, away);
+  Vec3 normal = side_normal(then, segment, shape, nearest, away);
   // At a free edge the plane of the segment itself tells the sides apart.
   if (dot(normal, normal) == 0) normal = area_normal(shape);
   return {std::sqrt(nearest.distance_squared), dot(away, normal) >= 0 ? 1 : -1};

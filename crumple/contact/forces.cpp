@@ -237,8 +237,9 @@ Vec3 Forces::friction(const Touch& touch, double normal_force, double stiffness,
   const auto tangential = [&](const Vec3& a) { return a - dot(a, touch.normal) * touch.normal; };
   const Vec3 slip = tangential(touch.slip);
   const double speed = step > 0 ? norm(slip) / step : 0.0;
-  const double mu = contact_.dynamic_friction + (contact_.static_friction - contact_.dynamic_friction) *
-                                                    decay(contact_.friction_decay * speed);
+  const double more = contact_.static_friction - contact_.dynamic_friction;
+  const double mu =
+      contact_.dynamic_friction + (more == 0 ? 0.0 : more * decay(contact_.friction_decay * speed));
   const Vec3 trial = tangential(touch.friction) - stiffness * slip;
   const double size = norm(trial);
   double capacity = mu * normal_force;

@@ -23,8 +23,8 @@ constexpr double automatic_margin = 0.4;
 /// Most steps that eq. (10) may predict.
 constexpr int longest_interval = 100000;
 
-/// Of a search, for each segment and each candidate; over the cost of a look at a pair in vain.
-constexpr long cost_of_search = 2;
+/// Relative motion at which a leg of the way ends, over the margin.
+constexpr double leg_of_margin = 0.01;
 
 constexpr Index piece = 1024;
 
@@ -100,7 +100,8 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
       threads_(threads),
       cells_(settings_of(settings, threads).domain),
       search_(settings_of(settings, threads)),
-      motion_(0, 0, threads) {
+      motion_(0, 0, threads),
+      travel_(0, threads) {
   const double largest_distance = 2 * surface.largest_half_thickness;
   if (settings.expansion > 0) {
     if (settings.expansion <= largest_distance)
@@ -108,7 +109,6 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
                   ", but it must exceed the largest contact distance, " + std::to_string(largest_distance) +
                   ".");
     statistics_.margin = settings.expansion - largest_distance;
-    automatic_ = false;
   } else {
     statistics_.margin = automatic_margin * surface.mean_edge;
   }
@@ -128,28 +128,36 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
   if (!std::isfinite(statistics_.margin)) return;
   motion_ =
       cellsearch::MotionTracker(statistics_.expansion, statistics_.expansion - statistics_.margin, threads);
+  travel_ = Travel(leg_of_margin * statistics_.margin, threads);
 }
 
 void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
   if (statistics_.searches > 0) {
+    constexpr double almost = 0.999;  // leaves room for round-off
+    bool due = false;
     try {
-      motion_.update(view(motion.position));
+      travel_.update(motion.position);
+      // Nobody is further away than the way was long.
+      due = travel_.length() > almost * statistics_.margin;
+      if (due) {
+        motion_.update(view(motion.position));
+        due = motion_.due();
+      }
     } catch (const cellsearch::Error& error) {
       rethrow(error, *surface_);
     }
-    // Between two steps no pair comes nearer than at the worse of the two.
-    consumed_ = std::max(consumed_, norm(vector_of(motion_.motion())));
-    if (!motion_.due() && !surface_changed && !worth_while()) return;
+    consumed_ = travel_.length();
+    if (!due && !surface_changed) return;
   }
   search(motion);
   consumed_ = norm(step_motion(motion));
 }
 
-/// True if looking at pairs that do not touch, which a search puts off by their new distances, has cost as
-/// much as a search.
-bool GlobalSearch::worth_while() const {
-  return automatic_ &&
-         in_vain_ > cost_of_search * (surface_->segments() + static_cast<long>(segment_.size()));
+void GlobalSearch::refresh_node(Index place) {
+  double smallest = std::numeric_limits<double>::max();
+  for (std::int64_t pair = first(place); pair < first(place + 1); ++pair)
+    smallest = std::min(smallest, slack_[pair]);
+  node_slack_[place] = smallest;
 }
 
 /// Largest relative motion of any two nodes in the step that led to now, along each axis.
@@ -172,11 +180,11 @@ void GlobalSearch::search(const Kinematics& motion) {
   try {
     sort_by_node(search_.find(scene));
     motion_.start(scene.positions, surface_->nodes);
+    travel_.start(motion.position, surface_->nodes);
   } catch (const cellsearch::Error& error) {
     rethrow(error, *surface_);
   }
   measure_slack(motion);
-  in_vain_ = 0;
   ++statistics_.searches;
   statistics_.candidates += static_cast<long>(segment_.size());
 

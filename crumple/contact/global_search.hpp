@@ -15,6 +15,7 @@
 #include "contact/kinematics.hpp"
 #include "contact/statistics.hpp"
 #include "contact/surface.hpp"
+#include "contact/travel.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
 
@@ -28,8 +29,7 @@ class GlobalSearch {
   /// Throws Error for an unknown method or an expansion that does not exceed the contact distance.
   GlobalSearch(const Surface& surface, const model::SearchSettings& settings, int threads);
 
-  /// Searches anew if the candidates may no longer be complete, if the surface has changed, or, where the
-  /// expansion is our choice, if that is cheaper than to look again at pairs that do not touch. Throws
+  /// Searches anew if the candidates may no longer be complete or if the surface has changed. Throws
   /// NumericalError if a coordinate is not a finite number.
   void update(const Kinematics& motion, bool surface_changed);
 
@@ -41,14 +41,20 @@ class GlobalSearch {
   double contact_distance(std::int64_t pair) const { return distance_[pair]; }
   /// The pair cannot have touched since the last step while this exceeds consumed() [length].
   double slack(std::int64_t pair) const { return slack_[pair]; }
-  /// Smallest slack of a node's pairs [length].
-  double node_slack(Index place) const { return node_slack_[place]; }
-  /// Bound on the relative motion of any two nodes since the search, or in the step before it if there was
-  /// one just now [length].
+  /// The first of the nodes from `place` to before `end` of which a pair may have touched, or `end`.
+  Index next_awake(Index place, Index end) const {
+    while (place < end && node_slack_[place] > consumed_) ++place;
+    return place;
+  }
+  /// Bound on the way of any two nodes relative to each other since the search, or in the step before it if
+  /// there was one just now [length].
   double consumed() const { return consumed_; }
 
-  /// To be told after each step: how many candidates the local search looked at in vain.
-  void looked_in_vain(long pairs) { in_vain_ += pairs; }
+  /// To be told when a pair is found to be `gap` > 0 from touching now: it need not be looked at again before
+  /// something can have moved that far. Pairs of different nodes may be put off at the same time.
+  void put_off(std::int64_t pair, double gap) { slack_[pair] = travel_.length_to_meet(gap); }
+  /// To be told once all pairs of a node that are not near have been put off.
+  void refresh_node(Index place);
 
   /// Every pair closer than its contact distance must be a candidate: throws Error naming the first that is
   /// not. Looks at all nodes and segments, O(N^2).
@@ -63,7 +69,6 @@ class GlobalSearch {
  private:
   void search(const Kinematics& motion);
   void sort_by_node(const cellsearch::Candidates& found);
-  bool worth_while() const;
   void measure_slack(const Kinematics& motion);
   /// Position at the last search.
   Vec3 searched(Index place) const {
@@ -88,10 +93,9 @@ class GlobalSearch {
   std::vector<Index> segment_;
   std::vector<double> distance_;
   std::vector<double> slack_;
-  std::vector<double> node_slack_;
+  std::vector<double> node_slack_;  ///< smallest of its pairs
+  Travel travel_;                   ///< since the last search
   double consumed_ = 0;
-  bool automatic_ = true;  ///< the expansion is our choice
-  long in_vain_ = 0;       ///< since the last search
   SearchStatistics statistics_;
 };
 

@@ -28,9 +28,13 @@ Vec3 flank_normal(const SegmentShape& shape, int k) {
   return unit_or_zero(cross(shape.corner[(k + 1) % 4] - shape.corner[k], shape.centre - shape.corner[k]));
 }
 
+Vec3 inward(const SegmentShape& shape, int k, const Vec3& normal) {
+  return unit_or_zero(cross(normal, shape.corner[(k + 1) % 4] - shape.corner[k]));
+}
+
 Flank flank(const SegmentShape& shape, int k) {
   const Vec3 normal = flank_normal(shape, k);
-  return {normal, unit_or_zero(cross(normal, shape.corner[(k + 1) % 4] - shape.corner[k]))};
+  return {normal, inward(shape, k, normal)};
 }
 
 /// The segment on the other side of a shared edge, and the number that the edge has there.
@@ -93,14 +97,16 @@ bool nearer_around_corner(const SurfaceAt& at, Index node, Index segment, const 
 
 }  // namespace
 
-Vec3 mesh_normal(const SurfaceAt& at, Index segment, int k) {
-  const Flank own = flank(at.shape(segment), k);
+Vec3 mesh_normal(const SurfaceAt& at, Index segment, const SegmentShape& shape, int k) {
+  const Vec3 own = flank_normal(shape, k);
   const Neighbour next = neighbour_at(*at.surface, segment, k);
-  if (next.segment == no_index) return own.normal;
-  const Flank other = flank(at.shape(next.segment), next.k);
-  if (dot(own.normal, other.normal) >= 0) return unit_or_zero(own.normal + other.normal);
-  const Vec3 into_fold = unit_or_zero(own.inward + other.inward);
-  return dot(own.normal, other.inward) > 0 ? into_fold : -into_fold;
+  if (next.segment == no_index) return own;
+  const SegmentShape next_shape = at.shape(next.segment);
+  const Vec3 other = flank_normal(next_shape, next.k);
+  if (dot(own, other) >= 0) return unit_or_zero(own + other);
+  const Vec3 next_inward = inward(next_shape, next.k, other);
+  const Vec3 into_fold = unit_or_zero(inward(shape, k, own) + next_inward);
+  return dot(own, next_inward) > 0 ? into_fold : -into_fold;
 }
 
 double inner_side(const SurfaceAt& at, Index segment, int k, const Vec3& p) {
@@ -124,12 +130,14 @@ bool inside(const SurfaceAt& at, Index segment, const Vec3& p) {
   return true;
 }
 
-Vec3 side_normal(const SurfaceAt& at, Index segment, const NearestPoint& nearest, const Vec3& away) {
+Vec3 side_normal(const SurfaceAt& at, Index segment, const SegmentShape& shape, const NearestPoint& nearest,
+                 const Vec3& away) {
   const Surface& surface = *at.surface;
-  if (nearest.feature == Feature::Face) return flank_normal(at.shape(segment), nearest.local);
+  if (nearest.feature == Feature::Face) return flank_normal(shape, nearest.local);
   if (nearest.feature == Feature::Edge) {
     const Index edge = surface.topology.edges_of[segment][nearest.local];
-    return surface.topology.kind[edge] == EdgeKind::Shared ? mesh_normal(at, segment, nearest.local) : Vec3{};
+    return surface.topology.kind[edge] == EdgeKind::Shared ? mesh_normal(at, segment, shape, nearest.local)
+                                                           : Vec3{};
   }
   const Index corner = surface.segment(segment)[nearest.local];
   const Index place = surface.place[corner];
@@ -137,10 +145,10 @@ Vec3 side_normal(const SurfaceAt& at, Index segment, const NearestPoint& nearest
   Vec3 best;
   double squarest = -1;
   for (const Index other : surface.topology.at_node(place)) {
-    const SegmentShape shape = at.shape(other);
+    const SegmentShape around = at.shape(other);
     const int k = corner_of(surface, other, corner);
-    for (const int edge : {k, shape.triangle && k == 0 ? 3 : (k + 3) % 4}) {
-      const Vec3 normal = flank_normal(shape, edge);
+    for (const int edge : {k, around.triangle && k == 0 ? 3 : (k + 3) % 4}) {
+      const Vec3 normal = flank_normal(around, edge);
       const double square = std::fabs(dot(normal, away));
       if (square <= squarest) continue;
       squarest = square;

@@ -22,8 +22,8 @@ struct SurfaceAt {
 /// Mesh normal at edge k of a segment: the normalised sum of the unit normals of the sub-triangles that meet
 /// there; the segment's own one at a free edge or junction. Points to the segment's positive side. In a fold
 /// sharper than a right angle, where the sum degenerates, the same direction is taken from the bisector of
-/// the two triangles; folded flat, it points away from the segments.
-Vec3 mesh_normal(const SurfaceAt& at, Index segment, int k);
+/// the two triangles; folded flat, it points away from the segments. `shape`: that of the segment.
+Vec3 mesh_normal(const SurfaceAt& at, Index segment, const SegmentShape& shape, int k);
 
 /// Signed place of `p` between a segment and its neighbour across shared edge k: positive on the segment's
 /// side of the dividing plane, which holds the edge and the mesh normal, negative on the neighbour's
@@ -37,8 +37,9 @@ bool inside(const SurfaceAt& at, Index segment, const Vec3& p);
 /// Direction that tells the sides of the surface apart at a point of a segment, for a node `away` from that
 /// point: the normal of the sub-triangle on the face, the mesh normal at a shared edge, around a smooth node
 /// the normal of the sub-triangle that `away` meets most squarely; zero where the surface is round (free
-/// edge, junction, their nodes) and has no sides. A unit vector otherwise.
-Vec3 side_normal(const SurfaceAt& at, Index segment, const NearestPoint& nearest, const Vec3& away);
+/// edge, junction, their nodes) and has no sides. A unit vector otherwise. `shape`: that of the segment.
+Vec3 side_normal(const SurfaceAt& at, Index segment, const SegmentShape& shape, const NearestPoint& nearest,
+                 const Vec3& away);
 
 /// True unless the surface comes nearer to `node` just beyond the edge or corner of the segment where the
 /// nearest point is: then the contact is the neighbour's. A node's own segment always is nearer.

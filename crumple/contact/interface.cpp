@@ -70,8 +70,11 @@ struct Interface::Implementation {
       memory.weight = pair.weight;
       memory.offset = pair.offset;
       memory.depth = std::max(0.0, pair.penetration());
-      if (dot(pair.friction, pair.friction) > 0)
-        memory.friction = frame_of(shape_of(surface, x, pair.segment)).to_local(pair.friction);
+      if (dot(pair.friction, pair.friction) > 0) {
+        const Frame& frame = pair.frame;
+        memory.friction =
+            (frame.is_known() ? frame : frame_of(shape_of(surface, x, pair.segment))).to_local(pair.friction);
+      }
       memory.penalty = pair.penalty;
       remembered.push_back(memory);
       if (pair.penetration() <= 0 || pair.share == 0) continue;
@@ -103,7 +106,6 @@ struct Interface::Implementation {
     }
     const StageTimer timer(domain.times.contact_local);
     const std::span<ContactPair> pairs = local.find(motion, search, remembered, started == 0);
-    search.looked_in_vain(local.in_vain());
     edges.find(motion, started == 0);
     edges.relieve(pairs);
     if (started == 0) measure_start(pairs, domain.contacts[report]);

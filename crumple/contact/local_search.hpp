@@ -22,21 +22,16 @@ class LocalSearch {
   explicit LocalSearch(const Surface& surface) : surface_(&surface) {}
 
   /// Finds the contacts. `remembered` are the pairs of the step before, in order.
-  /// With `tracking` every contact is allowed the penetration that it has now (first step of a contact).
-  /// The result is ordered by (node, segment) and the same for any number of threads; it holds until the
-  /// next call.
-  std::span<ContactPair> find(const Kinematics& motion, const GlobalSearch& candidates,
+  /// Candidates that are far are put off. With `tracking` every contact is allowed the penetration that it
+  /// has now (first step of a contact). The result is ordered by (node, segment) and the same for any number
+  /// of threads; it holds until the next call.
+  std::span<ContactPair> find(const Kinematics& motion, GlobalSearch& candidates,
                               std::span<const RememberedPair> remembered, bool tracking);
-
-  /// Candidates that the last call looked at in vain.
-  long in_vain() const { return in_vain_; }
 
  private:
   const Surface* surface_;
   std::vector<std::vector<ContactPair>> parts_;
-  std::vector<long> parts_in_vain_;
   std::vector<ContactPair> pairs_;
-  long in_vain_ = 0;
 };
 
 }  // namespace crumple::contact

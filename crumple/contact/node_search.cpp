@@ -35,20 +35,19 @@ NodeSearch::NodeSearch(const StepView& view, Index place, std::span<const Rememb
   for (const RememberedPair& pair : remembered_) astray_ = astray_ || pair.wrong != 0;
 }
 
-long NodeSearch::find(std::vector<ContactPair>& found) {
-  const GlobalSearch& candidates = *view_.candidates;
+void NodeSearch::find(std::vector<ContactPair>& found) {
+  GlobalSearch& candidates = *view_.candidates;
   const std::size_t before = found.size();
   if (view_.tracking) measure_faces();
-  long in_vain = 0;
   for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c) {
     if (!looks_at_all() && candidates.slack(c) > candidates.consumed()) continue;
-    const bool far = examine(candidates.segment(c), candidates.contact_distance(c), found);
-    in_vain += far && !looks_at_all() ? 1 : 0;
+    const double gap = examine(candidates.segment(c), candidates.contact_distance(c), found);
+    if (gap > 0) candidates.put_off(c, gap);
   }
+  candidates.refresh_node(place_);
   if (found.size() - before > 1) keep_owners(found, before);
   const std::span<ContactPair> present = std::span(found).subspan(before);
   for (ContactPair& pair : present) carry_on(pair, present);
-  return in_vain;
 }
 
 const RememberedPair* NodeSearch::memory_of(Index segment) const {
@@ -197,36 +196,35 @@ void NodeSearch::measure(const Vec3& away, double distance, const Vec3& normal, 
   pair.normal = distance > 0 ? sign / distance * away : (pair.side < 0 ? -1.0 : 1.0) * normal;
 }
 
-/// `full`: the distance at which the pair touches, before what is allowed for is deducted. True if the node
-/// is further away.
-bool NodeSearch::examine(Index segment, double full, std::vector<ContactPair>& found) {
+/// `full`: the distance at which the pair touches, before what is allowed for is deducted. Returns what the
+/// node has to go before it is worth another look; 0 if it is near, or may have come through [length].
+double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>& found) {
   const RememberedPair* memory = memory_of(segment);
   const SegmentShape shape = view_.now.shape(segment);
-  // One that may have gone through the segment looks at it as well.
   const bool face = surface_.is_face(segment);
   const bool known_face = face && memory != nullptr;
-  const bool look = looks_at_all() || known_face || may_be_near(shape, p_, full + surface_.watch(segment));
-  if (!look && !may_be_near(shape, p_, relative_motion(view_.now, node_, segment, view_.step))) return true;
   const NearestPoint nearest = nearest_point(shape, p_);
   const double distance = std::sqrt(nearest.distance_squared);
   const bool near = distance < full;
-  const bool watched = distance < full + surface_.watch(segment);
+  const double gap = distance - full - surface_.watch(segment);
+  const bool watched = gap < 0;
+  // One that may have gone through the segment in this step is near as well.
   if (!near && !watched && !known_face && !looks_at_all() &&
       distance > relative_motion(view_.now, node_, segment, view_.step))
-    return true;
+    return gap;
   const double share = hold(segment, nearest, memory);
-  if (share == 0) return false;
+  if (share == 0) return 0;
 
   const Vec3 away = p_ - nearest.point;
-  const Vec3 normal = side_normal(view_.now, segment, nearest, away);
+  const Vec3 normal = side_normal(view_.now, segment, shape, nearest, away);
   const bool round = dot(normal, normal) == 0;
   const int present = round ? 0 : sign_of(dot(away, normal));
   const int side = round ? 0 : side_of(segment, memory, distance, present);
-  if (side < 0 && face) return false;
+  if (side < 0 && face) return 0;
   const bool wrong = present != 0 && side != 0 && present != side;
   // What is in front of a face is remembered, so that it is known later which way it came.
   const bool waits = face && side > 0 && watched;
-  if (!near && !wrong && !waits) return false;
+  if (!near && !wrong && !waits) return 0;
 
   ContactPair pair;
   pair.node = place_;
@@ -255,7 +253,7 @@ bool NodeSearch::examine(Index segment, double full, std::vector<ContactPair>& f
   if (pair.let_go != 0 || away_from) pair.offset = overlap;
   pair.reach = full - pair.offset;
   if (pair.penetration() > 0 || pair.offset > 0 || waits) found.push_back(pair);
-  return false;
+  return 0;
 }
 
 /// True if the node is behind two faces of a solid that meet in an edge or corner standing out: it has come
@@ -318,7 +316,11 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
   Vec3 old_point;
   for (int k = 0; k < 4; ++k) old_point += from->weight[k] * shape.corner[k];
   pair.slip = pair.point - old_point;
-  pair.friction = frame_of(shape).to_global(from->friction);
+  if (dot(from->friction, from->friction) > 0) {
+    const Frame frame = frame_of(shape);
+    pair.friction = frame.to_global(from->friction);
+    if (from->segment == pair.segment) pair.frame = frame;
+  }
   pair.penalty = from->penalty;
 }
 

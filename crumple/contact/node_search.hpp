@@ -14,7 +14,7 @@ namespace crumple::contact {
 struct StepView {
   SurfaceAt now;        ///< positions and velocities of the step
   SurfaceAt reference;  ///< positions at time zero
-  const GlobalSearch* candidates = nullptr;
+  GlobalSearch* candidates = nullptr;
   double step = 0;        ///< from n-1 to n [time]
   bool tracking = false;  ///< allow the penetrations that there are
 };
@@ -24,15 +24,14 @@ class NodeSearch {
  public:
   NodeSearch(const StepView& view, Index place, std::span<const RememberedPair> remembered);
 
-  /// Appends the contacts of the node to `found`, segments ascending. Returns how many candidates it looked
-  /// at in vain.
-  long find(std::vector<ContactPair>& found);
+  /// Appends the contacts of the node to `found`, segments ascending, and puts off candidates that are far.
+  void find(std::vector<ContactPair>& found);
 
  private:
   /// A node that is astray looks at all its candidates; so does every node at the start of a contact.
   bool looks_at_all() const { return astray_ || view_.tracking; }
   static void measure(const Vec3& away, double distance, const Vec3& normal, ContactPair& pair);
-  bool examine(Index segment, double full, std::vector<ContactPair>& found);
+  double examine(Index segment, double full, std::vector<ContactPair>& found);
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
   void measure_faces();
   bool starts_inside(Index segment, double distance) const;

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/segment_shape.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace crumple::contact {
 namespace {
 
@@ -87,17 +84,6 @@ NearestPoint nearest_on_single(const SegmentShape& shape, const Vec3& p) {
 
 }  // namespace
 
-SegmentShape shape_of(const Surface& surface, const Configuration& x, Index segment) {
-  SegmentShape shape;
-  const Index* nodes = surface.segment(segment);
-  for (int k = 0; k < 4; ++k) shape.corner[k] = x[nodes[k]];
-  shape.triangle = nodes[2] == nodes[3];
-  shape.centre = shape.triangle
-                     ? (1.0 / 3.0) * (shape.corner[0] + shape.corner[1] + shape.corner[2])
-                     : 0.25 * ((shape.corner[0] + shape.corner[1]) + (shape.corner[2] + shape.corner[3]));
-  return shape;
-}
-
 NearestPoint nearest_point(const SegmentShape& shape, const Vec3& p) {
   if (shape.triangle) return nearest_on_single(shape, p);
   NearestPoint best;
@@ -119,25 +105,6 @@ NearestPoint nearest_point(const SegmentShape& shape, const Vec3& p) {
     if (w.c == 0) name_rim(best, k, w.a, w.b);
   }
   return best;
-}
-
-bool may_be_near(const SegmentShape& shape, const Vec3& p, double reach) {
-  const auto& corner = shape.corner;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double low =
-        std::min(std::min(corner[0][axis], corner[1][axis]), std::min(corner[2][axis], corner[3][axis]));
-    const double high =
-        std::max(std::max(corner[0][axis], corner[1][axis]), std::max(corner[2][axis], corner[3][axis]));
-    if (low - p[axis] > reach || p[axis] - high > reach) return false;
-  }
-  // Both diagonals are perpendicular to this normal: opposite corners are equally far from the plane.
-  const Vec3 normal = area_normal(shape);
-  const double size = norm(normal);
-  const double warp = std::max(std::fabs(dot(corner[0] - shape.centre, normal)),
-                               std::fabs(dot(corner[1] - shape.centre, normal)));
-  const double height = std::fabs(dot(p - shape.centre, normal));
-  // A little more than the reach, so that no rounding decides.
-  return height - warp <= 1.000001 * reach * size;
 }
 
 Frame frame_of(const SegmentShape& shape) {

@@ -30,7 +30,16 @@ struct SegmentShape {
 };
 
 /// The segment where its nodes are.
-SegmentShape shape_of(const Surface& surface, const Configuration& x, Index segment);
+inline SegmentShape shape_of(const Surface& surface, const Configuration& x, Index segment) {
+  SegmentShape shape;
+  const Index* nodes = surface.segment(segment);
+  for (int k = 0; k < 4; ++k) shape.corner[k] = x[nodes[k]];
+  shape.triangle = nodes[2] == nodes[3];
+  shape.centre = shape.triangle
+                     ? (1.0 / 3.0) * (shape.corner[0] + shape.corner[1] + shape.corner[2])
+                     : 0.25 * ((shape.corner[0] + shape.corner[1]) + (shape.corner[2] + shape.corner[3]));
+  return shape;
+}
 
 /// Where on a segment a point was found.
 enum class Feature {
@@ -58,16 +67,13 @@ inline Vec3 area_normal(const SegmentShape& shape) {
   return cross(shape.corner[2] - shape.corner[0], shape.corner[3] - shape.corner[1]);
 }
 
-/// False only if every point of the segment is further than `reach` from `p`. Cheap: compares with the
-/// bounding box and with the slab around the segment's plane that its warp fills.
-bool may_be_near(const SegmentShape& shape, const Vec3& p, double reach);
-
-/// Axes that turn with the segment: the first along edge 0, the third along the normal.
+/// Axes that turn with the segment: the first along edge 0, the third along the normal. Zero until known.
 struct Frame {
   Vec3 first;
   Vec3 second;
   Vec3 third;
 
+  bool is_known() const { return dot(third, third) > 0; }
   Vec3 to_local(const Vec3& a) const { return {dot(a, first), dot(a, second), dot(a, third)}; }
   Vec3 to_global(const Vec3& a) const { return a.x * first + a.y * second + a.z * third; }
 };

@@ -53,7 +53,7 @@ TEST(InsideOutside, MeshNormalBisectsARidge) {
       for (int k = 0; k < 4; ++k) {
         const Index edge = mesh.surface.topology.edges_of[s][k];
         if (mesh.surface.topology.kind[edge] != contact::EdgeKind::Shared) continue;
-        const Vec3 normal = contact::mesh_normal(mesh.at(), s, k);
+        const Vec3 normal = contact::mesh_normal(mesh.at(), s, mesh.at().shape(s), k);
         EXPECT_NEAR(std::fabs(normal.z), 1.0, 1e-12) << "angle " << angle;
         EXPECT_NEAR(norm(normal), 1.0, 1e-12);
       }
@@ -77,7 +77,7 @@ TEST(InsideOutside, NeighboursSeeTheSameDividingPlane) {
               -contact::inner_side(mesh.at(), pair[1], k[1], p));
     // The plane holds the edge and the mesh normal.
     const Index* nodes = mesh.surface.segment(pair[0]);
-    const Vec3 normal = contact::mesh_normal(mesh.at(), pair[0], k[0]);
+    const Vec3 normal = contact::mesh_normal(mesh.at(), pair[0], mesh.at().shape(pair[0]), k[0]);
     for (const int end : {k[0], (k[0] + 1) % 4}) {
       const Vec3 on_plane = mesh.at().x[nodes[end]] + 0.7 * normal;
       EXPECT_NEAR(contact::inner_side(mesh.at(), pair[0], k[0], on_plane), 0.0, 1e-12);

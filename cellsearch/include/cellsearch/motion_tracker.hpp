@@ -60,6 +60,10 @@ class MotionTracker {
   /// not looked at: c is the constructor's. Throws Error(BadConnectivity) as well.
   void start(const Scene& scene);
 
+  /// A new start of the same nodes as the last time: nothing has moved since. Errors as of start(); without
+  /// a start before, there is nothing to do.
+  void start_again(const Positions& positions);
+
   /// Compares `positions` with those at the start: afterwards motion(), used(), left() and due() speak of
   /// now. Throws Error(NonFiniteCoordinate), naming the smallest such node, if a watched coordinate is not a
   /// finite number, and Error(BadLayout) if a watched node is missing; a search is due in both cases.
@@ -107,6 +111,7 @@ class MotionTracker {
   }
   void forget();
   void watch(const Positions& positions, std::span<const Index> nodes, std::span<const Index> segment_nodes);
+  void find_runs();
   void remember(const Positions& positions);
   void check_layout(const Positions& values) const;
   Range range(const Positions& values, bool since_start, std::size_t begin, std::size_t end) const;
@@ -116,6 +121,7 @@ class MotionTracker {
   double room_;
   double lengths_;  // c + h, which enters the bound on rounding
   int threads_;
+  Array<Index> runs_;       // places from which on nodes follow each other by number
   Array<Index> nodes_;      // the watched nodes, of both lists; empty if these are all nodes
   std::size_t count_ = 0;   // how many there are
   std::size_t second_ = 0;  // where the second list begins; count_ if there is one only

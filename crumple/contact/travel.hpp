@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+#include <cellsearch/motion_tracker.hpp>
+
+#include "base/index.hpp"
+#include "math/vec3.hpp"
+
+namespace crumple::contact {
+
+using math::Vec3;
+
+/// How far any two of a set of nodes have moved relative to each other along their way: the sum, over legs,
+/// of the largest relative displacement within each. A distance between two of them, measured at any time,
+/// so has a lower bound ever after. Legs are short, as a bound counts the motion of its own leg twice.
+class Travel {
+ public:
+  /// `leg_limit`: relative displacement at which a leg ends [length].
+  Travel(double leg_limit, int threads) : leg_limit_(leg_limit), tracker_(0, 0, threads) {}
+
+  /// Begins the way of these domain nodes.
+  void start(std::span<const Vec3> position, std::span<const Index> nodes);
+
+  /// To be told every step. Throws cellsearch::Error, with the place of the node, if a coordinate is not a
+  /// finite number.
+  void update(std::span<const Vec3> position);
+
+  /// The bound on the way since the start; never shrinks [length].
+  double length() const { return earlier_legs_ + leg_; }
+
+  /// Two places that now are `distance` apart cannot meet before length() exceeds this [length].
+  double length_to_meet(double distance) const { return earlier_legs_ + distance - leg_; }
+
+ private:
+  double leg_limit_;
+  cellsearch::MotionTracker tracker_;  ///< of the present leg
+  double earlier_legs_ = 0;
+  double leg_ = 0;  ///< largest of the present leg so far
+};
+
+}  // namespace crumple::contact
