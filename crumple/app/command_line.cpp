@@ -143,6 +143,11 @@ void add_run_options(CLI::App& run, Options& options) {
       ->check(CLI::IsMember({"mixed", "double"}));
   run.add_option("--search", options.search, "Method of the contact search [production]")
       ->check(CLI::IsMember(search_names()));
+  run.add_option(
+         "--local-search", options.local_search,
+         "How contact is found among the candidates [inside-outside]: nodes against segments, or balls\n"
+         "embedded in the segments against each other")
+      ->check(CLI::IsMember({"inside-outside", "pinballs"}));
   run.add_flag(
       "--move-apart", options.move_apart,
       "Move nodes that overlap other surfaces at the start; otherwise their contact begins where they are");

@@ -13,12 +13,13 @@ namespace crumple::app {
 /// What the user asks for on the command line. What is absent is left to the deck, then to the program.
 struct Options {
   std::filesystem::path deck;
-  std::filesystem::path folder;          ///< of the results; empty is the deck's name with ".out", here
-  std::optional<int> threads;            ///< at least 1
-  std::optional<std::string> precision;  ///< "mixed" or "double"
-  std::optional<std::string> isa;        ///< one of base's available_isas
-  std::optional<std::string> search;     ///< one of cellsearch's methods
-  std::optional<double> end_time;        ///< [time]
+  std::filesystem::path folder;             ///< of the results; empty is the deck's name with ".out", here
+  std::optional<int> threads;               ///< at least 1
+  std::optional<std::string> precision;     ///< "mixed" or "double"
+  std::optional<std::string> isa;           ///< one of base's available_isas
+  std::optional<std::string> search;        ///< one of cellsearch's methods
+  std::optional<std::string> local_search;  ///< "inside-outside" or "pinballs"
+  std::optional<double> end_time;           ///< [time]
   std::vector<std::pair<std::string, std::string>> parameters;  ///< names and values, before the deck's
   bool automatic_contact = false;
   bool allow_unsupported = false;

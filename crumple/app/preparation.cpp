@@ -16,6 +16,9 @@ namespace {
 void apply_options(const Options& options, model::Model& model) {
   if (options.end_time) model.control.end_time = *options.end_time;
   if (options.search) model.search.method = *options.search;
+  if (options.local_search)
+    model.search.local = *options.local_search == "pinballs" ? model::LocalSearchKind::Pinballs
+                                                             : model::LocalSearchKind::InsideOutside;
   if (options.perturbation > 0) perturb_coordinates(model, options.perturbation, options.seed);
 }
 

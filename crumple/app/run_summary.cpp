@@ -60,6 +60,13 @@ void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
   fmt::print(out, "\n");
 }
 
+/// Per element and cycle of the whole model, as in the table of all stages, so that they add up.
+void print_contact_times(std::ostream& out, const domain::Domain& domain, const domain::ContactTimes& times) {
+  const auto cost = [&](double seconds) { return output::nanoseconds_per_element_cycle(domain, seconds); };
+  fmt::print(out, "  cost [ns/element-cycle]: global search {:.2f}, local search {:.2f}, forces {:.2f}\n",
+             cost(times.search), cost(times.local), cost(times.forces));
+}
+
 void print_contacts(std::ostream& out, const output::View& view) {
   const domain::Domain& domain = view.domain;
   double work = 0;
@@ -76,6 +83,7 @@ void print_contacts(std::ostream& out, const output::View& view) {
                static_cast<double>(contact.candidates) / searches, contact.active_pairs, contact.penetration,
                contact.worst_penetration, contact.worst_node);
     print_inspection(out, contact);
+    print_contact_times(out, domain, contact.times);
   }
   if (work > 0)
     fmt::print(out, "  global search: {:.1f} ns per segment and search\n",

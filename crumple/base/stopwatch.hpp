@@ -17,16 +17,21 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-/// Adds the wall time between construction and destruction to `total` [s].
+/// Adds the wall time between construction and destruction to `total`, and to `share` if there is one [s].
 class StageTimer {
  public:
-  explicit StageTimer(double& total) : total_(total) {}
-  ~StageTimer() { total_ += watch_.seconds(); }
+  explicit StageTimer(double& total, double* share = nullptr) : total_(total), share_(share) {}
+  ~StageTimer() {
+    const double seconds = watch_.seconds();
+    total_ += seconds;
+    if (share_ != nullptr) *share_ += seconds;
+  }
   StageTimer(const StageTimer&) = delete;
   StageTimer& operator=(const StageTimer&) = delete;
 
  private:
   double& total_;
+  double* share_;
   Stopwatch watch_;
 };
 

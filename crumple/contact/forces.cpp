@@ -47,14 +47,15 @@ double stiffness_scale(const model::Contact& contact, const model::Control& cont
   return control.contact_stiffness_scale * scale;
 }
 
-/// True for a touch of two edges, of two nodes each.
-bool is_of_edges(const Touch& touch) {
+/// True for a touch of two edges, or of two segments, with as many nodes each.
+bool has_equal_halves(const Touch& touch) {
   constexpr double round_off = 1e-12;
-  return touch.nodes == 4 && touch.weight[1] > round_off;
+  const int half = touch.nodes / 2;
+  return half > 1 && touch.nodes == 2 * half && touch.weight[half - 1] > round_off && touch.weight[half] < 0;
 }
 
 /// The first of the nodes that bear a couple: those of the segment below a node, all of two edges, as an edge
-/// alone bears none about itself.
+/// alone bears none about itself, and of two segments.
 int first_bearing(const Touch& touch) {
   constexpr int least = 3;
   return touch.nodes > least && touch.weight[1] <= 0 ? 1 : 0;
@@ -214,7 +215,7 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
   if (!rough && !aside) return;
   const int first = first_bearing(touch);
   const Couple couple({&x[first], static_cast<std::size_t>(touch.nodes - first)},
-                      is_of_edges(touch) ? Couple::Bearing::EachHalf : Couple::Bearing::All);
+                      has_equal_halves(touch) ? Couple::Bearing::EachHalf : Couple::Bearing::All);
   if (rough) {
     double lightest = 0;
     for (int i = first; i < touch.nodes; ++i)

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "contact/edge_contact.hpp"
@@ -15,6 +17,7 @@
 #include "contact/intersections.hpp"
 #include "contact/local_search.hpp"
 #include "contact/multipliers.hpp"
+#include "contact/pinball_contact.hpp"
 #include "contact/sides.hpp"
 #include "contact/surface.hpp"
 
@@ -27,11 +30,22 @@ struct Interface::Implementation {
         surface(build_surface(model, domain, settings)),
         search(surface, model.search, domain.execution.threads),
         local(surface),
-        edges(model, domain, settings, surface),
+        edges(model, domain, edges_of(model, settings), surface),
         forces(surface, settings, model.control),
         multipliers(surface, settings),
         method(model.search.method),
-        report(place) {}
+        report(place) {
+    if (model.search.local != model::LocalSearchKind::Pinballs) return;
+    if (contact.enforcement == model::Enforcement::Multipliers)
+      throw Error("Lagrange multipliers need --local-search inside-outside.");
+    pinballs.emplace(surface, present(domain));
+  }
+
+  /// Pinballs see edges as they see everything.
+  static model::Contact edges_of(const model::Model& model, model::Contact settings) {
+    if (model.search.local == model::LocalSearchKind::Pinballs) settings.edges = model::ContactEdges::None;
+    return settings;
+  }
 
   bool acting(double time) const { return time >= contact.birth_time && time <= contact.death_time; }
 
@@ -45,6 +59,11 @@ struct Interface::Implementation {
       if (pair.share > 0 && pair.offset > 0)
         entry.initial_overlaps.push_back(
             {edges.node_id(pair), edges.edges().id[pair.key.second], pair.offset});
+    if (pinballs)
+      for (const PinballPair& pair : pinballs->present())
+        if (pair.offset > 0)
+          entry.initial_overlaps.push_back(
+              {pinballs->node_id(pair), surface.segment_id[pair.second], pair.offset});
     const auto deeper = [](const domain::InitialOverlap& a, const domain::InitialOverlap& b) {
       return a.depth > b.depth;
     };
@@ -82,32 +101,50 @@ struct Interface::Implementation {
       penetrations.push_back(
           {pair.penetration(), height, surface.node_id[pair.node], surface.segment_id[pair.segment]});
     }
-    edges.remember(motion, std::span(touches).subspan(pairs.size()), pairs, penetrations);
+    const std::span<const Touch> beyond_nodes = std::span(touches).subspan(pairs.size());
+    edges.remember(motion, beyond_nodes, pairs, penetrations);
+    if (pinballs) pinballs->remember(motion, beyond_nodes.subspan(edges.present().size()), penetrations);
+  }
+
+  void verify(const Kinematics& motion) const {
+    if (pinballs) {
+      pinballs->verify(motion);
+      return;
+    }
+    search.verify(motion);
+    edges.verify(motion);
   }
 
   /// The contacts where the nodes are or will be.
   std::span<ContactPair> find(domain::Domain& domain, const Kinematics& motion) {
     if (!acting(domain.clock.time)) {
       edges.find_nothing();
+      if (pinballs) pinballs->find_nothing();
       return {};
     }
     {
-      const StageTimer timer(domain.times.contact_search);
+      const StageTimer timer(domain.times.contact_search, &domain.contacts[report].times.search);
       const bool changed = follow_erosion(surface, domain);
       if (changed)
         std::erase_if(remembered,
                       [&](const RememberedPair& pair) { return surface.active[pair.segment] == 0; });
-      search.update(motion, changed);
-      edges.update(domain, motion, changed);
-      if (verify_cycles > 0 && domain.clock.cycle % verify_cycles == 0) {
-        search.verify(motion);
-        edges.verify(motion);
+      if (pinballs) {
+        pinballs->update(motion, changed);
+      } else {
+        search.update(motion, changed);
+        edges.update(domain, motion, changed);
       }
+      if (verify_cycles > 0 && domain.clock.cycle % verify_cycles == 0) verify(motion);
     }
-    const StageTimer timer(domain.times.contact_local);
-    const std::span<ContactPair> pairs = local.find(motion, search, remembered, started == 0);
-    edges.find(motion, started == 0);
-    edges.relieve(pairs);
+    const StageTimer timer(domain.times.contact_local, &domain.contacts[report].times.local);
+    std::span<ContactPair> pairs;
+    if (pinballs) {
+      pinballs->find(motion, started == 0);
+    } else {
+      pairs = local.find(motion, search, remembered, started == 0);
+      edges.find(motion, started == 0);
+      edges.relieve(pairs);
+    }
     if (started == 0) measure_start(pairs, domain.contacts[report]);
     if (started == 0) measure_mass(domain.nodes, domain.contacts[report]);
     started = 1;
@@ -135,6 +172,7 @@ struct Interface::Implementation {
     touches.clear();
     for (const ContactPair& pair : pairs) touches.push_back(touch_of(surface, pair));
     edges.append_touches(touches);
+    if (pinballs) pinballs->append_touches(touches);
   }
 
   /// Gives the pairs the stiffness that their nodes have in these positions.
@@ -179,6 +217,10 @@ struct Interface::Implementation {
     entry.segments = surface.segments();
     entry.searches = search.statistics().searches + edges.search().searches();
     entry.candidates = search.statistics().candidates + edges.search().candidates();
+    if (pinballs) {
+      entry.searches += pinballs->searches();
+      entry.candidates += pinballs->candidates();
+    }
     entry.active_pairs = static_cast<Index>(penetrations.size());
     entry.penetration = 0;
     for (const Penetration& found : penetrations) {
@@ -204,6 +246,7 @@ struct Interface::Implementation {
   GlobalSearch search;
   LocalSearch local;
   EdgeContact edges;
+  std::optional<PinballContact> pinballs;  ///< if there are any, nodes and edges find nothing
   Forces forces;
   Multipliers multipliers;
   std::string method;
@@ -229,7 +272,7 @@ void Interface::add_forces(domain::Domain& domain) {
   domain::ContactReport& report = domain.contacts[own.report];
   const Kinematics motion = present(domain);
   const std::span<ContactPair> pairs = own.find(domain, motion);
-  const StageTimer timer(domain.times.contact_forces);
+  const StageTimer timer(domain.times.contact_forces, &report.times.forces);
   own.collect_touches(pairs);
   own.share_stiffness(pairs, domain);
   own.forces.add(domain, own.touches, report);
@@ -247,7 +290,7 @@ void Interface::add_multipliers(domain::Domain& domain, double interval, double 
   domain::ContactReport& report = domain.contacts[own.report];
   const Kinematics motion = own.multipliers.predict(domain, interval, next_step);
   const std::span<ContactPair> pairs = own.find(domain, motion);
-  const StageTimer timer(domain.times.contact_forces);
+  const StageTimer timer(domain.times.contact_forces, &report.times.forces);
   own.collect_touches(pairs);
   own.multipliers.solve(own.touches);
   own.forces.apply(domain, own.touches, report);
@@ -263,6 +306,7 @@ void Interface::declare(domain::StateList& list) {
   own.forces.declare(list);
   list.add("contact_pairs", "by item", domain::Entity::Contact, 1, std::span(own.remembered));
   own.edges.declare(list);
+  if (own.pinballs) own.pinballs->declare(list);
 }
 
 void Interface::verify_search_every(long cycles) {

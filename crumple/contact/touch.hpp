@@ -20,7 +20,7 @@ struct Surface;
 /// up to 1, those of the second are negative and sum up to -1, so that sum of weight[i] v[i] is the velocity
 /// of the first relative to the second.
 struct Touch {
-  static constexpr int most_nodes = 5;
+  static constexpr int most_nodes = 8;
 
   int nodes = 0;
   std::array<Index, most_nodes> place{};  ///< in Surface::nodes

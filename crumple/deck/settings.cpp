@@ -14,7 +14,7 @@ namespace crumple::deck {
 
 namespace {
 
-constexpr std::string_view known_keys = "method, expansion, cells, domain and precision";
+constexpr std::string_view known_keys = "method, local_search, expansion, cells, domain and precision";
 
 /// Exactly `count` numbers separated by commas, or nothing.
 std::optional<std::vector<double>> numbers(std::string_view text, std::size_t count) {
@@ -82,6 +82,12 @@ void set_one(const Setting& setting, const std::vector<std::string>& methods, Ra
       deck.search.method = setting.value;
     else
       setting.fault(methods.empty() ? "the name of a search method" : "one of " + listed(methods));
+  } else if (setting.key == "local_search") {
+    if (setting.value == "inside-outside" || setting.value == "pinballs")
+      deck.search.local = setting.value == "pinballs" ? model::LocalSearchKind::Pinballs
+                                                      : model::LocalSearchKind::InsideOutside;
+    else
+      setting.fault("inside-outside or pinballs");
   } else if (setting.key == "expansion") {
     const auto value = parse_real(setting.value);
     if (value && *value > 0)

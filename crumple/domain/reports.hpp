@@ -21,6 +21,13 @@ struct StageTimes {
   double output = 0;
 };
 
+/// The shares that one contact has in StageTimes [s].
+struct ContactTimes {
+  double search = 0;
+  double local = 0;
+  double forces = 0;
+};
+
 /// A look at the surfaces of a contact at one time. Made on request: it costs as much as a search.
 struct ContactInspection {
   bool made = false;
@@ -57,6 +64,7 @@ struct ContactReport {
   math::Vec3 force{};            ///< on the first of two sides now, from the second [force]
   std::array<double, 2> mass{};  ///< of the nodes of its sides [mass]
   ContactInspection inspection{};
+  ContactTimes times{};
 };
 
 /// What a force transducer measures.

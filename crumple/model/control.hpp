@@ -39,9 +39,16 @@ struct OutputRequests {
   std::vector<Index> history_nodes;  ///< *DATABASE_HISTORY_NODE
 };
 
+/// How a contact finds what touches among the candidates.
+enum class LocalSearchKind {
+  InsideOutside,  ///< nodes against segments, by mesh normals
+  Pinballs,       ///< balls embedded in the segments against each other
+};
+
 /// Global search settings: LS-DYNA has no card for them, `$crumple` comment lines and options set them.
 struct SearchSettings {
-  std::string method = "production";       ///< one of the names of cellsearch
+  std::string method = "production";  ///< one of the names of cellsearch
+  LocalSearchKind local = LocalSearchKind::InsideOutside;
   double expansion = 0;                    ///< territory expansion c [length]; 0 lets the program choose
   bool has_cells = false;                  ///< cells and domain below are given
   std::array<Index, 3> cells{};            ///< Nx, Ny, Nz

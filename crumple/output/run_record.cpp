@@ -53,7 +53,11 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
                     {"percentile_99_relative_depth", contact.inspection.percentile_99},
                     {"worst_node", contact.worst_node},
                     {"energy", contact.energy},
-                    {"friction_energy", contact.friction_energy}});
+                    {"friction_energy", contact.friction_energy},
+                    {"timings",
+                     {{"search", contact.times.search},
+                      {"local", contact.times.local},
+                      {"forces", contact.times.forces}}}});
   return list;
 }
 
