@@ -56,6 +56,11 @@ const char* name_of(model::WallShape shape) {
   }
 }
 
+std::string describe_motion(const model::RigidWall& wall) {
+  if (wall.mass > 0) return fmt::format(", mass {:g}, velocity {:g}", wall.mass, wall.initial_velocity);
+  return wall.motion.curve == no_index ? "" : ", moves";
+}
+
 /// Directions that are held, as "xyz/yz": along the axes and about them.
 std::string held_words(const domain::RigidBody& body) {
   const auto axes = [](const std::array<bool, 3>& held) {
@@ -142,8 +147,7 @@ void print_conditions(std::ostream& out, const model::Model& model) {
     fmt::print(out, "  constrained sets      {}\n", model.constrained_node_sets.size());
   for (const model::RigidWall& wall : model.rigid_walls)
     fmt::print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
-               wall.motion.curve == no_index ? "" : ", moves", counted(wall.nodes.size(), "node"),
-               wall.friction);
+               describe_motion(wall), counted(wall.nodes.size(), "node"), wall.friction);
   for (const model::Contact& contact : model.contacts)
     fmt::print(out, "  contact {:<13} {}, friction {:g}/{:g}\n", contact.id, describe(contact),
                contact.static_friction, contact.dynamic_friction);

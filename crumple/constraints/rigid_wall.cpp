@@ -2,9 +2,12 @@
 #include "constraints/rigid_wall.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 #include <variant>
 
 #include "constraints/rigid_motion.hpp"
+#include "math/to_vec3.hpp"
 
 namespace crumple::constraints {
 
@@ -25,6 +28,16 @@ Vec3 stopped(const Vec3& velocity, const WallLimit& limit, double friction) {
   return tangential + limit.slowest * limit.normal;
 }
 
+/// How much of a push along the normal fixed degrees of freedom let through; 0 if that is hardly anything: a
+/// normal that is almost fixed would throw the node along the wall.
+double free_part(const Vec3& normal, std::uint8_t fixed) {
+  double part = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if ((fixed & domain::fixed_translation(axis)) == 0) part += normal[axis] * normal[axis];
+  constexpr double least_free = 0.01;
+  return part < least_free ? 0 : part;
+}
+
 /// The change of velocity without what fixed degrees of freedom do not let through; along the normal it is
 /// then made up for in the free directions.
 Vec3 let_through(const Vec3& change, const Vec3& normal, std::uint8_t fixed) {
@@ -32,13 +45,38 @@ Vec3 let_through(const Vec3& change, const Vec3& normal, std::uint8_t fixed) {
   Vec3 free_normal = normal;
   for (int axis = 0; axis < 3; ++axis)
     if ((fixed & domain::fixed_translation(axis)) != 0) free_change[axis] = free_normal[axis] = 0;
-  // A normal that is almost fixed would throw the node along the wall.
-  constexpr double least_free = 0.01;
-  const double free_part = dot(free_normal, free_normal);
-  if (free_part < least_free) return free_change;
+  const double part = free_part(normal, fixed);
+  if (part == 0) return free_change;
   const double missing = dot(change - free_change, normal);
-  return missing == 0 ? free_change : free_change + (missing / free_part) * free_normal;
+  return missing == 0 ? free_change : free_change + (missing / part) * free_normal;
 }
+
+/// What a wall's impacts on a body change, to be put back.
+class KeptMotion {
+ public:
+  explicit KeptMotion(domain::RigidBody& body)
+      : body_(body),
+        velocity_(body.velocity),
+        angular_momentum_(body.angular_momentum),
+        spin_(body.spin),
+        impulse_(body.impulse),
+        angular_impulse_(body.angular_impulse) {}
+  void put_back() const {
+    body_.velocity = velocity_;
+    body_.angular_momentum = angular_momentum_;
+    body_.spin = spin_;
+    body_.impulse = impulse_;
+    body_.angular_impulse = angular_impulse_;
+  }
+
+ private:
+  domain::RigidBody& body_;
+  Vec3 velocity_;
+  Vec3 angular_momentum_;
+  Vec3 spin_;
+  Vec3 impulse_;
+  Vec3 angular_impulse_;
+};
 
 }  // namespace
 
@@ -47,6 +85,8 @@ RigidWall::RigidWall(const model::Model& model, const model::RigidWall& wall, do
     : model_(&model),
       surface_(wall_surface(wall)),
       motion_(wall.motion),
+      normal_(normalised(math::to_vec3(wall.normal))),
+      mass_(wall.mass),
       friction_(wall.friction),
       birth_time_(wall.birth_time),
       death_time_(wall.death_time),
@@ -59,6 +99,17 @@ RigidWall::RigidWall(const model::Model& model, const model::RigidWall& wall, do
   for (const Index node : nodes_) stops_[node] = 1;
   touched_.assign(stops_.size(), 0);
   if (motion_.is_displacement) domain.walls[report].displacement = displacement_after(domain.clock, {}, 0);
+  if (!(mass_ > 0)) return;
+  domain::WallReport& now = domain.walls[report];
+  now.mass = mass_;
+  now.velocity = wall.initial_velocity * normal_;
+  now.kinetic_energy = 0.5 * mass_ * dot(now.velocity, now.velocity);
+}
+
+double RigidWall::kinetic_energy(const domain::Domain& domain) {
+  double sum = 0;
+  for (const domain::WallReport& wall : domain.walls) sum += wall.kinetic_energy;
+  return sum;
 }
 
 Vec3 RigidWall::displacement_after(const domain::Clock& clock, const Vec3& now, double next_step) const {
@@ -69,11 +120,31 @@ Vec3 RigidWall::displacement_after(const domain::Clock& clock, const Vec3& now, 
   return now + (next_step * curve.at(clock.time + 0.5 * next_step)) * direction;
 }
 
+bool RigidWall::is_stopped(const domain::Domain& domain, Index node) const {
+  if (!domain.body_of_node.empty() && domain.body_of_node[node] != no_index) return false;
+  // A tied node is between those that it follows, and these are stopped.
+  return !domain.nodes.is_tied(node);
+}
+
+void RigidWall::stop_node(Impact& impact, Index node, const WallLimit& limit) const {
+  domain::NodeFields& nodes = impact.domain.nodes;
+  const Vec3 velocity = nodes.velocity[node] - velocity_;
+  Vec3 after = stopped(velocity, limit, friction_);
+  if (nodes.fixed[node] != 0)
+    after = velocity + let_through(after - velocity, limit.normal, nodes.fixed[node]);
+  const Vec3 received = nodes.moving_mass(node) * (after - velocity);
+  nodes.velocity[node] = after + velocity_;
+  Sums& sums = impact.sums;
+  sums.impulse -= received;
+  sums.normal_impulse += dot(received, limit.normal);
+  sums.energy -= 0.5 * dot(received, impact.previous_velocity[node] - frame_);
+  sums.deferred -= 0.5 * dot(received, after + (velocity_ - frame_));
+}
+
 template <class Shape>
-void RigidWall::stop_body_at(const Shape& shape, domain::Domain& domain, Index place, double next_step,
-                             Sums& sums) {
-  domain::RigidBody& body = domain.rigid_bodies[place];
-  const AlignedArray<Vec3>& position = domain.nodes.position;
+void RigidWall::stop_body_at(const Shape& shape, Impact& impact, Index place) {
+  domain::RigidBody& body = impact.domain.rigid_bodies[place];
+  const AlignedArray<Vec3>& position = impact.domain.nodes.position;
   touches_.clear();
   WallLimit limit;
   // What stops one node may drive others into the wall: these are looked for again.
@@ -84,7 +155,7 @@ void RigidWall::stop_body_at(const Shape& shape, domain::Domain& domain, Index p
       if (!stops_[i]) continue;
       const Vec3 arm = position[i] - body.centre;
       const Vec3 velocity = velocity_at(body, arm) - velocity_;
-      if (!limit_of(shape, position[i] - displacement_, velocity, next_step, limit)) continue;
+      if (!limit_of(shape, position[i] - displacement_, velocity, impact.next_step, limit)) continue;
       if (touched_[i] != 0) continue;
       touched_[i] = 1;
       touches_.push_back({i, arm, limit.normal, limit.slowest, {}});
@@ -94,58 +165,183 @@ void RigidWall::stop_body_at(const Shape& shape, domain::Domain& domain, Index p
   }
   for (const BodyTouch& touch : touches_) {
     touched_[touch.node] = 0;
-    sums.impulse -= touch.impulse;
-    sums.normal_impulse += dot(touch.impulse, touch.normal);
+    impact.sums.impulse -= touch.impulse;
+    impact.sums.normal_impulse += dot(touch.impulse, touch.normal);
     const Vec3 previous = body.previous_velocity + cross(body.previous_spin, touch.arm);
-    sums.energy -= 0.5 * dot(touch.impulse, previous - velocity_);
-    sums.deferred -= 0.5 * dot(touch.impulse, velocity_at(body, touch.arm) - velocity_);
+    impact.sums.energy -= 0.5 * dot(touch.impulse, previous - frame_);
+    impact.sums.deferred -= 0.5 * dot(touch.impulse, velocity_at(body, touch.arm) - frame_);
   }
 }
 
 template <class Shape>
-RigidWall::Sums RigidWall::stop_at(const Shape& shape, domain::Domain& domain,
-                                   const AlignedArray<Vec3>& previous_velocity, double next_step) {
-  Sums sums;
-  domain::NodeFields& nodes = domain.nodes;
-  const bool has_bodies = !domain.body_of_node.empty();
+void RigidWall::stop_at(const Shape& shape, Impact& impact) {
+  const domain::Domain& domain = impact.domain;
   WallLimit limit;
   for (const Index i : nodes_) {
-    if (has_bodies && domain.body_of_node[i] != no_index) continue;
-    // A tied node is between those that it follows, and these are stopped.
-    if (nodes.is_tied(i)) continue;
-    const Vec3 velocity = nodes.velocity[i] - velocity_;
-    if (!limit_of(shape, nodes.position[i] - displacement_, velocity, next_step, limit)) continue;
-    Vec3 after = stopped(velocity, limit, friction_);
-    if (nodes.fixed[i] != 0) after = velocity + let_through(after - velocity, limit.normal, nodes.fixed[i]);
-    const Vec3 received = nodes.moving_mass(i) * (after - velocity);
-    nodes.velocity[i] = after + velocity_;
-    sums.impulse -= received;
-    sums.normal_impulse += dot(received, limit.normal);
-    sums.energy -= 0.5 * dot(received, previous_velocity[i] - velocity_);
-    sums.deferred -= 0.5 * dot(received, after);
+    if (!is_stopped(domain, i)) continue;
+    const Vec3 velocity = domain.nodes.velocity[i] - velocity_;
+    if (limit_of(shape, domain.nodes.position[i] - displacement_, velocity, impact.next_step, limit))
+      stop_node(impact, i, limit);
   }
   for (Index body = 0; body < static_cast<Index>(domain.rigid_bodies.size()); ++body)
-    if (domain.rigid_bodies[body].active) stop_body_at(shape, domain, body, next_step, sums);
-  return sums;
+    if (domain.rigid_bodies[body].active) stop_body_at(shape, impact, body);
+}
+
+/// Nodes in the way at the present velocity of the wall; false if all are known already.
+template <class Shape>
+bool RigidWall::find_nodes_to_push(const Shape& shape, const Impact& impact) {
+  const domain::NodeFields& nodes = impact.domain.nodes;
+  const std::size_t known = pushed_.size();
+  WallLimit limit;
+  for (const Index i : nodes_) {
+    if (touched_[i] != 0 || !is_stopped(impact.domain, i)) continue;
+    const Vec3 velocity = nodes.velocity[i] - velocity_;
+    if (!limit_of(shape, nodes.position[i] - displacement_, velocity, impact.next_step, limit)) continue;
+    const double highest = dot(nodes.velocity[i], normal_) - limit.slowest;
+    const double free = free_part(normal_, nodes.fixed[i]);
+    if (free > 0) {
+      touched_[i] = 1;
+      pushed_.push_back({i, limit.slowest, highest, nodes.moving_mass(i) / free});
+    } else if (highest < obstacle_.highest) {
+      obstacle_ = {highest, no_index, {}};
+    }
+  }
+  return pushed_.size() > known;
+}
+
+/// The same of bodies.
+template <class Shape>
+bool RigidWall::find_bodies_to_push(const Shape& shape, const Impact& impact) {
+  const AlignedArray<Vec3>& position = impact.domain.nodes.position;
+  const std::size_t known = pushed_bodies_.size();
+  WallLimit limit;
+  for (Index place = 0; place < static_cast<Index>(impact.domain.rigid_bodies.size()); ++place) {
+    const domain::RigidBody& body = impact.domain.rigid_bodies[place];
+    if (!body.active || std::count(pushed_bodies_.begin(), pushed_bodies_.end(), place) > 0) continue;
+    bool is_met = false;
+    for (const Index i : body.nodes) {
+      if (!stops_[i]) continue;
+      const Vec3 arm = position[i] - body.centre;
+      const Vec3 velocity = velocity_at(body, arm);
+      if (!limit_of(shape, position[i] - displacement_, velocity - velocity_, impact.next_step, limit))
+        continue;
+      is_met = true;
+      const double highest = dot(velocity, normal_) - limit.slowest;
+      if (highest < obstacle_.highest && !(dot(normal_, response_at(body, arm, normal_)) > 0))
+        obstacle_ = {highest, place, arm};
+    }
+    if (is_met) pushed_bodies_.push_back(place);
+  }
+  return pushed_bodies_.size() > known;
+}
+
+/// What all nodes and bodies take from a wall that leaves with this velocity; they stay as they are.
+template <class Shape>
+double RigidWall::impulse_at(const Shape& shape, double velocity, Impact& impact) {
+  double impulse = 0;
+  for (const PushedNode& pushed : pushed_) impulse += pushed.mass * std::max(0.0, velocity - pushed.limit);
+  velocity_ = velocity * normal_;
+  for (const Index place : pushed_bodies_) {
+    const KeptMotion kept(impact.domain.rigid_bodies[place]);
+    Impact trial{impact.domain, impact.previous_velocity, impact.next_step};
+    stop_body_at(shape, trial, place);
+    impulse += trial.sums.normal_impulse;
+    kept.put_back();
+  }
+  return impulse;
+}
+
+template <class Shape>
+double RigidWall::find_common_velocity(const Shape& shape, Impact& impact) {
+  constexpr double body_tolerance = 1e-11;  // stop_body() iterates
+  const double before = dot(velocity_, normal_);
+  double common = before;
+  obstacle_.highest = std::numeric_limits<double>::infinity();
+  pushed_.clear();
+  pushed_bodies_.clear();
+  for (;;) {
+    const double last_highest = obstacle_.highest;
+    const bool finds_nodes = find_nodes_to_push(shape, impact);
+    const bool finds_bodies = find_bodies_to_push(shape, impact);
+    if (!finds_nodes && !finds_bodies && obstacle_.highest == last_highest) break;
+    SlidingWall wall{mass_, before, obstacle_.highest};
+    if (!pushed_bodies_.empty()) wall.tolerance = body_tolerance;
+    common = common_velocity(wall, [&](double velocity) { return impulse_at(shape, velocity, impact); });
+    velocity_ = common * normal_;
+    // A slower wall meets no more, unless by its edges.
+    if constexpr (std::is_same_v<Shape, PlaneShape>) break;
+  }
+  for (const PushedNode& pushed : pushed_) touched_[pushed.node] = 0;
+  return common;
+}
+
+/// Lets the wall hit what is in its way, at the velocity that all have in common then.
+template <class Shape>
+void RigidWall::push_at(const Shape& shape, Impact& impact) {
+  const double before = dot(velocity_, normal_);
+  const double common = find_common_velocity(shape, impact);
+  for (const PushedNode& pushed : pushed_) {
+    const double change = common - pushed.limit;
+    if (!(change > 0)) continue;
+    stop_node(impact, pushed.node, {normal_, pushed.slowest});
+    // What fixed directions take of the push comes from the wall as well.
+    const double taken = (pushed.mass - impact.domain.nodes.moving_mass(pushed.node)) * change;
+    impact.sums.impulse -= taken * normal_;
+    impact.sums.normal_impulse += taken;
+  }
+  for (const Index place : pushed_bodies_) stop_body_at(shape, impact, place);
+  if (common >= obstacle_.highest) meet_obstacle(impact, mass_ * (before - common));
+}
+
+/// What is missing of the wall's loss of momentum went to what cannot be moved.
+void RigidWall::meet_obstacle(Impact& impact, double momentum_lost) const {
+  const double missing = momentum_lost - impact.sums.normal_impulse;
+  if (!(missing > 0)) return;
+  const Vec3 received = missing * normal_;
+  impact.sums.impulse -= received;
+  impact.sums.normal_impulse += missing;
+  if (obstacle_.body == no_index) return;
+  domain::RigidBody& body = impact.domain.rigid_bodies[obstacle_.body];
+  give_impulse(body, obstacle_.arm, received);
+  const Vec3 previous = body.previous_velocity + cross(body.previous_spin, obstacle_.arm);
+  impact.sums.energy -= 0.5 * dot(received, previous);
+  impact.sums.deferred -= 0.5 * dot(received, velocity_at(body, obstacle_.arm));
+}
+
+/// Moves a wall with mass; in an impact it gives what the others take.
+void RigidWall::book_slide(domain::WallReport& report, Sums& sums, double next_step) const {
+  const Vec3 before = report.velocity;
+  report.velocity -= (sums.normal_impulse / mass_) * normal_;
+  report.displacement = displacement_ + next_step * report.velocity;
+  report.kinetic_energy = 0.5 * mass_ * dot(before, report.velocity);
+  sums.energy += 0.5 * sums.normal_impulse * dot(before, normal_);
+  sums.deferred += 0.5 * sums.normal_impulse * dot(report.velocity, normal_);
 }
 
 void RigidWall::stop_nodes(domain::Domain& domain, const AlignedArray<Vec3>& previous_velocity,
                            double impulse_interval, double next_step) {
   domain::WallReport& report = domain.walls[report_];
-  displacement_ = report.displacement;
-  report.displacement = displacement_after(domain.clock, displacement_, next_step);
-  velocity_ = (1.0 / next_step) * (report.displacement - displacement_);
-  Sums sums;
+  const bool slides = mass_ > 0;
+  displacement_ = report.displacement_now = report.displacement;
+  if (!slides) {
+    report.displacement = displacement_after(domain.clock, displacement_, next_step);
+    report.velocity = (1.0 / next_step) * (report.displacement - displacement_);
+  }
+  velocity_ = report.velocity;
+  frame_ = slides ? Vec3{} : velocity_;
+  Impact impact{domain, previous_velocity, next_step};
+  Sums& sums = impact.sums;
   if (domain.clock.time >= birth_time_ && domain.clock.time <= death_time_)
-    sums = std::visit([&](const auto& shape) { return stop_at(shape, domain, previous_velocity, next_step); },
-                      surface_);
+    std::visit([&](const auto& shape) { slides ? push_at(shape, impact) : stop_at(shape, impact); },
+               surface_);
+  if (slides) book_slide(report, sums, next_step);
   report.impulse += sums.impulse;
   report.normal_impulse += sums.normal_impulse;
   // An impulse at time n acts on the mean of v(n-1/2) and v(n+1/2); the kinetic energy of time n knows the
   // first.
   report.energy += report.deferred + sums.energy;
   report.deferred = sums.deferred;
-  const double work = -0.5 * dot(sums.impulse, velocity_);
+  const double work = -0.5 * dot(sums.impulse, frame_);
   domain.energy.external_work += report.deferred_work + work;
   report.deferred_work = work;
   report.force = (1.0 / impulse_interval) * sums.impulse;

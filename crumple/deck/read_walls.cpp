@@ -49,6 +49,8 @@ constexpr Field flat_card[] = {
     real("XHEV"), real("YHEV"), real("ZHEV"), real("LENL", 0, not_negative), real("LENM", 0, not_negative),
 };
 
+constexpr Field moving_card[] = {real("MASS", 0, above_zero), real("V0")};
+
 constexpr Field prism_card[] = {
     real("XHEV"),
     real("YHEV"),
@@ -180,6 +182,12 @@ void read_rigidwall_planar(Cards& cards, RawDeck& deck) {
     if (has_option(cards, "_FINITE")) {
       raw.wall.shape = WallShape::Flat;
       take_edge(cards.next(flat_card), raw.wall, cards.report());
+    }
+    // Its card comes after that of FINITE, whatever the order in the keyword's name.
+    if (has_option(cards, "_MOVING")) {
+      const Card moving = cards.next(moving_card);
+      raw.wall.mass = moving.real("MASS");
+      raw.wall.initial_velocity = moving.real("V0");
     }
     if (good(first)) deck.walls.push_back(std::move(raw));
   } while (cards.more());

@@ -84,6 +84,9 @@ void Domain::declare(StateList& list) {
     list.add("wall_normal_impulse", "force*time", Entity::Wall, 1, std::span(&wall.normal_impulse, 1));
     list.add("wall_deferred_work", "energy", Entity::Wall, 1, std::span(&wall.deferred_work, 1));
     list.add("wall_displacement", "length", Entity::Wall, 3, std::span(&wall.displacement, 1));
+    // That of the others follows from their curves.
+    if (wall.mass > 0)
+      list.add("wall_velocity", "length/time", Entity::Wall, 3, std::span(&wall.velocity, 1));
   }
   for (RigidBody& body : rigid_bodies) declare_body(body, list);
   for (ContactReport& contact : contacts) {

@@ -84,7 +84,11 @@ struct WallReport {
   double energy = 0;          ///< taken from the model until time n [energy]
   double deferred = 0;        ///< the half of the last impulses' work that the kinetic energy of n+1 shows
   double deferred_work = 0;   ///< the half of the last impulses' work done by the wall's motion, likewise
-  math::Vec3 displacement{};  ///< of a moving wall at time n [length]
+  math::Vec3 displacement{};  ///< of a moving wall; once its nodes are stopped that of n+1 [length]
+  math::Vec3 displacement_now{};  ///< the same at time n [length]
+  math::Vec3 velocity{};          ///< of a moving wall between the two [length/time]
+  double mass = 0;                ///< 0: nothing changes the wall's motion [mass]
+  double kinetic_energy = 0;      ///< of a wall with mass at time n, in product form [energy]
 };
 
 /// The force in a spot weld between two nodes.

@@ -84,7 +84,7 @@ struct WallMotion {
 };
 
 /// A surface that nodes may not cross (*RIGIDWALL_PLANAR, *RIGIDWALL_GEOMETRIC). At rest unless it has a
-/// curve.
+/// curve, or a mass.
 struct RigidWall {
   UserId id = 0;
   std::string title;
@@ -99,8 +99,10 @@ struct RigidWall {
                                     ///< first); 0 is infinite [length]
   double radius = 0;                ///< of a cylinder or a sphere [length]
   WallMotion motion{};
-  double birth_time = 0;     ///< [time]
-  double death_time = 1e20;  ///< [time]
+  double mass = 0;              ///< of a plane that slides along its normal, pushed by nodes; 0: none [mass]
+  double initial_velocity = 0;  ///< of a wall with mass, along its normal [length/time]
+  double birth_time = 0;        ///< [time]
+  double death_time = 1e20;     ///< [time]
 };
 
 }  // namespace crumple::model

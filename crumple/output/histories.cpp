@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "output/history.hpp"
 
 namespace crumple::output {
+
+namespace {
+
+bool any_wall_moves(const model::Model& model) {
+  return std::any_of(model.rigid_walls.begin(), model.rigid_walls.end(), [](const model::RigidWall& wall) {
+    return wall.mass > 0 || wall.motion.curve != no_index;
+  });
+}
+
+}  // namespace
 
 std::vector<HistoryEntry> histories_of(const View& view) {
   const model::OutputRequests& asked = view.model.output;
@@ -15,6 +27,9 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   if (!view.domain.walls.empty())
     entries.push_back(
         {"rwforc.csv", "time,wall,normal,fx,fy,fz", asked.rwforc_interval, make_wall_history(view)});
+  if (any_wall_moves(view.model))
+    entries.push_back({"rwmotion.csv", "time,wall,ux,uy,uz,vx,vy,vz,kinetic", asked.rwforc_interval,
+                       make_wall_motion_history()});
   if (!view.domain.contacts.empty() || !view.domain.transducers.empty())
     entries.push_back(
         {"rcforc.csv", "time,interface,side,fx,fy,fz,mass", asked.rcforc_interval, make_contact_history()});

@@ -34,6 +34,8 @@ std::unique_ptr<History> make_part_history(const View& view);
 /// Forces on rigid walls, the normal one positive where nodes press: the mean since the row before, so that
 /// the sum of force times time is the impulse.
 std::unique_ptr<History> make_wall_history(const View& view);
+/// Displacement, velocity and kinetic energy of the rigid walls that move.
+std::unique_ptr<History> make_wall_motion_history();
 /// Resultant force of contact interfaces.
 std::unique_ptr<History> make_contact_history();
 /// Motion of the nodes of *DATABASE_HISTORY_NODE.

@@ -35,10 +35,28 @@ class WallHistory : public History {
   std::vector<double> normal_impulse_;  ///< likewise
 };
 
+class WallMotionHistory : public History {
+ public:
+  void add_rows(const View& view, CsvFile& table) override {
+    for (std::size_t i = 0; i < view.domain.walls.size(); ++i) {
+      const domain::WallReport& wall = view.domain.walls[i];
+      if (!(wall.mass > 0) && view.model.rigid_walls[i].motion.curve == no_index) continue;
+      const math::Vec3& moved = wall.displacement_now;
+      const math::Vec3& velocity = wall.velocity;
+      table.add_row(view.domain.clock.time, wall.id, moved.x, moved.y, moved.z, velocity.x, velocity.y,
+                    velocity.z, wall.kinetic_energy);
+    }
+  }
+};
+
 }  // namespace
 
 std::unique_ptr<History> make_wall_history(const View& view) {
   return std::make_unique<WallHistory>(view);
+}
+
+std::unique_ptr<History> make_wall_motion_history() {
+  return std::make_unique<WallMotionHistory>();
 }
 
 }  // namespace crumple::output

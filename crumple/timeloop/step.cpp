@@ -46,7 +46,8 @@ void Simulation::start() {
   const constraints::KineticChange carried = tied_nodes_.carried_energy(domain_);
   domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + carried.translational +
                            rotational_energy(domain_) + carried.rotational +
-                           constraints::RigidBodies::kinetic_energy(domain_);
+                           constraints::RigidBodies::kinetic_energy(domain_) +
+                           constraints::RigidWall::kinetic_energy(domain_);
   close_gaps(0.5 * next_step_);
   balance();
   domain_.energy.initial_total = domain_.energy.total();
@@ -60,7 +61,8 @@ void Simulation::step() {
   close_gaps(0.5 * (domain_.clock.step + next_step_));
   kick(0.5 * (domain_.clock.step + next_step_));
   domain_.energy.kinetic = kick_energy_.translational + kick_energy_.rotational +
-                           constraints::RigidBodies::kinetic_energy(domain_);
+                           constraints::RigidBodies::kinetic_energy(domain_) +
+                           constraints::RigidWall::kinetic_energy(domain_);
   balance();
 }
 

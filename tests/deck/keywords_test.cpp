@@ -349,6 +349,28 @@ TEST(Wall, GeometricShapes) {
   EXPECT_EQ(walls[4].lengths, (Vector{6, 7, 0}));
 }
 
+TEST(Wall, MovingOnesHaveAMassAndAVelocity) {
+  const model::Model model = read_with(
+      "*RIGIDWALL_PLANAR_MOVING\n0\n3,0,0,2,0,0,0.2\n0.5,8\n0\n4,0,0,3,0,0\n0.75\n"
+      "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n         7hammer\n0\n3,0,0,2,0,0\n3,4,0,6,7\n100,-2.5\n"
+      "*RIGIDWALL_PLANAR_MOVING_FINITE\n0\n3,0,0,2,0,0\n3,4,0,6,7\n100,-2.5\n"
+      "*RIGIDWALL_PLANAR\n0\n3,0,0,2,0,0\n");
+  ASSERT_EQ(model.rigid_walls.size(), 5U);
+  EXPECT_EQ(model.rigid_walls[0].shape, model::WallShape::Plane);
+  EXPECT_EQ(model.rigid_walls[0].mass, 0.5);
+  EXPECT_EQ(model.rigid_walls[0].initial_velocity, 8);
+  EXPECT_EQ(model.rigid_walls[1].mass, 0.75);
+  EXPECT_EQ(model.rigid_walls[1].initial_velocity, 0);
+  EXPECT_EQ(model.rigid_walls[2].id, 7);
+  for (const std::size_t finite : {2U, 3U}) {
+    EXPECT_EQ(model.rigid_walls[finite].shape, model::WallShape::Flat);
+    EXPECT_EQ(model.rigid_walls[finite].lengths, (Vector{6, 7, 0}));
+    EXPECT_EQ(model.rigid_walls[finite].mass, 100);
+    EXPECT_EQ(model.rigid_walls[finite].initial_velocity, -2.5);
+  }
+  EXPECT_EQ(model.rigid_walls[4].mass, 0) << "it stays where it is";
+}
+
 TEST(Wall, ABoxChoosesAmongItsNodes) {
   const model::Model model =
       read_with("*DEFINE_BOX\n3,-1,0.5,-9,9,-9,9\n*RIGIDWALL_PLANAR\n0,0,3\n3,0,0,2,0,0\n");

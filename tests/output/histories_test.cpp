@@ -155,6 +155,24 @@ TEST_F(HistoriesTest, WallForceTimesTimeSumsToTheImpulse) {
   EXPECT_GT(std::stod(cells(rows[2])[2]), 0) << "nodes press on the wall: its normal force is positive";
 }
 
+TEST_F(HistoriesTest, WallsThatMoveHaveRowsOfTheirMotion) {
+  {
+    const Recorder recorder(folder_, "run", view());
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "rwmotion.csv")) << "the only wall is at rest";
+  }
+  model_.rigid_walls.push_back(
+      {.id = 9, .title = "", .nodes = {0, 1}, .point = {}, .normal = {0, 0, 1}, .mass = 2});
+  domain_.walls.push_back(
+      {.id = 9, .displacement_now = {0, 0, 0.25}, .velocity = {0, 0, -3}, .mass = 2, .kinetic_energy = 9.5});
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  recorder.write_last(view());
+  const auto rows = lines(folder_ / "rwmotion.csv");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0], "time,wall,ux,uy,uz,vx,vy,vz,kinetic");
+  EXPECT_EQ(rows[1], "0,9,0,0,0.25,0,0,-3,9.5");
+}
+
 TEST_F(HistoriesTest, PartRowsHoldMassMotionAndEnergies) {
   // Part 7 is 2 x 1 by 0.5 thick; it flies at 3 along x and its energies are set by hand.
   for (math::Vec3& velocity : domain_.nodes.velocity) velocity = {3, 0, 0};

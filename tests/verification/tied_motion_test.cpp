@@ -68,6 +68,32 @@ TEST(TiedMotion, WallTakesTheMomentumOfWhatIsTied) {
   for (const Vec3& x : domain.nodes.position) EXPECT_GT(x.z, -0.01 - 1e-9);
 }
 
+/// The same with a wall that has a mass of its own and flies at the blocks.
+TEST(TiedMotion, WallWithMassSharesItsMomentumWithWhatIsTied) {
+  model::Model model = test::two_blocks(2, 3, 3);
+  model::RigidWall wall;
+  wall.id = 1;
+  wall.point = {0, 0, -0.01};
+  wall.normal = {0, 0, 1};
+  wall.mass = 0.01;
+  wall.initial_velocity = 1;
+  for (Index i = 0; i < model.nodes.count(); ++i) wall.nodes.push_back(i);
+  model.rigid_walls.push_back(wall);
+  model.control.end_time = 0.02;
+  timeloop::Simulation simulation(model, test::execution());
+  const domain::Domain& domain = simulation.domain();
+  test::run(simulation);
+  const domain::WallReport& report = domain.walls[0];
+  const Vec3 now = test::momentum(domain) + report.mass * report.velocity;
+  std::printf("wall's velocity %.4f, momentum %.2e off, imbalance over initial %.2e\n", report.velocity.z,
+              norm(now - Vec3{0, 0, 0.01}) / 0.01, domain.energy.imbalance() / domain.energy.initial_total);
+  EXPECT_LT(report.velocity.z, 0.8) << "the wall has struck";
+  EXPECT_LT(norm(now - Vec3{0, 0, 0.01}), 1e-12 * 0.01);
+  EXPECT_LT(std::fabs(domain.energy.imbalance()), 2e-3 * domain.energy.initial_total);
+  const double plane = -0.01 + report.displacement.z;
+  for (const Vec3& x : domain.nodes.position) EXPECT_GT(x.z, plane - 1e-9);
+}
+
 /// The strip of the joint is pulled off: the shells of the plate beside it fail.
 TEST(TiedMotion, ErosionOfTheSegmentFreesTheNode) {
   for (const model::TieMethod method : {model::TieMethod::Constraint, model::TieMethod::Penalty}) {
