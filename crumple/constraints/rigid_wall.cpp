@@ -198,6 +198,7 @@ bool RigidWall::find_nodes_to_push(const Shape& shape, const Impact& impact) {
     const Vec3 velocity = nodes.velocity[i] - velocity_;
     if (!limit_of(shape, nodes.position[i] - displacement_, velocity, impact.next_step, limit)) continue;
     const double highest = dot(nodes.velocity[i], normal_) - limit.slowest;
+    lowest_ = std::min(lowest_, highest);
     const double free = free_part(normal_, nodes.fixed[i]);
     if (free > 0) {
       touched_[i] = 1;
@@ -227,6 +228,7 @@ bool RigidWall::find_bodies_to_push(const Shape& shape, const Impact& impact) {
         continue;
       is_met = true;
       const double highest = dot(velocity, normal_) - limit.slowest;
+      lowest_ = std::min(lowest_, highest);
       if (highest < obstacle_.highest && !(dot(normal_, response_at(body, arm, normal_)) > 0))
         obstacle_ = {highest, place, arm};
     }
@@ -257,6 +259,7 @@ double RigidWall::find_common_velocity(const Shape& shape, Impact& impact) {
   const double before = dot(velocity_, normal_);
   double common = before;
   obstacle_.highest = std::numeric_limits<double>::infinity();
+  lowest_ = before;
   pushed_.clear();
   pushed_bodies_.clear();
   for (;;) {
@@ -264,7 +267,7 @@ double RigidWall::find_common_velocity(const Shape& shape, Impact& impact) {
     const bool finds_nodes = find_nodes_to_push(shape, impact);
     const bool finds_bodies = find_bodies_to_push(shape, impact);
     if (!finds_nodes && !finds_bodies && obstacle_.highest == last_highest) break;
-    SlidingWall wall{mass_, before, obstacle_.highest};
+    SlidingWall wall{mass_, before, lowest_, obstacle_.highest};
     if (!pushed_bodies_.empty()) wall.tolerance = body_tolerance;
     common = common_velocity(wall, [&](double velocity) { return impulse_at(shape, velocity, impact); });
     velocity_ = common * normal_;

@@ -96,6 +96,7 @@ class RigidWall {
   // Of a wall with mass, in the step at hand.
   std::vector<PushedNode> pushed_;
   std::vector<Index> pushed_bodies_;
+  double lowest_ = 0;  ///< velocity along the normal at which it would push nothing [length/time]
   Obstacle obstacle_;
 };
 

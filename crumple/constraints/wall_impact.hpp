@@ -21,6 +21,7 @@ struct PushedNode {
 struct SlidingWall {
   double mass = 0;                                           ///< [mass]
   double velocity = 0;                                       ///< [length/time]
+  double lowest = -std::numeric_limits<double>::infinity();  ///< at this nothing takes anything
   double highest = std::numeric_limits<double>::infinity();  ///< what cannot move lets it be no faster
   double tolerance = 4e-16;  ///< to which the impulse is known, over the largest velocity [-]
 };

@@ -60,13 +60,22 @@ TEST(CommonVelocity, DoesNotPullWhatIsFasterAtTheEnd) {
 
 TEST(CommonVelocity, IsNotAboveWhatAnObstacleAllows) {
   const std::vector<Mass> masses = {{2, 0}};
-  EXPECT_EQ(common_velocity({2, 4, 0.5}, impulse_of(masses)), 0.5);
-  EXPECT_DOUBLE_EQ(common_velocity({2, 4, 3}, impulse_of(masses)), 2);
+  EXPECT_EQ(common_velocity({2, 4, -1, 0.5}, impulse_of(masses)), 0.5);
+  EXPECT_DOUBLE_EQ(common_velocity({2, 4, -1, 3}, impulse_of(masses)), 2);
 }
 
 TEST(CommonVelocity, AHugeMassKeepsItsOwn) {
   const std::vector<Mass> masses = {{2, 0}, {3, -7}};
   EXPECT_EQ(common_velocity({1e30, 4}, impulse_of(masses)), 4);
+}
+
+TEST(CommonVelocity, OfAMoteIsThatOfWhatItHits) {
+  const std::vector<Mass> masses = {{0.007, -1}, {3, 2}};
+  for (const double mass : {1e-12, 1e-9, 1e-6}) {
+    const double exact = (mass * 15 - 0.007) / (mass + 0.007);
+    EXPECT_NEAR(common_velocity({mass, 15}, impulse_of(masses)), exact, 1e-14);
+    EXPECT_NEAR(common_velocity({mass, 15, -1}, impulse_of(masses)), exact, 1e-14);
+  }
 }
 
 TEST(CommonVelocity, OfManyMassesIsThatOfTheSetThatIsPushed) {
