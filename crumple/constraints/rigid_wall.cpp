@@ -178,9 +178,9 @@ void RigidWall::stop_at(const Shape& shape, Impact& impact) {
   const domain::Domain& domain = impact.domain;
   WallLimit limit;
   for (const Index i : nodes_) {
-    if (!is_stopped(domain, i)) continue;
     const Vec3 velocity = domain.nodes.velocity[i] - velocity_;
-    if (limit_of(shape, domain.nodes.position[i] - displacement_, velocity, impact.next_step, limit))
+    if (limit_of(shape, domain.nodes.position[i] - displacement_, velocity, impact.next_step, limit) &&
+        is_stopped(domain, i))
       stop_node(impact, i, limit);
   }
   for (Index body = 0; body < static_cast<Index>(domain.rigid_bodies.size()); ++body)

@@ -35,12 +35,6 @@ SurfaceGap round_gap(const Vec3& from_middle, double radius, const Vec3& fallbac
 
 }  // namespace
 
-bool PlaneShape::limit(const Vec3& position, const Vec3& velocity, double step, WallLimit& found) const {
-  const double gap = dot(position - point, normal);
-  found = {normal, -std::max(gap, 0.0) / step};
-  return dot(velocity, normal) < found.slowest;
-}
-
 bool FlatShape::limit(const Vec3& position, const Vec3& velocity, double step, WallLimit& found) const {
   const double gap = dot(position - corner, normal);
   if (gap < -slack) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <variant>
 
 #include "math/vec3.hpp"
@@ -22,7 +23,15 @@ struct WallLimit {
 struct PlaneShape {
   math::Vec3 point;
   math::Vec3 normal;
-  bool limit(const math::Vec3& position, const math::Vec3& velocity, double step, WallLimit& found) const;
+  /// Every node asks this in every step, and most are far away: these cost no division.
+  bool limit(const math::Vec3& position, const math::Vec3& velocity, double step, WallLimit& found) const {
+    constexpr double almost = 1 - 1e-9;
+    const double gap = dot(position - point, normal);
+    const double approach = -dot(velocity, normal);
+    if (gap > 0 && approach * step < almost * gap) return false;
+    found = {normal, -std::max(gap, 0.0) / step};
+    return -approach < found.slowest;
+  }
 };
 
 /// A rectangle, which only stops nodes that come from the side of its normal and through it.
