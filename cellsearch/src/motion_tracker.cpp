@@ -261,8 +261,8 @@ MotionTracker::Range MotionTracker::range(const Positions& values, bool since_st
           next == runs_.end() ? part_end : std::min(part_end, static_cast<std::size_t>(*next));
       if (values.stride() != 3) run_end = place + 1;
       const double* now = values[watched(place)];
-      const double* then = reference_.data() + 3 * place;
-      part.include(run_end - place, now, since_start ? then : nullptr);
+      const double* then = since_start ? reference_.data() + 3 * place : nullptr;
+      part.include(run_end - place, now, then);
       place = run_end;
       if (next != runs_.end() && static_cast<std::size_t>(*next) <= place) ++next;
     }

@@ -98,9 +98,10 @@ RigidWall::RigidWall(const model::Model& model, const model::RigidWall& wall, do
   stops_.assign(static_cast<std::size_t>(domain.nodes.count()), 0);
   for (const Index node : nodes_) stops_[node] = 1;
   touched_.assign(stops_.size(), 0);
-  if (motion_.is_displacement) domain.walls[report].displacement = displacement_after(domain.clock, {}, 0);
-  if (!(mass_ > 0)) return;
   domain::WallReport& now = domain.walls[report];
+  if (motion_.is_displacement) now.displacement = displacement_after(domain.clock, {}, 0);
+  now.displacement_now = now.displacement;
+  if (!(mass_ > 0)) return;
   now.mass = mass_;
   now.velocity = wall.initial_velocity * normal_;
   now.kinetic_energy = 0.5 * mass_ * dot(now.velocity, now.velocity);
@@ -288,9 +289,13 @@ void RigidWall::push_at(const Shape& shape, Impact& impact) {
     if (!(change > 0)) continue;
     stop_node(impact, pushed.node, {normal_, pushed.slowest});
     // What fixed directions take of the push comes from the wall as well.
-    const double taken = (pushed.mass - impact.domain.nodes.moving_mass(pushed.node)) * change;
-    impact.sums.impulse -= taken * normal_;
-    impact.sums.normal_impulse += taken;
+    Vec3 fixed_part;
+    for (int axis = 0; axis < 3; ++axis)
+      if ((impact.domain.nodes.fixed[pushed.node] & domain::fixed_translation(axis)) != 0)
+        fixed_part[axis] = normal_[axis];
+    const Vec3 taken = pushed.mass * change * fixed_part;
+    impact.sums.impulse -= taken;
+    impact.sums.normal_impulse += dot(taken, normal_);
   }
   for (const Index place : pushed_bodies_) stop_body_at(shape, impact, place);
   if (common >= obstacle_.highest) meet_obstacle(impact, mass_ * (before - common));

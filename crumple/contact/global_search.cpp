@@ -245,7 +245,7 @@ bool GlobalSearch::listed(Index place, Index segment) const {
   return std::binary_search(segment_.begin() + first_[place], segment_.begin() + first_[place + 1], segment);
 }
 
-void GlobalSearch::verify(const Kinematics& motion) const {
+void GlobalSearch::verify(const Kinematics& motion) {
   const Surface& surface = *surface_;
   const std::span<const Vec3> x = motion.position;
   const SurfaceAt at{surface_, {x.data(), motion.velocity.data(), 0}};
@@ -253,7 +253,8 @@ void GlobalSearch::verify(const Kinematics& motion) const {
   for (Index s = 0; s < surface.segments(); ++s)
     for (int k = 0; k < 4; ++k) boxes[s].include(x[surface.segment(s)[k]]);
   // What the motion has left of the margin is covered as well.
-  const double left = std::max(0.0, statistics_.margin - consumed_);
+  motion_.update(view(motion.position));
+  const double left = std::max(0.0, motion_.left());
   for (Index i = 0; i < surface.node_count(); ++i) {
     if (!surface.bears(i)) continue;
     const Index node = surface.nodes[i];

@@ -58,7 +58,7 @@ class GlobalSearch {
 
   /// Every pair closer than its contact distance must be a candidate: throws Error naming the first that is
   /// not. Looks at all nodes and segments, O(N^2).
-  void verify(const Kinematics& motion) const;
+  void verify(const Kinematics& motion);
 
   const SearchStatistics& statistics() const { return statistics_; }
   const cellsearch::Statistics& details() const { return search_.statistics(); }

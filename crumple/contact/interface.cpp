@@ -38,7 +38,8 @@ struct Interface::Implementation {
     if (model.search.local != model::LocalSearchKind::Pinballs) return;
     if (contact.enforcement == model::Enforcement::Multipliers)
       throw Error("Lagrange multipliers need --local-search inside-outside.");
-    pinballs.emplace(surface, present(domain));
+    pinballs.emplace(surface, model.search, present(domain));
+    method = "pinballs";
   }
 
   /// Pinballs see edges as they see everything.
@@ -61,9 +62,9 @@ struct Interface::Implementation {
             {edges.node_id(pair), edges.edges().id[pair.key.second], pair.offset});
     if (pinballs)
       for (const PinballPair& pair : pinballs->present())
-        if (pair.offset > 0)
+        if (pair.initial_overlap > 0)
           entry.initial_overlaps.push_back(
-              {pinballs->node_id(pair), surface.segment_id[pair.second], pair.offset});
+              {pinballs->node_id(pair), surface.segment_id[pair.second], pair.initial_overlap});
     const auto deeper = [](const domain::InitialOverlap& a, const domain::InitialOverlap& b) {
       return a.depth > b.depth;
     };
@@ -106,7 +107,7 @@ struct Interface::Implementation {
     if (pinballs) pinballs->remember(motion, beyond_nodes.subspan(edges.present().size()), penetrations);
   }
 
-  void verify(const Kinematics& motion) const {
+  void verify(const Kinematics& motion) {
     if (pinballs) {
       pinballs->verify(motion);
       return;

@@ -54,7 +54,15 @@ bool before(const RememberedPinballs& pair, Index first, Index second) {
                        " is not a finite number any more.");
 }
 
-void refuse_what_has_no_balls(const Surface& surface) {
+/// What a given territory expansion leaves beyond the largest contact distance, as in EdgeSearch.
+double margin_of(const Surface& surface, const model::SearchSettings& settings) {
+  const double given = settings.expansion - 2 * surface.largest_half_thickness;
+  return given > 0 ? given : automatic_margin * surface.mean_edge;
+}
+
+void refuse_what_has_no_balls(const Surface& surface, const model::SearchSettings& settings) {
+  if (settings.has_cells)
+    throw Error("The cells and the domain of the search are for nodes: pinballs have none.");
   const bool alone =
       std::any_of(surface.lone.begin(), surface.lone.end(), [](auto lone) { return lone != 0; });
   if (alone || !surface.beams.empty())
@@ -70,14 +78,15 @@ void refuse_what_has_no_balls(const Surface& surface) {
 
 }  // namespace
 
-PinballContact::PinballContact(const Surface& surface, const Kinematics& start)
+PinballContact::PinballContact(const Surface& surface, const model::SearchSettings& settings,
+                               const Kinematics& start)
     : surface_(&surface),
       pinballs_(embed_pinballs(surface, now(start))),
-      margin_(automatic_margin * surface.mean_edge),
+      margin_(margin_of(surface, settings)),
       search_(settings_of(start.threads)),
       motion_(0, 0, start.threads),
       travel_(leg_of_margin * margin_, start.threads) {
-  refuse_what_has_no_balls(surface);
+  refuse_what_has_no_balls(surface, settings);
   // A margin that is not finite comes from a bad position, which the first search will name.
   if (std::isfinite(margin_)) motion_ = cellsearch::MotionTracker(margin_, 0, start.threads);
   expansion_ = pinballs_.radius;
@@ -100,9 +109,12 @@ void PinballContact::search(const Kinematics& motion) {
   scene.positions = view(motion.position);
   scene.segments = cellsearch::Segments(surface_->connectivity);
   scene.expansion = 0.5 * margin_;
-  // The balls of a face lie on its inner side, twice their radius deep at most, and not over its rim.
-  for (Index s = 0; s < surface_->segments(); ++s)
-    expansion_[s] = surface_->is_face(s) ? 2 * pinballs_.radius[s] : pinballs_.radius[s];
+  // The balls of a face reach as far above it as its thickness is, and as far below it as they are sunk.
+  for (Index s = 0; s < surface_->segments(); ++s) {
+    const double radius = pinballs_.radius[s];
+    const double above = surface_->half_thickness[s];
+    expansion_[s] = surface_->is_face(s) ? std::max({radius, above, 2 * radius - above}) : radius;
+  }
   scene.segment_expansion = expansion_;
   scene.segment_active = surface_->active;
   search_.find(scene);
@@ -166,19 +178,22 @@ double PinballContact::examine(const Kinematics& motion, bool tracking, PinballP
   const PinballShape first = pinball_shape(*surface_, pinballs_, x, pair.first);
   const PinballShape second = pinball_shape(*surface_, pinballs_, x, pair.second);
   const std::optional<PinballOverlap> overlap = deepest_overlap(first, second, -margin_);
-  if (!overlap) return margin_;
+  // Balls below a face move with its normal as well, by twice their depth at most.
+  const double turning = 2 * (norm(first.sunk) + norm(second.sunk));
+  if (!overlap) return margin_ - turning;
   // Balls of one centre push nowhere.
-  if (overlap->depth <= 0 || norm(overlap->away) == 0) return -overlap->depth;
+  if (overlap->depth <= 0 || norm(overlap->away) == 0) return -overlap->depth - turning;
   pair.overlap = *overlap;
   const RememberedPinballs* memory = memory_of(pair.first, pair.second);
   if (memory != nullptr) {
     // What has opened stays open.
     pair.offset = std::min(memory->offset, overlap->depth);
     carry_on(x, *memory, pair);
-  } else {
-    pair.offset = std::min(overlap->depth,
-                           tracking ? overlap->depth : offset_at_start(motion, pair.first, pair.second));
+    return -overlap->depth;
   }
+  const double by_mesh = std::min(overlap->depth, offset_at_start(motion, pair.first, pair.second));
+  pair.offset = tracking ? overlap->depth : by_mesh;
+  pair.initial_overlap = pair.offset - by_mesh;
   return -overlap->depth;
 }
 

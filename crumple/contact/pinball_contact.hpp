@@ -17,6 +17,7 @@
 #include "contact/touch.hpp"
 #include "contact/travel.hpp"
 #include "domain/domain.hpp"
+#include "model/model.hpp"
 
 namespace crumple::contact {
 
@@ -39,10 +40,11 @@ struct PinballPair {
   Index first = no_index;
   Index second = no_index;
   PinballOverlap overlap;
-  double offset = 0;      ///< [length]
-  Vec3 slip;              ///< movement of the first ball over the second since the last step [length]
-  Vec3 friction;          ///< on the first at the last step, turned with it [force]
-  PenaltyMemory penalty;  ///< of the last step
+  double offset = 0;           ///< [length]
+  double initial_overlap = 0;  ///< of this offset, what was overlap when the contact began [length]
+  Vec3 slip;                   ///< movement of the first ball over the second since the last step [length]
+  Vec3 friction;               ///< on the first at the last step, turned with it [force]
+  PenaltyMemory penalty;       ///< of the last step
 };
 
 /// Contact of segments with segments by their pinballs, instead of nodes with segments: the global search for
@@ -50,8 +52,9 @@ struct PinballPair {
 /// more than half is pushed out on the far side.
 class PinballContact {
  public:
-  /// Throws Error for a contact that pinballs cannot serve: one with nodes alone or with orientation.
-  PinballContact(const Surface& surface, const Kinematics& start);
+  /// Throws Error for a contact that pinballs cannot serve: one with nodes alone or with orientation, or
+  /// with cells over part of the model.
+  PinballContact(const Surface& surface, const model::SearchSettings& settings, const Kinematics& start);
 
   /// Searches anew if the candidates may no longer be complete or if the surface has changed. Throws
   /// NumericalError if a coordinate is not a finite number.

@@ -23,8 +23,8 @@ class Travel {
   /// Begins the way of these domain nodes.
   void start(std::span<const Vec3> position, std::span<const Index> nodes);
 
-  /// To be told every step. Throws cellsearch::Error, with the place of the node, if a coordinate is not a
-  /// finite number.
+  /// To be told every step. Throws cellsearch::Error, with the number of the domain node, if a coordinate is
+  /// not a finite number.
   void update(std::span<const Vec3> position);
 
   /// The bound on the way since the start; never shrinks [length].

@@ -10,7 +10,8 @@
 
 namespace crumple::deck {
 
-/// Reads the `key=value` pairs of a `$crumple` comment line: method, expansion, cells, domain, precision.
+/// Reads the `key=value` pairs of a `$crumple` comment line: method, local_search, expansion, cells, domain,
+/// precision.
 /// `methods` lists the search methods there are; empty accepts any.
 void read_settings(std::string_view text, const Where& where, const std::vector<std::string>& methods,
                    RawDeck& deck, Report& report);

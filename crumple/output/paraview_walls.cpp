@@ -34,7 +34,7 @@ std::string ParaviewWalls::text(const View& view) {
   values.reserve(3 * static_cast<std::size_t>(points_));
   for (const auto& [wall, mesh] : meshes_)
     for (const math::Vec3& point : mesh.points) {
-      const math::Vec3 now = point + view.domain.walls[wall].displacement;
+      const math::Vec3 now = point + view.domain.walls[wall].displacement_now;
       for (int axis = 0; axis < 3; ++axis) values.push_back(static_cast<float>(now[axis]));
     }
   const VtuArray positions = packer_.array<float>("position", 3, values);

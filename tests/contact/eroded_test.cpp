@@ -71,9 +71,10 @@ void move_to(contact::Interface& touching, domain::Domain& made, const std::vect
 }
 
 // The independent formulation of a shell that has gone is a mesh that never had it.
-TEST(Eroded, ShellsTouchAsIfTheyHadNeverBeen) {
-  const Bodies whole = stack();
+void expect_as_if_never_been(model::LocalSearchKind kind) {
+  Bodies whole = stack();
   Bodies holed = stack();
+  whole.model.search.local = holed.model.search.local = kind;
   std::vector<model::ShellElement>& shells = holed.model.shells;
   const std::vector<Index> without = gone();
   for (auto shell = shells.begin(); shell != shells.end();)
@@ -103,6 +104,14 @@ TEST(Eroded, ShellsTouchAsIfTheyHadNeverBeen) {
   }
   EXPECT_GT(largest, 0);
   EXPECT_LT(difference, 1e-11 * largest);
+}
+
+TEST(Eroded, ShellsTouchAsIfTheyHadNeverBeen) {
+  expect_as_if_never_been(model::LocalSearchKind::InsideOutside);
+}
+
+TEST(Eroded, PinballsTouchAsIfTheyHadNeverBeen) {
+  expect_as_if_never_been(model::LocalSearchKind::Pinballs);
 }
 
 TEST(Eroded, ShellsLetGoAtOnceAndTheirLonelyNodesToo) {

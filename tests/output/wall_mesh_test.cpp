@@ -69,7 +69,7 @@ TEST_F(WallSeries, WallsAreASecondPartOfEachFrameAndMove) {
   domain_.walls.push_back({.id = 12});
   ParaviewSeries series(folder_, "run", view());
   series.write_frame(view());
-  domain_.walls.back().displacement = {0, 0, 0.5};
+  domain_.walls.back().displacement_now = {0, 0, 0.5};
   series.write_frame(view());
   const std::string collection = read(series.collection());
   EXPECT_NE(collection.find("part=\"1\" file=\"vtu/run_walls_000001.vtu\""), std::string::npos);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "support/meshes.hpp"
 #include "support/rigid.hpp"
