@@ -10,7 +10,7 @@ use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
 
 help:
 	@echo "make demo       build, run the box beam of the paper, draw it, list the files to open"
-	@echo "make build      release programs only: build/release/crumple, build/release/cellsearch-bench"
+	@echo "make build      release programs and the page of crumple report: build/release, build/viewer"
 	@echo "make test       release build and all quick tests"
 	@echo "make test-full  after make test: clang, sanitizers, every instruction set, all checks"
 	@echo "make nightly    long property runs and fuzzing"
@@ -28,14 +28,16 @@ build:
 	@echo "Building the release programs in build/release ..."
 	@mkdir -p build; $(use_ccache) cmake --preset release -DCRUMPLE_TESTS=OFF >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 	@cmake --build --preset release
+	@tools/setup viewer || echo "Without nodejs and npm the report's page cannot be built."
+	@tools/build_viewer
 	@echo "Built: build/release/crumple, build/release/cellsearch-bench"
 
 test:
-	@tools/setup build test
+	@tools/setup build viewer test
 	@$(use_ccache) tools/test
 
 test-full:
-	@tools/setup build test check picture
+	@tools/setup build viewer test check picture report
 	@$(use_ccache) tools/test_full
 
 nightly:

@@ -13,10 +13,11 @@ set(CRUMPLE_LAYERS
   "loads: domain model math base"
   "timeloop: elements materials contact constraints loads domain model math base"
   "deck: model base"
-  "output: domain model math base")
+  "output: domain model math base"
+  "report: output base")
 # app may include everything; it is built by crumple/app/CMakeLists.txt.
 
-set(CRUMPLE_NON_CORE deck output)
+set(CRUMPLE_NON_CORE deck output report)
 set(CRUMPLE_LAYER_NAMES "")
 foreach(line IN LISTS CRUMPLE_LAYERS)
   string(REGEX REPLACE ":.*" "" name "${line}")
@@ -91,7 +92,12 @@ function(crumple_add_layer layer)
     find_package(fmt REQUIRED)
     target_link_libraries(${target} ${scope} fmt::fmt)
   endif()
-  if(layer STREQUAL "output")
+  if(layer STREQUAL "report")
+    # Beside what the program looks through by itself: where the viewer's build (tools/build_viewer) puts it.
+    set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/report/page.cpp PROPERTY COMPILE_DEFINITIONS
+      CRUMPLE_BUILT_TEMPLATE="${PROJECT_SOURCE_DIR}/build/viewer/report_template.html")
+  endif()
+  if(layer MATCHES "^(output|report)$")
     find_package(ZLIB REQUIRED)
     find_package(nlohmann_json REQUIRED)
     target_link_libraries(${target} ${scope} ZLIB::ZLIB nlohmann_json::nlohmann_json)

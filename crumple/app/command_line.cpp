@@ -44,6 +44,7 @@ constexpr const char* examples = R"(Examples:
   crumple run deck.k --contact auto         contact of everything with everything
   crumple run deck.k --search brute-force   another method of the contact search
   crumple check deck.k                      what is read, ignored, wrong; masses and time steps
+  crumple report deck.out                   deck.out/report.html: animation, curves, tables
   crumple bench -t 2                        how fast this machine is, about a minute
   crumple i=deck.k ncpu=4 memory=200m       as LS-DYNA is called
 
@@ -160,7 +161,16 @@ void add_run_options(CLI::App& run, Options& options) {
                  "Move all nodes at random by up to this fraction of the model's size, to see the scatter")
       ->check(number_that("a number from 0 to 1", [](double value) { return value >= 0 && value <= 1; }));
   run.add_option("--seed", options.seed, "Which of the random perturbations [1]");
+  run.add_flag("--report", options.report, "Write report.html, a page that shows the result, at the end");
   run.add_flag("-q,--quiet", options.quiet, "Print warnings, errors and the kind of termination only");
+}
+
+void add_report_options(CLI::App& report, ReportOptions& options) {
+  report.add_option("folder", options.folder, "Folder of a run's results")->required();
+  report.add_option("-o,--output", options.file, "The file to write [report.html in that folder]");
+  report.add_option("--template", options.template_file,
+                    "The page to put the result into [the one of the build]");
+  report.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 
 }  // namespace
@@ -183,6 +193,8 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
       program.add_subcommand("bench", "Measure this machine: the time step of shells, the contact search");
   bench->footer(bench_words);
   add_machine_options(*bench, line.options);
+  CLI::App* report = program.add_subcommand("report", "Write one HTML file that shows the result of a run");
+  add_report_options(*report, line.report);
   bool automatic_contact = false;
   add_reading_options(*run, line.options, automatic_contact);
   add_run_options(*run, line.options);
@@ -205,7 +217,10 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     return line;
   }
   line.options.automatic_contact = automatic_contact;
-  line.command = run->parsed() ? Command::Run : check->parsed() ? Command::Check : Command::Bench;
+  line.command = run->parsed()      ? Command::Run
+                 : check->parsed()  ? Command::Check
+                 : report->parsed() ? Command::Report
+                                    : Command::Bench;
   return line;
 }
 

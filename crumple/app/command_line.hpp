@@ -24,6 +24,7 @@ struct Options {
   bool automatic_contact = false;
   bool allow_unsupported = false;
   bool quiet = false;
+  bool report = false;             ///< write a report at the end of the run
   bool move_apart = false;         ///< move nodes that overlap at the start
   long verify_search = 0;          ///< cycles between comparisons with brute force; 0 is never
   double perturbation = 0;         ///< of the coordinates, relative to the model's size [-]
@@ -31,11 +32,20 @@ struct Options {
   std::vector<std::string> notes;  ///< on arguments that were accepted without effect
 };
 
-enum class Command { Run, Check, Bench, Help, Mistake };
+enum class Command { Run, Check, Bench, Report, Help, Mistake };
+
+/// What `crumple report` is asked for.
+struct ReportOptions {
+  std::filesystem::path folder;         ///< of a run's results
+  std::filesystem::path file;           ///< to write; empty is report.html in the folder
+  std::filesystem::path template_file;  ///< empty looks for the one that was built
+  bool quiet = false;
+};
 
 struct CommandLine {
   Command command = Command::Mistake;
-  Options options;   ///< for Run, Check and Bench
+  Options options;  ///< for all but Help and Mistake
+  ReportOptions report;
   std::string text;  ///< for Help and Mistake: what to tell the user
 };
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "report/run_survey.hpp"
+
+namespace crumple::report {
+
+/// The page without a result, which the viewer's build makes.
+class PageTemplate {
+ public:
+  /// Throws Error if the file cannot be read or is no template of ours.
+  explicit PageTemplate(const std::filesystem::path& file);
+
+  /// The page with the elements of a result.
+  std::string with(std::string_view payload) const;
+
+ private:
+  std::string text_;
+  std::size_t place_ = 0;  ///< where the elements go
+};
+
+/// Looks for the template: in the environment variable CRUMPLE_REPORT_TEMPLATE, beside the program, in
+/// share/crumple beside the folder of the program, where it is built. Throws Error that says how to build it.
+std::filesystem::path find_template();
+
+/// Writes the report of the results in a folder. Throws Error, or WriteError if the file cannot be written.
+void write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,
+                  const std::filesystem::path& file, const Progress& progress);
+
+}  // namespace crumple::report

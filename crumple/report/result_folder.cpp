@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/result_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "report/text_file.hpp"
+
+namespace crumple::report {
+
+namespace {
+
+std::vector<std::filesystem::path> files_ending_in(const std::filesystem::path& folder,
+                                                   std::string_view ending) {
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().extension() == ending) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// The collection that run.json lists, else the only one.
+std::filesystem::path choose_collection(const ResultFolder& results) {
+  std::vector<std::filesystem::path> found = files_ending_in(results.folder, ".pvd");
+  if (found.empty())
+    throw Error(fmt::format("{} holds no result: there is no .pvd file in it.", results.folder.string()));
+  if (found.size() == 1) return found.front();
+  if (results.has_record) {
+    const std::string record = read_file(results.folder / "run.json");
+    for (const std::filesystem::path& file : found)
+      if (record.find(fmt::format("\"{}\"", file.filename().string())) != std::string::npos) return file;
+  }
+  throw Error(fmt::format("{} holds the frames of {} runs ({}, {}, ...) and no run.json that names one.",
+                          results.folder.string(), found.size(), found[0].filename().string(),
+                          found[1].filename().string()));
+}
+
+std::optional<std::string> attribute(std::string_view tag, const std::string& name) {
+  const std::string key = fmt::format(" {}=\"", name);
+  const std::size_t at = tag.find(key);
+  if (at == std::string_view::npos) return std::nullopt;
+  const std::size_t start = at + key.size();
+  return std::string(tag.substr(start, tag.find('"', start) - start));
+}
+
+std::vector<FrameFiles> frames_of(const std::filesystem::path& collection) {
+  const std::string text = read_file(collection);
+  std::vector<FrameFiles> frames;
+  constexpr std::string_view key = "<DataSet";
+  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
+    const std::string_view tag = std::string_view(text).substr(at, text.find('>', at) - at);
+    const auto time = attribute(tag, "timestep");
+    const auto part = attribute(tag, "part");
+    const auto file = attribute(tag, "file");
+    const bool walls = part == "1";
+    if (!time || !file || (walls && (frames.empty() || frames.back().time != *time)))
+      throw Error(
+          fmt::format("{} cannot be read: <{}> is not understood.", collection.string(), tag.substr(1)));
+    const std::filesystem::path path = collection.parent_path() / *file;
+    if (walls)
+      frames.back().walls = path;
+    else
+      frames.push_back({*time, path, {}});
+  }
+  if (frames.empty()) throw Error(fmt::format("{} lists no frames yet.", collection.string()));
+  return frames;
+}
+
+}  // namespace
+
+ResultFolder open_results(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder))
+    throw Error(fmt::format("{} is no folder; name that of a run's results.", folder.string()));
+  ResultFolder results;
+  results.folder = folder;
+  results.has_record = std::filesystem::is_regular_file(folder / "run.json");
+  const std::filesystem::path collection = choose_collection(results);
+  results.name = collection.stem().string();
+  results.frames = frames_of(collection);
+  results.tables = files_ending_in(folder, ".csv");
+  return results;
+}
+
+}  // namespace crumple::report

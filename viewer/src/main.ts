@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import "uplot/dist/uPlot.min.css";
+import "./style.css";
+import type { Meta } from "./payload/meta";
+import { Run } from "./payload/run";
+import { Report } from "./ui/report";
+import { Themes, type Theme } from "./ui/theme";
+import type { ViewName } from "./scene/viewport";
+
+declare global {
+  interface Window {
+    /** for scripts that draw pictures, and for tests */
+    crumple?: { report: Report; run: Run };
+  }
+}
+
+/** Packed arrays are removed from the page when they are read: they are its largest part. */
+function takeData(name: string): string | null {
+  const element = document.getElementById(`crumple-data-${name}`);
+  if (!element) return null;
+  const text = element.textContent;
+  element.remove();
+  return text;
+}
+
+/** `#frame=12&field=von_mises&view=%2Bx&theme=dark&picture` behind the file's name sets what is shown. */
+function applyAddress(report: Report, themes: Themes, frames: number): void {
+  const asked = new URLSearchParams(location.hash.slice(1));
+  const theme = asked.get("theme");
+  if (theme === "light" || theme === "dark") themes.choose(theme as Theme);
+  if (asked.has("picture")) document.documentElement.classList.add("picture");
+  const field = asked.get("field");
+  if (field !== null) report.panel.setField(field);
+  const view = asked.get("view");
+  if (view) report.setView(view as ViewName);
+  const frame = asked.get("frame");
+  if (frame) report.player.goTo(frame === "last" ? frames - 1 : Number(frame));
+}
+
+async function start(): Promise<void> {
+  const root = document.getElementById("crumple")!;
+  const message = document.getElementById("crumple-message")!;
+  try {
+    const meta = document.getElementById("crumple-meta");
+    if (!meta) throw new Error("This page holds no result: crumple report puts one into it.");
+    const run = new Run(JSON.parse(meta.textContent!) as Meta, takeData);
+    document.title = `${run.meta.name} – crumple`;
+    await run.loadPositions((share) => (message.textContent = `Reading the result: ${Math.round(100 * share)} %`));
+    const themes = new Themes();
+    const report = new Report(run, themes, root);
+    applyAddress(report, themes, run.frames);
+    report.viewport.draw();
+    window.crumple = { report, run };
+  } catch (fault) {
+    message.textContent = `The report cannot be shown: ${fault instanceof Error ? fault.message : String(fault)}`;
+    throw fault;
+  }
+}
+
+void start();

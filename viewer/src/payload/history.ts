@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+/** A CSV history: one array per column; text columns stay text. */
+export interface History {
+  columns: string[];
+  text: Record<string, string[]>;
+  number: Record<string, Float64Array>;
+  rows: number;
+}
+
+export function parseHistory(csv: string): History {
+  const lines = csv.split("\n").filter((line) => line.length > 0);
+  const columns = lines.length > 0 ? lines[0].split(",") : [];
+  const cells = lines.slice(1).map((line) => line.split(","));
+  const history: History = { columns, text: {}, number: {}, rows: cells.length };
+  columns.forEach((name, place) => {
+    const texts = cells.map((row) => row[place] ?? "");
+    history.text[name] = texts;
+    history.number[name] = Float64Array.from(texts, (cell) => (cell === "" ? NaN : Number(cell)));
+  });
+  return history;
+}
+
+/** The rows of a history that belong to one item, such as a wall; items in the order they come in. */
+export function splitBy(history: History, keys: string[]): Map<string, History> {
+  const rows = new Map<string, number[]>();
+  for (let row = 0; row < history.rows; ++row) {
+    const item = keys.map((key) => history.text[key][row]).join(" ");
+    let list = rows.get(item);
+    if (!list) rows.set(item, (list = []));
+    list.push(row);
+  }
+  const parts = new Map<string, History>();
+  for (const [item, list] of rows) {
+    const part: History = { columns: history.columns, text: {}, number: {}, rows: list.length };
+    for (const name of history.columns) {
+      part.text[name] = list.map((row) => history.text[name][row]);
+      part.number[name] = Float64Array.from(list, (row) => history.number[name][row]);
+    }
+    parts.set(item, part);
+  }
+  return parts;
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import uPlot from "uplot";
+import { axisRange, short, ticks } from "../math/numbers";
+import type { Themes } from "./theme";
+
+export interface Curve {
+  label: string;
+  values: ArrayLike<number>;
+  shown?: boolean;
+  dash?: number[];
+}
+
+export interface ChartData {
+  xLabel: string;
+  x: ArrayLike<number>;
+  curves: Curve[];
+}
+
+export const hues = ["#3f7fbf", "#d9822b", "#3f9b5a", "#c24d4d", "#8a66b8", "#8c6a4f", "#c877a8", "#7a858f", "#a8a032", "#3fa3a8", "#b0892f"];
+
+/** Room for the longest number of an axis [px]. */
+export function axisSize(_: uPlot, texts: string[] | null): number {
+  return 16 + 6.4 * Math.max(3, ...(texts ?? []).map((text) => text.length));
+}
+
+/** A chart that follows its box's width, the theme and the moment of the animation. */
+export class Chart {
+  private plot: uPlot | null = null;
+  private data: ChartData | null = null;
+  private moment = NaN;
+  /** series that the user has switched, by label */
+  private readonly switched = new Map<string, boolean>();
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly height: number,
+    private readonly themes: Themes,
+    private readonly onSeek: ((time: number) => void) | null,
+  ) {
+    new ResizeObserver(() => this.fit()).observe(host);
+    themes.watch(() => this.rebuild());
+  }
+
+  show(data: ChartData): void {
+    this.data = data;
+    this.rebuild();
+  }
+
+  /** Draws a line at this time. */
+  setMoment(time: number): void {
+    if (time === this.moment) return;
+    this.moment = time;
+    this.plot?.redraw(false, false);
+  }
+
+  private fit(): void {
+    const width = this.host.clientWidth;
+    if (this.plot && width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: this.height });
+  }
+
+  private rebuild(): void {
+    this.plot?.destroy();
+    this.plot = null;
+    const data = this.data;
+    if (!data || data.x.length === 0) return;
+    const ink = this.themes.colour("muted");
+    const grid = { stroke: this.themes.colour("grid"), width: 1 };
+    const axis = { stroke: ink, grid, ticks: { ...grid, size: 4 }, font: "11px system-ui, sans-serif" };
+    const values = (_: uPlot, places: number[]) => ticks(places);
+    const legendValue = (_: uPlot, value: number | null) => (value === null ? "–" : short(value));
+    const options: uPlot.Options = {
+      width: Math.max(120, this.host.clientWidth),
+      height: this.height,
+      pxAlign: 1,
+      scales: { x: { time: false }, y: { range: (_: uPlot, low: number, high: number) => axisRange(low, high) } },
+      legend: { live: true },
+      cursor: { drag: { x: true, y: false }, points: { size: 5 } },
+      axes: [
+        { ...axis, values, size: 30, label: data.xLabel, labelSize: 14, labelFont: "11px system-ui, sans-serif" },
+        { ...axis, values, size: axisSize },
+      ],
+      series: [
+        { label: data.xLabel, value: legendValue },
+        ...data.curves.map((curve, i): uPlot.Series => ({
+          label: curve.label,
+          stroke: hues[i % hues.length],
+          width: 1.5,
+          value: legendValue,
+          show: this.switched.get(curve.label) ?? curve.shown ?? true,
+          points: { show: data.x.length < 2 },
+          ...(curve.dash ? { dash: curve.dash } : {}),
+        })),
+      ],
+      hooks: {
+        setSeries: [
+          (plot, place, change) => {
+            if (place !== null && change.show !== undefined) {
+              const label = plot.series[place]?.label;
+              if (typeof label === "string") this.switched.set(label, plot.series[place].show ?? true);
+            }
+          },
+        ],
+        draw: [(plot) => this.drawMoment(plot)],
+        ready: [(plot) => this.listen(plot)],
+      },
+    };
+    const columns = [data.x, ...data.curves.map((curve) => curve.values)] as unknown as uPlot.AlignedData;
+    this.plot = new uPlot(options, columns, this.host);
+  }
+
+  private listen(plot: uPlot): void {
+    if (!this.onSeek) return;
+    plot.over.addEventListener("click", (event) => {
+      // A drag has zoomed.
+      if (plot.select.width > 2) return;
+      this.onSeek!(plot.posToVal(event.offsetX, "x"));
+    });
+  }
+
+  private drawMoment(plot: uPlot): void {
+    if (!Number.isFinite(this.moment)) return;
+    const x = Math.round(plot.valToPos(this.moment, "x", true));
+    const { left, top, width, height } = plot.bbox;
+    if (x < left || x > left + width) return;
+    plot.ctx.save();
+    plot.ctx.strokeStyle = this.themes.colour("accent");
+    plot.ctx.lineWidth = window.devicePixelRatio;
+    plot.ctx.setLineDash([4, 3]);
+    plot.ctx.beginPath();
+    plot.ctx.moveTo(x, top);
+    plot.ctx.lineTo(x, top + height);
+    plot.ctx.stroke();
+    plot.ctx.restore();
+  }
+}
