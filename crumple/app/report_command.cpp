@@ -22,13 +22,26 @@ report::Progress progress_on(const Console& console, bool quiet) {
   };
 }
 
+std::filesystem::path page_of(const ReportOptions& options) {
+  return options.template_file.empty() ? report::find_template() : options.template_file;
+}
+
 }  // namespace
+
+bool report_can_be_made(const ReportOptions& options, const Console& console) {
+  try {
+    const report::PageTemplate page(page_of(options));
+    return true;
+  } catch (const Error& fault) {
+    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    return false;
+  }
+}
 
 ExitCode report_results(const ReportOptions& options, const Console& console) {
   const std::filesystem::path file = options.file.empty() ? options.folder / "report.html" : options.file;
   try {
-    const auto page = options.template_file.empty() ? report::find_template() : options.template_file;
-    report::write_report(options.folder, page, file, progress_on(console, options.quiet));
+    report::write_report(options.folder, page_of(options), file, progress_on(console, options.quiet));
     if (!options.quiet)
       fmt::print(console.out, "{}   {:.1f} MB, open in a browser\n", file.string(),
                  static_cast<double>(std::filesystem::file_size(file)) / 1e6);

@@ -8,6 +8,7 @@
 
 #include "app/model_summary.hpp"
 #include "app/preparation.hpp"
+#include "app/report_command.hpp"
 #include "app/run_session.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -77,8 +78,18 @@ ExitCode run_deck(const Options& options, const Console& console) {
     return end_with(ExitCode::Input, console);
   }
   if (!options.quiet) print_reading(console.out, deck);
+  if (options.report && !report_can_be_made({}, console)) return end_with(ExitCode::Usage, console);
   if (options.move_apart) move_overlaps_apart(options, *deck.model, console);
-  return end_with(run_model(options, deck, console, wall), console);
+  ExitCode code = run_model(options, deck, console, wall);
+  const bool has_results = code != ExitCode::Input && code != ExitCode::Output;
+  if (options.report && has_results) {
+    ReportOptions report;
+    report.folder = result_folder(options);
+    report.quiet = options.quiet;
+    if (report_results(report, console) != ExitCode::Normal && code == ExitCode::Normal)
+      code = ExitCode::Output;
+  }
+  return end_with(code, console);
 }
 
 }  // namespace crumple::app

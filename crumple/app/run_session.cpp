@@ -13,6 +13,7 @@
 #include "app/run_limits.hpp"
 #include "app/run_summary.hpp"
 #include "base/error.hpp"
+#include "deck/units.hpp"
 #include "elements/elements.hpp"
 #include "output/atomic_file.hpp"
 #include "output/run_record.hpp"
@@ -66,7 +67,8 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
 }
 
 output::View RunSession::view() const {
-  return {simulation_.model(), simulation_.domain(), simulation_.next_step()};
+  return {simulation_.model(), simulation_.domain(), simulation_.next_step(),
+          [this] { return elements::controlling_element(simulation_.model(), simulation_.domain()); }};
 }
 
 void RunSession::observe() {
@@ -137,6 +139,7 @@ void RunSession::write_record(const Ending& ending) {
   record.version = program_version();
   record.deck = options_.deck.string();
   record.deck_hash = deck_.text_hash;
+  record.units = deck::guess_units(simulation_.model());
   record.termination = ending.termination;
   record.reason = ending.reason;
   record.wall_seconds = wall_.seconds();

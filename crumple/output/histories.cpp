@@ -22,6 +22,9 @@ std::vector<HistoryEntry> histories_of(const View& view) {
                      "time,dt,kinetic,internal,hourglass,contact,friction,rigidwall,damping,external_work,"
                      "eroded,total,ratio,added_mass",
                      asked.glstat_interval, make_energy_history()});
+  // To find the element takes a look at all: rows few enough that a run does not feel them.
+  if (view.controlling)
+    entries.push_back({"timestep.csv", "time,dt,kind,element,part", 0, make_step_history(), 200});
   entries.push_back({"matsum.csv", "time,part,internal,kinetic,hourglass,vx,vy,vz,mass",
                      asked.matsum_interval, make_part_history(view)});
   if (!view.domain.walls.empty())

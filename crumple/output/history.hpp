@@ -11,6 +11,9 @@
 
 namespace crumple::output {
 
+/// Rows of each history over a run if the deck does not ask for an interval.
+inline constexpr int default_history_points = 1000;
+
 /// One table over time.
 class History {
  public:
@@ -24,10 +27,13 @@ struct HistoryEntry {
   std::string_view header;
   double interval = 0;  ///< [time]; 0 if the deck does not ask
   std::unique_ptr<History> history;
+  int points = default_history_points;  ///< rows over the run where there is no interval
 };
 
 /// Energies of the whole model, as crumple's energy ledger has them.
 std::unique_ptr<History> make_energy_history();
+/// The time step and the element that controls it.
+std::unique_ptr<History> make_step_history();
 /// Energies, velocity of the centre of mass, and mass by part. Masses are those of the elements: lumped
 /// masses belong to no part.
 std::unique_ptr<History> make_part_history(const View& view);

@@ -10,8 +10,7 @@ Recorder::Recorder(const std::filesystem::path& folder, const std::string& name,
       frame_schedule_(view.model.output.state_interval, default_frames, view.model.control) {
   for (HistoryEntry& entry : histories_of(view))
     tables_.push_back({CsvFile(folder / entry.file, entry.header),
-                       Schedule(entry.interval, default_history_points, view.model.control),
-                       std::move(entry.history)});
+                       Schedule(entry.interval, entry.points, view.model.control), std::move(entry.history)});
   if (const auto path = write_initial_overlaps(folder, view)) start_files_.push_back(*path);
 }
 

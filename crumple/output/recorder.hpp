@@ -15,8 +15,6 @@ namespace crumple::output {
 
 /// Frames of a run if the deck does not ask for an interval.
 inline constexpr int default_frames = 100;
-/// Rows of each history over a run if the deck does not ask for an interval.
-inline constexpr int default_history_points = 1000;
 
 /// Everything that a run writes while it goes on.
 class Recorder {

@@ -74,6 +74,21 @@ Json ties_of(const std::vector<domain::Tie>& ties) {
   return list;
 }
 
+Json parts_of(const model::Model& model) {
+  Json list = Json::array();
+  for (const model::Part& part : model.parts) list.push_back({{"id", part.id}, {"title", part.title}});
+  return list;
+}
+
+/// Infinite planes at rest have no place among the frames' surfaces.
+Json plane_walls_of(const model::Model& model) {
+  Json list = Json::array();
+  for (const model::RigidWall& wall : model.rigid_walls)
+    if (wall.shape == model::WallShape::Plane && wall.motion.curve == no_index)
+      list.push_back({{"id", wall.id}, {"point", wall.point}, {"normal", wall.normal}});
+  return list;
+}
+
 Json checks_of(const std::vector<Check>& checks) {
   Json list = Json::array();
   for (const Check& check : checks) {
@@ -103,6 +118,7 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
                      {"deck", record.deck},
                      {"deck_hash", fmt::format("{:016x}", record.deck_hash)},
                      {"title", view.model.title},
+                     {"units", record.units},
                      {"termination", record.termination},
                      {"reason", record.reason},
                      {"end_time", domain.clock.time},
@@ -127,6 +143,8 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
                      {"timings", timings_of(domain.times)},
                      {"contact", contacts_of(domain.contacts)},
                      {"ties", ties_of(domain.ties)},
+                     {"parts", parts_of(view.model)},
+                     {"plane_walls", plane_walls_of(view.model)},
                      {"checks", checks_of(record.checks)},
                      {"warnings", record.warnings},
                      {"files", files}};

@@ -16,6 +16,7 @@ struct RunRecord {
   std::string version;
   std::string deck;
   std::uint64_t deck_hash = 0;
+  std::string units;        ///< guess, such as "kg, mm, ms"; empty if there is none
   std::string termination;  ///< "normal", "error" or "interrupted"
   std::string reason;
   double wall_seconds = 0;  ///< of the whole program, reading included [s]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+
 #include "domain/domain.hpp"
 #include "math/vec3.hpp"
 #include "model/model.hpp"
@@ -12,6 +14,8 @@ struct View {
   const model::Model& model;
   const domain::Domain& domain;
   double next_step = 0;  ///< from n to n+1 [time]
+  /// Finds the element whose step is the smallest, which takes a look at all of them; may be absent.
+  std::function<domain::ControllingElement()> controlling = {};
 };
 
 }  // namespace crumple::output

@@ -95,6 +95,15 @@ TEST_F(HistoriesTest, EveryRowHasAsManyCellsAsTheHeader) {
   }
 }
 
+TEST_F(HistoriesTest, StepsHaveTheElementThatControlsThem) {
+  View seen = view();
+  seen.controlling = [] { return domain::ControllingElement{"discrete element", 12, 3}; };
+  Recorder recorder(folder_, "run", seen);
+  recorder.write_due(seen);
+  EXPECT_EQ(lines(folder_ / "timestep.csv")[0], "time,dt,kind,element,part");
+  EXPECT_EQ(lines(folder_ / "timestep.csv")[1], "0,0.001,discrete,12,3");
+}
+
 TEST_F(HistoriesTest, NumbersReadBackToTheSameDouble) {
   domain_.energy.kinetic = 1.0 / 3;
   domain_.energy.internal = -1e-300 / 7;

@@ -44,6 +44,9 @@ TEST_F(RunRecordTest, HasEveryDocumentedName) {
                            "state_hash",
                            "timings",
                            "contact",
+                           "units",
+                           "parts",
+                           "plane_walls",
                            "checks",
                            "warnings",
                            "files"})
