@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
+import "./main_types";
 import type { Meta } from "./payload/meta";
 import { Run } from "./payload/run";
 import { Report } from "./ui/report";
 import { Themes, type Theme } from "./ui/theme";
 import type { ViewName } from "./scene/viewport";
-
-declare global {
-  interface Window {
-    /** for scripts that draw pictures, and for tests */
-    crumple?: { report: Report; run: Run };
-  }
-}
 
 /** Packed arrays are removed from the page when they are read: they are its largest part. */
 function takeData(name: string): string | null {

@@ -49,7 +49,7 @@ function pass(values: Float64Array, c: Coefficients): Float64Array {
 export function filtered(values: Float64Array, cfc: number, interval: number): Float64Array {
   if (values.length < 3 || !canFilter(cfc, interval)) return values.slice();
   const c = coefficients(cfc, interval);
-  const wanted = Math.ceil(0.5 / (cfc * 2.0775 * interval));
+  const wanted = Math.ceil(2 / (cfc * 2.0775 * interval)); // two periods of the corner frequency
   const margin = Math.min(values.length - 1, Math.max(10, wanted));
   const last = values.length - 1;
   const long = new Float64Array(values.length + 2 * margin);

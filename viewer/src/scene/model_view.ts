@@ -34,6 +34,8 @@ export class ModelView {
   readonly parts: number[];
   readonly diagonal: number;
   readonly centre: Vector3;
+  /** of the run's box, in the world's unit */
+  readonly extent: Vector3;
   private readonly shared: Uniforms;
   private readonly frames: [PositionTexture, PositionTexture];
   private readonly values: ValueTexture;
@@ -51,6 +53,7 @@ export class ModelView {
     const low = new Vector3(...(run.meta.box.low as [number, number, number]));
     const high = new Vector3(...(run.meta.box.high as [number, number, number]));
     this.diagonal = high.distanceTo(low) || 1;
+    this.extent = high.clone().sub(low).divideScalar(this.diagonal);
     this.centre = low.clone().add(high).multiplyScalar(0.5);
     this.parts = [...new Set(run.part)].sort((a, b) => a - b);
     const place = new Map(this.parts.map((id, i) => [id, i]));

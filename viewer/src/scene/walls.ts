@@ -62,7 +62,9 @@ export class Walls {
     // The square lies where the middle of the model falls on the plane.
     const middle = n.clone().multiplyScalar(foot.dot(n));
     const turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), n);
-    const half = 0.45;
+    // As large as the model is across the normal, so that a long model is not hidden behind it.
+    const across = new Vector3(1, 1, 1).sub(n.clone().multiply(n)).multiply(this.view.extent);
+    const half = Math.min(0.45, Math.max(0.1, 0.7 * across.length()));
     const cells = 10;
     const points: number[] = [];
     const edges: number[] = [];
