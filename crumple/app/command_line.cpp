@@ -45,6 +45,7 @@ constexpr const char* examples = R"(Examples:
   crumple run deck.k --search brute-force   another method of the contact search
   crumple check deck.k                      what is read, ignored, wrong; masses and time steps
   crumple report deck.out                   deck.out/report.html: animation, curves, tables
+  crumple report deck.out --png             and pictures of it
   crumple bench -t 2                        how fast this machine is, about a minute
   crumple i=deck.k ncpu=4 memory=200m       as LS-DYNA is called
 
@@ -165,11 +166,37 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_flag("-q,--quiet", options.quiet, "Print warnings, errors and the kind of termination only");
 }
 
+/// `12`, `40%` or `last`.
+CLI::Validator frame_choice() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        const std::string digits = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
+        const bool number = !digits.empty() && digits.size() < 7 &&
+                            digits.find_first_not_of("0123456789") == std::string::npos;
+        return number || text == "last" ? std::string() : text + " is not a number, a share as 40% or last";
+      },
+      "FRAME");
+}
+
 void add_report_options(CLI::App& report, ReportOptions& options) {
   report.add_option("folder", options.folder, "Folder of a run's results")->required();
   report.add_option("-o,--output", options.file, "The file to write [report.html in that folder]");
   report.add_option("--template", options.template_file,
                     "The page to put the result into [the one of the build]");
+  PictureOptions& pictures = options.pictures;
+  report.add_flag("--png", pictures.wanted, "Draw pictures of it as well (with chromium): report_1.png, ...");
+  report
+      .add_option("--frame", pictures.frames,
+                  "Frame of a picture: a number, 40% of the run, or last; may be repeated [0% 50% 100%]")
+      ->allow_extra_args(false)
+      ->check(frame_choice());
+  report.add_option("--field", pictures.field, "Fringe of the pictures, as von_mises; none colours by part");
+  report.add_option("--view", pictures.view, "Side that pictures are seen from")
+      ->check(CLI::IsMember({"iso", "+x", "-x", "+y", "-y", "+z", "-z"}));
+  report.add_option("--width", pictures.width, "Width of the pictures in pixels [1200]")
+      ->check(CLI::Range(200, 8000));
+  report.add_option("--height", pictures.height, "Height of the pictures in pixels [750]")
+      ->check(CLI::Range(200, 8000));
   report.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 

@@ -34,11 +34,23 @@ struct Options {
 
 enum class Command { Run, Check, Bench, Report, Help, Mistake };
 
+/// Pictures of a report.
+struct PictureOptions {
+  bool wanted = false;
+  std::vector<std::string> frames = {"0%", "50%", "100%"};  ///< numbers, "last" or shares of the run
+  std::optional<std::string>
+      field;         ///< name of a field; empty colours by part; the page's own choice if absent
+  std::string view;  ///< side to look from; empty is the page's own choice
+  int width = 1200;  ///< [pixels]
+  int height = 750;  ///< [pixels]
+};
+
 /// What `crumple report` is asked for.
 struct ReportOptions {
   std::filesystem::path folder;         ///< of a run's results
   std::filesystem::path file;           ///< to write; empty is report.html in the folder
   std::filesystem::path template_file;  ///< empty looks for the one that was built
+  PictureOptions pictures;
   bool quiet = false;
 };
 

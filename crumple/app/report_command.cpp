@@ -3,8 +3,10 @@
 
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <ostream>
 
+#include "app/report_pictures.hpp"
 #include "base/error.hpp"
 #include "output/write_error.hpp"
 #include "report/page.hpp"
@@ -26,6 +28,23 @@ std::filesystem::path page_of(const ReportOptions& options) {
   return options.template_file.empty() ? report::find_template() : options.template_file;
 }
 
+ExitCode draw(const std::filesystem::path& file, const ReportOptions& options,
+              const report::ReportContent& content, const Console& console) {
+  PictureOptions pictures = options.pictures;
+  if (pictures.field == "none") pictures.field = "";
+  const auto& known = content.fields;
+  if (pictures.field && !pictures.field->empty() &&
+      std::find(known.begin(), known.end(), *pictures.field) == known.end()) {
+    std::string names = "none";
+    for (const std::string& name : known) names += ", " + name;
+    fmt::print(console.err, "crumple: error: There is no field {}; there are {}.\n", *pictures.field, names);
+    return ExitCode::Usage;
+  }
+  for (const std::filesystem::path& picture : draw_pictures(file, pictures))
+    if (!options.quiet) fmt::print(console.out, "{}\n", picture.string());
+  return ExitCode::Normal;
+}
+
 }  // namespace
 
 bool report_can_be_made(const ReportOptions& options, const Console& console) {
@@ -41,11 +60,13 @@ bool report_can_be_made(const ReportOptions& options, const Console& console) {
 ExitCode report_results(const ReportOptions& options, const Console& console) {
   const std::filesystem::path file = options.file.empty() ? options.folder / "report.html" : options.file;
   try {
-    report::write_report(options.folder, page_of(options), file, progress_on(console, options.quiet));
+    if (options.pictures.wanted) find_browser();
+    const report::ReportContent content =
+        report::write_report(options.folder, page_of(options), file, progress_on(console, options.quiet));
     if (!options.quiet)
       fmt::print(console.out, "{}   {:.1f} MB, open in a browser\n", file.string(),
                  static_cast<double>(std::filesystem::file_size(file)) / 1e6);
-    return ExitCode::Normal;
+    return options.pictures.wanted ? draw(file, options, content, console) : ExitCode::Normal;
   } catch (const output::WriteError& fault) {
     fmt::print(console.err, "crumple: error: {}\n", fault.what());
     return ExitCode::Output;

@@ -10,8 +10,8 @@ namespace crumple::app {
 /// `crumple report`: writes one HTML file that shows the result of a run.
 ExitCode report_results(const ReportOptions& options, const Console& console);
 
-/// False, and the reason on the console, if the page to put results into cannot be found: to be asked before a
-/// long run.
+/// False, and the reason on the console, if the page to put results into cannot be found: to be asked before
+/// a long run.
 bool report_can_be_made(const ReportOptions& options, const Console& console);
 
 }  // namespace crumple::app

@@ -49,12 +49,17 @@ std::filesystem::path find_template() {
       "and npm); CRUMPLE_REPORT_TEMPLATE=FILE or --template FILE names one that lies elsewhere.");
 }
 
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,
-                  const std::filesystem::path& file, const Progress& progress) {
+ReportContent write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,
+                           const std::filesystem::path& file, const Progress& progress) {
   const PageTemplate page(template_file);
   const ResultFolder results = open_results(folder);
   const RunSurvey survey = survey_run(results, progress);
   output::write_atomically(file, page.with(make_payload(results, survey, progress)));
+  // The page finds displacements by itself.
+  ReportContent content{results.frames.size(),
+                        {"displacement", "displacement_x", "displacement_y", "displacement_z"}};
+  for (const Field& field : survey.fields) content.fields.push_back(field.name);
+  return content;
 }
 
 }  // namespace crumple::report

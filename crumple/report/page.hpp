@@ -27,8 +27,14 @@ class PageTemplate {
 /// share/crumple beside the folder of the program, where it is built. Throws Error that says how to build it.
 std::filesystem::path find_template();
 
+/// What a report shows.
+struct ReportContent {
+  std::size_t frames = 0;
+  std::vector<std::string> fields;  ///< names by which the page knows its fringes
+};
+
 /// Writes the report of the results in a folder. Throws Error, or WriteError if the file cannot be written.
-void write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,
-                  const std::filesystem::path& file, const Progress& progress);
+ReportContent write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,
+                           const std::filesystem::path& file, const Progress& progress);
 
 }  // namespace crumple::report

@@ -6,7 +6,7 @@ import type { Meta } from "./payload/meta";
 import { Run } from "./payload/run";
 import { Report } from "./ui/report";
 import { Themes, type Theme } from "./ui/theme";
-import type { ViewName } from "./scene/viewport";
+import { wholeRun, type ViewName } from "./scene/viewport";
 
 /** Packed arrays are removed from the page when they are read: they are its largest part. */
 function takeData(name: string): string | null {
@@ -20,15 +20,18 @@ function takeData(name: string): string | null {
 /** `#frame=12&field=von_mises&view=%2Bx&theme=dark&picture` behind the file's name sets what is shown. */
 function applyAddress(report: Report, themes: Themes, frames: number): void {
   const asked = new URLSearchParams(location.hash.slice(1));
+  if (asked.has("picture")) document.documentElement.classList.add("picture");
   const theme = asked.get("theme");
   if (theme === "light" || theme === "dark") themes.choose(theme as Theme);
-  if (asked.has("picture")) document.documentElement.classList.add("picture");
   const field = asked.get("field");
   if (field !== null) report.panel.setField(field);
+  // The whole run is in the picture, so that pictures of several frames go together.
   const view = asked.get("view");
-  if (view) report.setView(view as ViewName);
+  if (view) report.viewport.setView(view as ViewName, wholeRun);
   const frame = asked.get("frame");
-  if (frame) report.player.goTo(frame === "last" ? frames - 1 : Number(frame));
+  const share = /^(\d+)%$/.exec(frame ?? "");
+  if (share) report.player.goTo(Math.round((Number(share[1]) / 100) * (frames - 1)));
+  else if (frame) report.player.goTo(frame === "last" ? frames - 1 : Number(frame));
 }
 
 async function start(): Promise<void> {

@@ -16,6 +16,9 @@ const views: Record<ViewName, [number[], number[]]> = {
   "-z": [[0, 0, -1], [0, 1, 0]],
 };
 
+/** Ball around the run's box in the world of ModelView. */
+export const wholeRun = new Sphere(new Vector3(), 0.5);
+
 /** Canvas, camera and mouse; draws when something has changed. */
 export class Viewport {
   readonly renderer: WebGLRenderer;
@@ -46,7 +49,7 @@ export class Viewport {
     this.controls.addEventListener("change", () => this.invalidate());
     new ResizeObserver(() => this.resize()).observe(host);
     this.resize();
-    this.setView("iso", new Sphere(new Vector3(), 0.5));
+    this.setView("iso", wholeRun);
     requestAnimationFrame((now) => this.tick(now));
   }
 

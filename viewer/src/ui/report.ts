@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { Vector3 } from "three";
+import { short } from "../math/numbers";
 import type { Run } from "../payload/run";
 import { ModelView } from "../scene/model_view";
 import { Picker, type Pick } from "../scene/picker";
@@ -33,6 +34,7 @@ export class Report {
   private readonly help: HTMLDialogElement;
   private readonly stage = h("div", { class: "stage" });
   private readonly paper = h("img", { class: "paper", alt: "the model as it was shown when this was printed" });
+  private readonly caption = h("div", { class: "caption" });
   picked: Pick | null = null;
 
   constructor(
@@ -44,7 +46,7 @@ export class Report {
     const animation = h("section", { id: "animation" });
     root.replaceChildren(this.header(), animation);
     const host = h("div", { class: "canvas" });
-    this.stage.append(host, this.legend.element, this.triad.element, this.viewButtons(), this.paper);
+    this.stage.append(host, this.legend.element, this.triad.element, this.viewButtons(), this.caption, this.paper);
     this.view = new ModelView(run);
     this.walls = new Walls(run, this.view);
     this.player = new Player(run.meta.times);
@@ -95,6 +97,7 @@ export class Report {
     // Curves are drawn anew for a moving line: not at every picture while playing.
     this.selection.setMoment(shown, this.player.now);
     this.curves.setMoment(this.player.now);
+    this.caption.textContent = `t = ${short(this.player.now)}`;
     this.viewport.invalidate();
   }
 
