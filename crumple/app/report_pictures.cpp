@@ -57,6 +57,7 @@ class TemporaryFolder {
 /// Runs a program without its words; false if it cannot be started, fails or does not end in time.
 bool run_quietly(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
@@ -95,7 +96,7 @@ std::filesystem::path find_browser() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
     std::istringstream folders(path != nullptr ? path : "");
     for (std::string folder; std::getline(folders, folder, ':');)
-      if (const auto file = std::filesystem::path(folder) / name; is_program(file)) return file;
+      if (auto file = std::filesystem::path(folder) / name; is_program(file)) return file;
   }
   throw Error(
       "Pictures are drawn by chromium, which was not found: on Debian \"apt-get install chromium\" installs "

@@ -7,9 +7,11 @@ namespace crumple::app {
 namespace {
 
 class ReportTest : public ProgramTest {
+ public:
+  ~ReportTest() override { unsetenv("CRUMPLE_REPORT_TEMPLATE"); }
+
  protected:
   ReportTest() : page_(write("page.html", "<body><!-- crumple-data --></body>")) {}
-  ~ReportTest() override { unsetenv("CRUMPLE_REPORT_TEMPLATE"); }
 
   Result run_plate(const std::vector<std::string>& more = {}) {
     std::vector<std::string> arguments = {"run", write("plate.k", falling_plate()), "-q", "-o", path("out")};
