@@ -162,7 +162,8 @@ class Payload {
 
   void add_codes(FieldWriter& writer, std::span<const float> values, std::string& bytes) {
     codes_.resize(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) codes_[i] = writer.quantiser.code(double{values[i]});
+    for (std::size_t i = 0; i < values.size(); ++i)
+      codes_[i] = writer.quantiser.code(static_cast<double>(values[i]));
     writer.packer.add(codes_, bytes);
   }
 

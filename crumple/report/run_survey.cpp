@@ -82,13 +82,13 @@ void add_frame(const VtuReader& frame, Index number, RunSurvey& survey) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<float> values = coordinates(positions, survey.surface, axis);
     for (std::size_t node = 0; node < values.size(); ++node)
-      if (number < survey.node_death[node]) survey.box[axis].add(double{values[node]});
+      if (number < survey.node_death[node]) survey.box[axis].add(static_cast<double>(values[node]));
   }
   for (Field& field : survey.fields) {
     const std::vector<float> values = field_values(frame, survey, field);
     const std::vector<Index>& death = field.by_node ? survey.node_death : survey.cell_death;
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (number < death[i]) field.range.add(double{values[i]});
+      if (number < death[i]) field.range.add(static_cast<double>(values[i]));
   }
 }
 
