@@ -4,7 +4,10 @@ import "./style.css";
 import "./main_types";
 import type { Meta } from "./payload/meta";
 import { Run } from "./payload/run";
+import { Curves } from "./ui/curves";
+import { h } from "./ui/dom";
 import { Report } from "./ui/report";
+import { tables } from "./ui/tables";
 import { Themes, type Theme } from "./ui/theme";
 import { wholeRun, type ViewName } from "./scene/viewport";
 
@@ -34,6 +37,12 @@ function applyAddress(report: Report, themes: Themes, frames: number): void {
   else if (frame) report.player.goTo(frame === "last" ? frames - 1 : Number(frame));
 }
 
+/** Curves and tables need no graphics. */
+function showWithoutModel(run: Run, themes: Themes, root: HTMLElement): void {
+  const reason = "The model cannot be shown: this browser has no WebGL 2, or it is switched off.";
+  root.replaceChildren(h("p", { id: "crumple-message" }, reason), new Curves(run, themes, () => {}).element, tables(run));
+}
+
 async function start(): Promise<void> {
   const root = document.getElementById("crumple")!;
   const message = document.getElementById("crumple-message")!;
@@ -44,6 +53,10 @@ async function start(): Promise<void> {
     document.title = `${run.meta.name} – crumple`;
     await run.loadPositions((share) => (message.textContent = `Reading the result: ${Math.round(100 * share)} %`));
     const themes = new Themes();
+    if (!document.createElement("canvas").getContext("webgl2")) {
+      showWithoutModel(run, themes, root);
+      return;
+    }
     const report = new Report(run, themes, root);
     applyAddress(report, themes, run.frames);
     report.viewport.draw();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import uPlot from "uplot";
 import { axisRange, short, ticks } from "../math/numbers";
+import { h } from "./dom";
 import type { Themes } from "./theme";
 
 export interface Curve {
@@ -27,7 +28,8 @@ export function axisSize(_: uPlot, texts: string[] | null): number {
 export class Chart {
   private plot: uPlot | null = null;
   private data: ChartData | null = null;
-  private moment = NaN;
+  private moment = -Infinity;
+  private readonly marker = h("div", { class: "moment" });
   /** series that the user has switched, by label */
   private readonly switched = new Map<string, boolean>();
 
@@ -46,11 +48,10 @@ export class Chart {
     this.rebuild();
   }
 
-  /** Draws a line at this time. */
+  /** Puts a line at this time. It lies over the chart, which need not be drawn anew while the animation plays. */
   setMoment(time: number): void {
-    if (time === this.moment) return;
     this.moment = time;
-    this.plot?.redraw(false, false);
+    this.placeMoment();
   }
 
   private fit(): void {
@@ -100,7 +101,7 @@ export class Chart {
             }
           },
         ],
-        draw: [(plot) => this.drawMoment(plot)],
+        draw: [() => this.placeMoment()],
         ready: [(plot) => this.listen(plot)],
       },
     };
@@ -109,6 +110,7 @@ export class Chart {
   }
 
   private listen(plot: uPlot): void {
+    plot.over.append(this.marker);
     if (!this.onSeek) return;
     plot.over.addEventListener("click", (event) => {
       // A drag has zoomed.
@@ -117,19 +119,11 @@ export class Chart {
     });
   }
 
-  private drawMoment(plot: uPlot): void {
-    if (!Number.isFinite(this.moment)) return;
-    const x = Math.round(plot.valToPos(this.moment, "x", true));
-    const { left, top, width, height } = plot.bbox;
-    if (x < left || x > left + width) return;
-    plot.ctx.save();
-    plot.ctx.strokeStyle = this.themes.colour("accent");
-    plot.ctx.lineWidth = window.devicePixelRatio;
-    plot.ctx.setLineDash([4, 3]);
-    plot.ctx.beginPath();
-    plot.ctx.moveTo(x, top);
-    plot.ctx.lineTo(x, top + height);
-    plot.ctx.stroke();
-    plot.ctx.restore();
+  private placeMoment(): void {
+    const plot = this.plot;
+    if (!plot) return;
+    const x = plot.valToPos(this.moment, "x");
+    const seen = x >= 0 && x <= plot.over.clientWidth;
+    this.marker.style.transform = `translateX(${seen ? x : -10}px)`;
   }
 }

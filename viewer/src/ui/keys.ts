@@ -33,6 +33,9 @@ export function listenToKeys(actions: KeyActions): void {
     if (event.ctrlKey || event.metaKey || event.altKey || /^(SELECT|TEXTAREA)$/.test(target.tagName)) return;
     if (target instanceof HTMLInputElement && target.type !== "checkbox" && target.type !== "range") return;
     const key = event.key;
+    // The player's slider goes by frames; others keep their own arrows.
+    const slider = target instanceof HTMLInputElement && target.type === "range" && !target.closest(".player");
+    if (slider && /^(Arrow|Home|End)/.test(key)) return;
     const stride = event.shiftKey ? 10 : 1;
     const moving: Record<string, () => void> = {
       ArrowLeft: () => actions.step(-stride),

@@ -143,6 +143,26 @@ describe("the report of the box beam", () => {
     expect(await page.locator(".selection dl").isVisible()).toBe(false);
   });
 
+  it("moves a line through the curves with the time, and goes where they are clicked", async () => {
+    const over = page.locator("figure", { hasText: "Energies" }).locator(".u-over");
+    const box = (await over.boundingBox())!;
+    await over.click({ position: { x: box.width / 2, y: box.height / 2 } });
+    const now = await page.evaluate(() => window.crumple!.report.player.now);
+    expect(now).toBeGreaterThan(0.0019);
+    expect(now).toBeLessThan(0.0021);
+    const line = (await over.locator(".moment").boundingBox())!;
+    expect(Math.abs(line.x - box.x - box.width / 2)).toBeLessThan(3);
+  });
+
+  it("leaves its arrows to the slider of the section", async () => {
+    await page.getByLabel("section", { exact: true }).check();
+    const slider = page.getByLabel("place of the section");
+    await slider.focus();
+    await page.keyboard.press("ArrowRight");
+    expect(Number(await slider.inputValue())).toBeGreaterThan(0.5);
+    expect(await page.evaluate(() => window.crumple!.report.player.place())).toBe(0);
+  });
+
   it("turns and zooms by the mouse", async () => {
     const before = await canvasPicture(page);
     const box = (await page.locator(".canvas").boundingBox())!;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import type { Browser } from "playwright-core";
-import { canvasPicture, coverage, difference, openReport, startBrowser } from "./page";
+import { canvasPicture, coverage, difference, openReport, reportAddress, startBrowser } from "./page";
 import "../../src/main_types";
 
 /** Solids that erode, shells on top, a truss. */
@@ -49,6 +49,20 @@ describe("the report of blocks that are pulled apart", () => {
     await page.waitForFunction(() => window.crumple!.report.player.place() > 0.2);
     expect(faults).toEqual([]);
     await page.context().close();
+  });
+
+  it("has its curves and tables where WebGL is missing", async () => {
+    const page = await browser.newPage();
+    await page.addInitScript(() => {
+      HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, {
+        apply: (get, canvas, [kind, ...rest]: [string]) => (kind.startsWith("webgl") ? null : Reflect.apply(get, canvas, [kind, ...rest])),
+      });
+    });
+    await page.goto(reportAddress("eroding_blocks"));
+    await page.locator("#tables").waitFor();
+    expect(await page.locator("#crumple-message").textContent()).toContain("WebGL");
+    expect(await page.locator("#curves canvas").count()).toBeGreaterThan(2);
+    await page.close();
   });
 
   it("sets what is shown by the address", async () => {

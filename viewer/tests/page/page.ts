@@ -16,6 +16,10 @@ export async function startBrowser(): Promise<Browser> {
   return chromium.launch({ executablePath, args });
 }
 
+export function reportAddress(name: string): string {
+  return pathToFileURL(join(results, name, "report.html")).href;
+}
+
 export interface OpenReport {
   page: Page;
   /** errors of the console and of scripts, and whatever was asked of a network */
@@ -37,7 +41,7 @@ export async function openReport(browser: Browser, name: string, hash = "", size
   page.on("request", (request) => {
     if (!/^(file|data|blob):/.test(request.url())) faults.push(`asked for ${request.url()}`);
   });
-  await page.goto(pathToFileURL(join(results, name, "report.html")).href + hash);
+  await page.goto(reportAddress(name) + hash);
   await page.waitForFunction(() => "crumple" in window, null, { timeout: 30000 });
   return { page, faults };
 }
