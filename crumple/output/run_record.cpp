@@ -80,11 +80,12 @@ Json parts_of(const model::Model& model) {
   return list;
 }
 
-/// Infinite planes at rest have no place among the frames' surfaces.
+/// Infinite planes have no place among the frames' surfaces. Where they are at time zero; rwmotion.csv tells
+/// how they move.
 Json plane_walls_of(const model::Model& model) {
   Json list = Json::array();
   for (const model::RigidWall& wall : model.rigid_walls)
-    if (wall.shape == model::WallShape::Plane && wall.motion.curve == no_index)
+    if (wall.shape == model::WallShape::Plane)
       list.push_back({{"id", wall.id}, {"point", wall.point}, {"normal", wall.normal}});
   return list;
 }

@@ -13,6 +13,8 @@ import {
   Quaternion,
   Vector3,
 } from "three";
+import { interpolate } from "../math/numbers";
+import { splitBy, type History } from "../payload/history";
 import type { Run } from "../payload/run";
 import type { ModelView } from "./model_view";
 
@@ -21,6 +23,7 @@ export class Walls {
   readonly group = new Group();
   readonly any: boolean;
   private readonly moving: { object: Group; motion: number[] }[] = [];
+  private readonly planes: { object: Group; motion: History }[] = [];
   private readonly faceMaterial = new MeshBasicMaterial({
     transparent: true,
     opacity: 0.22,
@@ -42,7 +45,13 @@ export class Walls {
         const faces = walls.faces.filter((_, i) => walls.wall[i] === id);
         this.addShape(walls.points, faces, walls.motion[String(id)]);
       }
-    for (const plane of run.meta.run?.plane_walls ?? []) this.addPlane(plane.point, plane.normal);
+    const motion = run.history("rwmotion.csv");
+    const motions = motion ? splitBy(motion, ["wall"]) : null;
+    for (const plane of run.meta.run?.plane_walls ?? []) {
+      const object = this.addPlane(plane.point, plane.normal);
+      const moves = motions?.get(String(plane.id));
+      if (moves) this.planes.push({ object, motion: moves });
+    }
     this.any = this.group.children.length > 0;
   }
 
@@ -56,7 +65,7 @@ export class Walls {
     this.moving.push({ object, motion });
   }
 
-  private addPlane(point: number[], normal: number[]): void {
+  private addPlane(point: number[], normal: number[]): Group {
     const foot = this.view.toWorld(point as [number, number, number]);
     const n = new Vector3(...(normal as [number, number, number])).normalize();
     // The square lies where the middle of the model falls on the plane.
@@ -76,7 +85,7 @@ export class Walls {
       }
     }
     const last = 4 * cells;
-    this.addObject(Float32Array.from(points), [0, 1, last + 1, 0, last + 1, last], edges);
+    return this.addObject(Float32Array.from(points), [0, 1, last + 1, 0, last + 1, last], edges);
   }
 
   private addObject(points: Float32Array, triangles: number[], edges: number[]): Group {
@@ -93,11 +102,15 @@ export class Walls {
     return object;
   }
 
-  setTime(frame: number, share: number): void {
+  setTime(frame: number, share: number, time: number): void {
     for (const { object, motion } of this.moving) {
       const next = Math.min(motion.length / 3 - 1, frame + 1);
       const at = (axis: number) => (motion[3 * frame + axis] * (1 - share) + motion[3 * next + axis] * share) / this.view.diagonal;
       object.position.set(at(0), at(1), at(2));
+    }
+    for (const { object, motion } of this.planes) {
+      const at = (name: string) => interpolate(motion.number["time"], motion.number[name], time) / this.view.diagonal;
+      object.position.set(at("ux"), at("uy"), at("uz"));
     }
   }
 

@@ -92,7 +92,7 @@ export class Report {
     const { frame, share } = this.player;
     const shown = share < 0.5 ? frame : frame + 1;
     this.view.setTime(frame, share);
-    this.walls.setTime(frame, share);
+    this.walls.setTime(frame, share, this.player.now);
     this.panel.setFrame(shown);
     // Curves are drawn anew for a moving line: not at every picture while playing.
     this.selection.setMoment(shown, this.player.now);
