@@ -66,7 +66,7 @@ export class Selection {
     ];
     for (const source of this.sources) {
       const value = source.at(this.frame, this.item(source));
-      if (Number.isFinite(value)) rows.push([fieldTitle(source).toLowerCase(), short(value)]);
+      if (Number.isFinite(value)) rows.push([fieldTitle(source), short(value)]);
     }
     if (this.frame >= this.run.death[cell]) rows.push(["", "the element has failed"]);
     this.facts.replaceChildren(...rows.flatMap(([name, value]) => [h("dt", {}, name), h("dd", {}, value)]));
