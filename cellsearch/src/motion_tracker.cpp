@@ -32,6 +32,12 @@ bool is_finite(const double* xyz) {
   return std::isfinite(xyz[0]) && std::isfinite(xyz[1]) && std::isfinite(xyz[2]);
 }
 
+/// Nodes that may be read as one array, which must not be too long for the nearest memory; coordinates follow
+/// each other without gaps only where nothing else is in the records.
+std::size_t longest_piece(const Positions& values) {
+  return values.stride() == 3 ? 256 : 1;
+}
+
 double largest_component(const Point& a) {
   return std::max({a[0], a[1], a[2]});
 }
@@ -219,19 +225,41 @@ void MotionTracker::find_runs() {
     if (place == 0 || watched(place) != watched(place - 1) + 1) runs_.push_back(static_cast<Index>(place));
 }
 
+/// Calls visit(begin, end) for the places from `begin` to `end`, in pieces of one run each of at most
+/// `longest` places.
+template <class Visit>
+void MotionTracker::visit_runs(std::size_t begin, std::size_t end, std::size_t longest,
+                               const Visit& visit) const {
+  auto next = std::upper_bound(runs_.begin(), runs_.end(), static_cast<Index>(begin));
+  for (std::size_t place = begin; place < end;) {
+    const std::size_t run_end = next == runs_.end() ? end : std::min(end, static_cast<std::size_t>(*next));
+    const std::size_t piece_end = std::min(run_end, place + longest);
+    visit(place, piece_end);
+    place = piece_end;
+    if (next != runs_.end() && static_cast<std::size_t>(*next) <= place) ++next;
+  }
+}
+
 /// Copies the positions; from now on nothing has moved.
 void MotionTracker::remember(const Positions& positions) {
-  const Range all = range(positions, false, 0, count_);
-  if (all.bad) throw_if_bad_node(positions);
-  largest_reference_ = all.largest();
   reference_.resize(3 * count_);
+  std::array<Range, most_blocks> parts;
   const int blocks = blocks_for(count_);
   for_blocks(threads_, blocks, [&](int block) {
-    const BlockRange part(static_cast<Index>(count_), block, blocks);
-    for (std::size_t place = part.begin; place < static_cast<std::size_t>(part.end); ++place) {
-      std::copy_n(positions[watched(place)], 3, reference_.begin() + 3 * static_cast<std::ptrdiff_t>(place));
-    }
+    const BlockRange places(static_cast<Index>(count_), block, blocks);
+    Range& part = parts[static_cast<std::size_t>(block)];
+    visit_runs(static_cast<std::size_t>(places.begin), static_cast<std::size_t>(places.end),
+               longest_piece(positions), [&](std::size_t from, std::size_t to) {
+                 const double* now = positions[watched(from)];
+                 part.include(to - from, now, nullptr);
+                 std::copy_n(now, 3 * (to - from),
+                             reference_.begin() + 3 * static_cast<std::ptrdiff_t>(from));
+               });
   });
+  Range all;
+  for (int block = 0; block < blocks; ++block) all.include(parts[static_cast<std::size_t>(block)]);
+  if (all.bad) throw_if_bad_node(positions);
+  largest_reference_ = all.largest();
   started_ = true;
   motion_ = {0.0, 0.0, 0.0};
   rounding_ = 0x1p-49 * (2.0 * largest_reference_ + lengths_);
@@ -252,20 +280,12 @@ MotionTracker::Range MotionTracker::range(const Positions& values, bool since_st
   const int blocks = blocks_for(end - begin);
   for_blocks(threads_, blocks, [&](int block) {
     const BlockRange places(static_cast<Index>(end - begin), block, blocks);
-    const std::size_t part_begin = begin + static_cast<std::size_t>(places.begin);
-    const std::size_t part_end = begin + static_cast<std::size_t>(places.end);
     Range part;
-    auto next = std::upper_bound(runs_.begin(), runs_.end(), static_cast<Index>(part_begin));
-    for (std::size_t place = part_begin; place < part_end;) {
-      std::size_t run_end =
-          next == runs_.end() ? part_end : std::min(part_end, static_cast<std::size_t>(*next));
-      if (values.stride() != 3) run_end = place + 1;
-      const double* now = values[watched(place)];
-      const double* then = since_start ? reference_.data() + 3 * place : nullptr;
-      part.include(run_end - place, now, then);
-      place = run_end;
-      if (next != runs_.end() && static_cast<std::size_t>(*next) <= place) ++next;
-    }
+    visit_runs(begin + static_cast<std::size_t>(places.begin), begin + static_cast<std::size_t>(places.end),
+               longest_piece(values), [&](std::size_t from, std::size_t to) {
+                 part.include(to - from, values[watched(from)],
+                              since_start ? reference_.data() + 3 * from : nullptr);
+               });
     parts[static_cast<std::size_t>(block)] = part;
   });
   Range whole;

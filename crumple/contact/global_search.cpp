@@ -26,6 +26,9 @@ constexpr int longest_interval = 100000;
 /// Relative motion at which a leg of the way ends, over the margin.
 constexpr double leg_of_margin = 0.01;
 
+/// Leaves room for round-off.
+constexpr double almost = 0.999;
+
 constexpr Index piece = 1024;
 
 struct Range {
@@ -133,15 +136,14 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
 
 void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
   if (statistics_.searches > 0) {
-    constexpr double almost = 0.999;  // leaves room for round-off
     bool due = false;
     try {
       travel_.update(motion.position);
       // Nobody is further away than the way was long.
-      due = travel_.length() > almost * statistics_.margin;
-      if (due) {
+      if (travel_.length() > safe_length_) {
         motion_.update(view(motion.position));
         due = motion_.due();
+        safe_length_ = travel_.length() + almost * motion_.left();
       }
     } catch (const cellsearch::Error& error) {
       rethrow(error, *surface_);
@@ -181,6 +183,7 @@ void GlobalSearch::search(const Kinematics& motion) {
     sort_by_node(search_.find(scene));
     motion_.start(scene.positions, surface_->nodes);
     travel_.start(motion.position, surface_->nodes);
+    safe_length_ = almost * statistics_.margin;
   } catch (const cellsearch::Error& error) {
     rethrow(error, *surface_);
   }

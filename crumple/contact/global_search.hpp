@@ -95,6 +95,7 @@ class GlobalSearch {
   std::vector<double> slack_;
   std::vector<double> node_slack_;  ///< smallest of its pairs
   Travel travel_;                   ///< since the last search
+  double safe_length_ = 0;          ///< of the way, up to which no search can be due [length]
   double consumed_ = 0;
   SearchStatistics statistics_;
 };

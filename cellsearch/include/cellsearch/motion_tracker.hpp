@@ -112,6 +112,8 @@ class MotionTracker {
   void forget();
   void watch(const Positions& positions, std::span<const Index> nodes, std::span<const Index> segment_nodes);
   void find_runs();
+  template <class Visit>
+  void visit_runs(std::size_t begin, std::size_t end, std::size_t longest, const Visit& visit) const;
   void remember(const Positions& positions);
   void check_layout(const Positions& values) const;
   Range range(const Positions& values, bool since_start, std::size_t begin, std::size_t end) const;
