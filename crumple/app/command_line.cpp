@@ -140,6 +140,8 @@ void add_machine_options(CLI::App& command, Options& options) {
 
 void add_run_options(CLI::App& run, Options& options) {
   run.add_option("-o,--output", options.folder, "Folder of the results [the deck's name with .out, here]");
+  run.add_flag("--d3plot", options.d3plot,
+               "Write the frames as LS-DYNA's d3plot files, too; these take about three times the room");
   add_machine_options(run, options);
   run.add_option("--precision", options.precision, "Arithmetic of elements and contact [double]")
       ->check(CLI::IsMember({"mixed", "double"}));

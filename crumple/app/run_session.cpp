@@ -50,6 +50,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
       simulation_(*deck.model, choose_execution(options, *deck.model)),
       switches_({std::filesystem::path("."), folder_}) {
   simulation_.verify_search_every(options.verify_search);
+  if (options.d3plot) simulation_.keep_accelerations();
   simulation_.start();
   const domain::Domain& domain = simulation_.domain();
   first_step_ = simulation_.next_step();
@@ -62,7 +63,8 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   // Whoever finds run.json knows that it belongs to the results beside it.
   std::error_code ignored;
   std::filesystem::remove(folder_ / "run.json", ignored);
-  recorder_ = std::make_unique<output::Recorder>(folder_, options.deck.stem().string(), view());
+  recorder_ = std::make_unique<output::Recorder>(folder_, options.deck.stem().string(), view(),
+                                                 output::ExtraFiles{.d3plot = options.d3plot});
   monitor_ = std::make_unique<Monitor>(simulation_, console, options.quiet);
 }
 

@@ -249,8 +249,7 @@ void release_body(Domain& domain, Index body) {
   }
 }
 
-RigidBodies::RigidBodies(const model::Model& model, Domain& domain)
-    : keep_acceleration_(!model.output.history_nodes.empty()) {
+RigidBodies::RigidBodies(const model::Model& model, Domain& domain) {
   const auto in_domain = [&](const std::vector<Index>& nodes) {
     std::vector<Index> found;
     found.reserve(nodes.size());

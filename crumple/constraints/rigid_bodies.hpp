@@ -41,6 +41,9 @@ class RigidBodies {
   /// Of all active bodies at time n [energy].
   static double kinetic_energy(const domain::Domain& domain);
 
+  /// Has NodeFields::acceleration of the nodes of bodies written.
+  void keep_accelerations() { keep_acceleration_ = true; }
+
  private:
   bool keep_acceleration_ = false;  ///< output asks for accelerations
 };

@@ -45,8 +45,7 @@ std::string fault_of(const Domain& domain, const NodeOwners& owners, const domai
 
 }  // namespace
 
-TiedNodes::TiedNodes(const model::Model& model, Domain& domain)
-    : keep_acceleration_(!model.output.history_nodes.empty()) {
+TiedNodes::TiedNodes(const model::Model& model, Domain& domain) {
   death_time_.reserve(model.tied_contacts.size());
   for (const model::TiedContact& tied : model.tied_contacts) death_time_.push_back(tied.death_time);
   add_links(model, domain);

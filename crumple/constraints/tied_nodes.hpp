@@ -26,6 +26,9 @@ class TiedNodes {
 
   bool empty() const { return links_.empty(); }
 
+  /// Has NodeFields::acceleration of tied nodes written.
+  void keep_accelerations() { keep_acceleration_ = true; }
+
   /// Ends the ties whose segment has eroded or whose time is over. Books the energy of the relative motion
   /// that this frees.
   void release(domain::Domain& domain);

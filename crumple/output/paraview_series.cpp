@@ -75,26 +75,16 @@ SolidCell cell_of(const std::array<Index, 8>& node) {
   return {vtk_hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}};
 }
 
-template <class Block>
-void note_places(const std::vector<Block>& blocks, std::vector<std::pair<Index, Index>>& places) {
-  for (Index b = 0; b < static_cast<Index>(blocks.size()); ++b)
-    for (Index place = 0; place < blocks[b].elements; ++place) places[blocks[b].element[place]] = {b, place};
-}
-
 }  // namespace
 
 ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view)
     : folder_(std::move(folder)), name_(std::move(name)), walls_(view) {
   make_folder(folder_ / "vtu");
   remove_earlier_frames();
-  place_.resize(view.model.shells.size());
-  note_places(view.domain.shells, place_);
-  solid_place_.resize(view.model.solids.size());
-  note_places(view.domain.solids, solid_place_);
-  beam_place_.resize(view.model.beams.size());
-  note_places(view.domain.beams, beam_place_);
-  discrete_place_.resize(view.model.discretes.size());
-  note_places(view.domain.discretes, discrete_place_);
+  place_ = block_places(view.domain.shells, view.model.shells.size());
+  solid_place_ = block_places(view.domain.solids, view.model.solids.size());
+  beam_place_ = block_places(view.domain.beams, view.model.beams.size());
+  discrete_place_ = block_places(view.domain.discretes, view.model.discretes.size());
   pack_constant_arrays(view);
 }
 

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "output/block_places.hpp"
 #include "output/paraview_walls.hpp"
 #include "output/view.hpp"
 #include "output/vtu_file.hpp"
@@ -45,12 +45,11 @@ class ParaviewSeries {
   std::vector<double> times_;
   VtuPacker packer_;
   ParaviewWalls walls_;
-  /// Block and place in it of every shell, in the order of the model.
-  std::vector<std::pair<Index, Index>> place_;
-  std::vector<std::pair<Index, Index>> solid_place_;     ///< the same of the solids
-  std::vector<std::pair<Index, Index>> beam_place_;      ///< of the beams
-  std::vector<std::pair<Index, Index>> discrete_place_;  ///< of the discrete elements
-  std::vector<VtuArray> topology_;                       ///< connectivity, offsets, types
+  BlockPlaces place_;  ///< of the shells
+  BlockPlaces solid_place_;
+  BlockPlaces beam_place_;
+  BlockPlaces discrete_place_;
+  std::vector<VtuArray> topology_;  ///< connectivity, offsets, types
   VtuArray node_id_;
   VtuArray part_id_;
   VtuArray element_id_;

@@ -18,20 +18,13 @@ class PartHistory : public History {
       hourglass[block->part] += block->hourglass_energy;
     }
     for (Index part = 0; part < static_cast<Index>(view.model.parts.size()); ++part) {
-      const PartMasses::Motion motion = motion_of(view.domain, part);
+      const PartMasses::Motion motion = masses_.motion_with_body(view.domain, part);
       table.add_row(view.domain.clock.time, view.model.parts[part].id, internal[part], motion.kinetic_energy,
                     hourglass[part], motion.velocity.x, motion.velocity.y, motion.velocity.z, motion.mass);
     }
   }
 
  private:
-  /// Of a part, or of the body that it leads if the inertia of that is given.
-  PartMasses::Motion motion_of(const domain::Domain& domain, Index part) const {
-    for (const domain::RigidBody& body : domain.rigid_bodies)
-      if (body.part == part && body.has_given_inertia) return {body.mass, body.kinetic_energy, body.velocity};
-    return masses_.motion(domain.nodes, part);
-  }
-
   PartMasses masses_;
 };
 

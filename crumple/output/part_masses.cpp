@@ -61,6 +61,12 @@ PartMasses::Motion PartMasses::motion(const domain::NodeFields& nodes, Index par
   return result;
 }
 
+PartMasses::Motion PartMasses::motion_with_body(const domain::Domain& domain, Index part) const {
+  for (const domain::RigidBody& body : domain.rigid_bodies)
+    if (body.part == part && body.has_given_inertia) return {body.mass, body.kinetic_energy, body.velocity};
+  return motion(domain.nodes, part);
+}
+
 double PartMasses::mass(Index part) const {
   double sum = 0;
   for (const auto& share : shares_[part]) sum += share.second;

@@ -23,6 +23,9 @@ class PartMasses {
   /// Of a part, by its index in the model.
   Motion motion(const domain::NodeFields& nodes, Index part) const;
 
+  /// The same, but of the whole body where the part leads a rigid body whose inertia is given.
+  Motion motion_with_body(const domain::Domain& domain, Index part) const;
+
   /// [mass]
   double mass(Index part) const;
 

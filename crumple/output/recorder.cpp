@@ -5,9 +5,11 @@
 
 namespace crumple::output {
 
-Recorder::Recorder(const std::filesystem::path& folder, const std::string& name, const View& view)
+Recorder::Recorder(const std::filesystem::path& folder, const std::string& name, const View& view,
+                   const ExtraFiles& extra)
     : series_(folder, name, view),
       frame_schedule_(view.model.output.state_interval, default_frames, view.model.control) {
+  if (extra.d3plot) d3plot_.emplace(folder, view);
   for (HistoryEntry& entry : histories_of(view))
     tables_.push_back({CsvFile(folder / entry.file, entry.header),
                        Schedule(entry.interval, entry.points, view.model.control), std::move(entry.history)});
@@ -35,11 +37,13 @@ void Recorder::write_last(const View& view) {
 void Recorder::write_frame(const View& view) {
   if (frame_schedule_.has_written(view.domain.clock)) return;
   series_.write_frame(view);
+  if (d3plot_) d3plot_->write_state(view);
   frame_schedule_.mark_written(view.domain.clock);
 }
 
 std::vector<std::filesystem::path> Recorder::files() const {
   std::vector<std::filesystem::path> paths{series_.collection()};
+  if (d3plot_) paths.push_back(d3plot_->first_file());
   for (const Table& table : tables_) paths.push_back(table.file.path());
   paths.insert(paths.end(), start_files_.begin(), start_files_.end());
   return paths;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "output/csv_file.hpp"
+#include "output/d3plot_series.hpp"
 #include "output/history.hpp"
 #include "output/paraview_series.hpp"
 #include "output/schedule.hpp"
@@ -16,11 +18,17 @@ namespace crumple::output {
 /// Frames of a run if the deck does not ask for an interval.
 inline constexpr int default_frames = 100;
 
+/// What the deck does not ask for and the user may.
+struct ExtraFiles {
+  bool d3plot = false;  ///< LS-DYNA's files of the frames, beside ParaView's
+};
+
 /// Everything that a run writes while it goes on.
 class Recorder {
  public:
   /// Makes the folder and the files in it; `name` is that of the frames. Throws WriteError.
-  Recorder(const std::filesystem::path& folder, const std::string& name, const View& view);
+  Recorder(const std::filesystem::path& folder, const std::string& name, const View& view,
+           const ExtraFiles& extra = {});
 
   /// Writes what is due at this time. To be called once at time zero and after every step. Throws WriteError.
   void write_due(const View& view);
@@ -42,6 +50,7 @@ class Recorder {
   static void write_rows(Table& table, const View& view);
 
   ParaviewSeries series_;
+  std::optional<D3plotSeries> d3plot_;
   Schedule frame_schedule_;
   std::vector<Table> tables_;
   std::vector<std::filesystem::path> start_files_;  ///< written once

@@ -48,6 +48,13 @@ double SolidResults::plastic_strain(Index place) const {
   return largest;
 }
 
+double SolidResults::mean_plastic_strain(Index place) const {
+  if (plastic_strain_ == nullptr) return 0;
+  double sum = 0;
+  for (Index i = 0; i < plastic_strain_->count; ++i) sum += block_->state(place, plastic_strain_->first + i);
+  return sum / plastic_strain_->count;
+}
+
 double SolidResults::von_mises(Index place) const {
   double largest = 0;
   for (Index point = 0; point < block_->points; ++point)

@@ -21,14 +21,17 @@ class SolidResults {
   double mean_von_mises(Index place) const;
   /// Mean pressure of all points, positive in compression [stress].
   double pressure(Index place) const;
+  /// xx, yy, zz, xy, yz, zx.
+  using Stress = std::array<double, 6>;
+  /// Mean of all points in global axes [stress].
+  Stress mean_stress(Index place) const;
+  /// Mean effective plastic strain of all points [-].
+  double mean_plastic_strain(Index place) const;
   /// False once the element has failed.
   bool alive(Index place) const;
 
  private:
-  /// xx, yy, zz, xy, yz, zx.
-  using Stress = std::array<double, 6>;
   Stress stress(Index place, Index point) const;
-  Stress mean_stress(Index place) const;
 
   const domain::SolidBlock* block_;
   const domain::StateItem* stress_;

@@ -63,6 +63,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
   }
   for (Index tie = 0; tie < static_cast<Index>(domain_.ties.size()); ++tie)
     if (domain_.ties[tie].method == model::TieMethod::Penalty) tie_springs_.emplace_back(model, domain_, tie);
+  if (!model.output.history_nodes.empty()) keep_accelerations();
 }
 
 bool Simulation::finished() const {
@@ -90,6 +91,12 @@ void Simulation::inspect_contacts() {
 
 void Simulation::verify_search_every(long cycles) {
   for (contact::Interface& contact : contacts_) contact.verify_search_every(cycles);
+}
+
+void Simulation::keep_accelerations() {
+  keeps_accelerations_ = true;
+  rigid_bodies_.keep_accelerations();
+  tied_nodes_.keep_accelerations();
 }
 
 }  // namespace crumple::timeloop

@@ -51,6 +51,9 @@ class Simulation {
   /// Compares contact candidates with brute force every `cycles` cycles (a debugging aid); 0 is off.
   void verify_search_every(long cycles);
 
+  /// Has NodeFields::acceleration written in every step, also if the deck asks for no nodes' motion.
+  void keep_accelerations();
+
   const model::Model& model() const { return *model_; }
   domain::Domain& domain() { return domain_; }
   const domain::Domain& domain() const { return domain_; }
@@ -90,8 +93,9 @@ class Simulation {
   loads::RigidBodyLoads rigid_body_loads_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
   KickEnergy kick_energy_;                      ///< of the last kick, walls included
-  double largest_step_ = 0;                     ///< no step exceeds this [time]
-  double next_step_ = 0;                        ///< from n to n+1 [time]
+  bool keeps_accelerations_ = false;
+  double largest_step_ = 0;  ///< no step exceeds this [time]
+  double next_step_ = 0;     ///< from n to n+1 [time]
 };
 
 }  // namespace crumple::timeloop

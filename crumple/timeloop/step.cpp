@@ -141,9 +141,8 @@ void Simulation::impose_motions(double interval) {
 void Simulation::accelerate_free_nodes(double interval) {
   prescribed_motions_.remember(domain_);
   const StageTimer timer(domain_.times.integrate);
-  const bool output_wants_acceleration = !model_->output.history_nodes.empty();
   math::Vec3* const previous = changes_velocities() ? previous_velocity_.data() : nullptr;
-  kick_energy_ = accelerate_nodes(domain_, {interval, previous, output_wants_acceleration});
+  kick_energy_ = accelerate_nodes(domain_, {interval, previous, keeps_accelerations_});
 }
 
 bool Simulation::changes_velocities() const {

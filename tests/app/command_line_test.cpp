@@ -25,6 +25,7 @@ TEST(CommandLineTest, TakesEveryOptionOfRun) {
                                                "--verify-search",
                                                "7",
                                                "--quiet",
+                                               "--d3plot",
                                                "--end",
                                                "0.5",
                                                "--perturb",
@@ -41,6 +42,7 @@ TEST(CommandLineTest, TakesEveryOptionOfRun) {
   EXPECT_TRUE(line.options.automatic_contact);
   EXPECT_TRUE(line.options.allow_unsupported);
   EXPECT_TRUE(line.options.quiet);
+  EXPECT_TRUE(line.options.d3plot);
   EXPECT_EQ(line.options.verify_search, 7);
   EXPECT_EQ(line.options.end_time, 0.5);
   EXPECT_EQ(line.options.perturbation, 1e-9);
