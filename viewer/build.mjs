@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bundles the viewer into one HTML file without a result: node build.mjs [FILE].
-import { mkdir, readFile, writeFile } from "node:fs/promises";
+import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
@@ -39,5 +39,7 @@ const page = template
   .replace("/* style */", () => text(".css"))
   .replace("/* script */", () => script);
 await mkdir(dirname(file), { recursive: true });
-await writeFile(file, page);
+// Written beside and renamed: a page cut short by a kill would count as built.
+await writeFile(`${file}.tmp`, page);
+await rename(`${file}.tmp`, file);
 console.log(`${file}: ${Math.round(page.length / 1024)} kB`);

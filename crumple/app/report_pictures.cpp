@@ -82,7 +82,8 @@ bool run_quietly(const std::vector<std::string>& words) {
 }
 
 bool is_program(const std::filesystem::path& file) {
-  return std::filesystem::is_regular_file(file) && access(file.c_str(), X_OK) == 0;
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(file, ignored) && access(file.c_str(), X_OK) == 0;
 }
 
 }  // namespace
@@ -134,6 +135,8 @@ std::vector<std::filesystem::path> draw_pictures(const std::filesystem::path& re
                                       fmt::format("--window-size={},{}", options.width, options.height),
                                       "--user-data-dir=" + profile.path().string(),
                                       "--screenshot=" + picture.string()};
+    // Containers give /dev/shm little room.
+    words.emplace_back("--disable-dev-shm-usage");
     // Chromium refuses its sandbox to root.
     if (geteuid() == 0) words.emplace_back("--no-sandbox");
     words.push_back(picture_address(report, options, frame));

@@ -16,6 +16,7 @@
 #include "deck/units.hpp"
 #include "elements/elements.hpp"
 #include "output/atomic_file.hpp"
+#include "output/earlier_results.hpp"
 #include "output/run_record.hpp"
 #include "output/write_error.hpp"
 
@@ -61,8 +62,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   }
   output::make_folder(folder_);
   // Whoever finds run.json knows that it belongs to the results beside it.
-  std::error_code ignored;
-  std::filesystem::remove(folder_ / "run.json", ignored);
+  output::remove_earlier_results(folder_);
   recorder_ = std::make_unique<output::Recorder>(folder_, options.deck.stem().string(), view(),
                                                  output::ExtraFiles{.d3plot = options.d3plot});
   monitor_ = std::make_unique<Monitor>(simulation_, console, options.quiet);

@@ -18,8 +18,8 @@ describe("the report of the box beam", () => {
     ({ page, faults } = await openReport(browser, "box_beam"));
   });
   afterEach(async () => {
-    expect(faults).toEqual([]);
     await page.context().close();
+    expect(faults).toEqual([]);
   });
 
   it("shows the model, and that it moves", async () => {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+namespace crumple::output {
+
+/// Removes from a folder what an earlier run left there and a new one might not write again, so that nobody
+/// takes it for the new one's: run.json, the histories, the list of initial penetrations, the report. Frames
+/// are removed where new ones are written.
+void remove_earlier_results(const std::filesystem::path& folder);
+
+}  // namespace crumple::output

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/earlier_results.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace crumple::output {
+namespace {
+
+TEST(EarlierResults, OnlyWhatIsOurOwnIsRemoved) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("crumple_earlier_" + std::to_string(getpid()));
+  fs::create_directories(folder);
+  const auto touch = [&](const char* name) { std::ofstream(folder / name) << "x\n"; };
+  for (const char* name : {"run.json", "rwforc.csv", "rwmotion.csv", "glstat.csv", "report.html"})
+    touch(name);
+  for (const char* name : {"measured.csv", "d3plot", "deck.k"}) touch(name);
+  remove_earlier_results(folder);
+  for (const char* name : {"run.json", "rwforc.csv", "rwmotion.csv", "glstat.csv", "report.html"})
+    EXPECT_FALSE(fs::exists(folder / name)) << name;
+  for (const char* name : {"measured.csv", "d3plot", "deck.k"})
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  fs::remove_all(folder);
+}
+
+TEST(EarlierResults, AFolderThatIsNotThereIsNoError) {
+  EXPECT_NO_THROW(remove_earlier_results("no/such/folder"));
+}
+
+}  // namespace
+}  // namespace crumple::output
