@@ -288,6 +288,7 @@ void PinballContact::verify(const Kinematics& motion) const {
   const Configuration x = now(motion);
   const Index count = surface_->segments();
   std::vector<PinballShape> shapes;
+  shapes.reserve(static_cast<std::size_t>(count));
   for (Index s = 0; s < count; ++s) shapes.push_back(pinball_shape(*surface_, pinballs_, x, s));
   for (Index first = 0; first < count; ++first)
     for (Index second = first + 1; second < count; ++second) {
