@@ -38,9 +38,11 @@ std::string percent_encoded(const std::string& text, bool keep_slashes) {
 /// Removes a folder when it goes.
 class TemporaryFolder {
  public:
-  TemporaryFolder()
-      : path_(std::filesystem::temp_directory_path() / fmt::format("crumple_picture_{}", getpid())) {
-    std::filesystem::create_directories(path_);
+  TemporaryFolder() {
+    // One of our own, which nobody else can have made before.
+    std::string name = (std::filesystem::temp_directory_path() / "crumple_picture_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw Error(fmt::format("The folder {} cannot be made.", name));
+    path_ = name;
   }
   ~TemporaryFolder() {
     std::error_code ignored;

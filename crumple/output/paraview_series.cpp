@@ -75,6 +75,24 @@ SolidCell cell_of(const std::array<Index, 8>& node) {
   return {vtk_hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}};
 }
 
+/// The value of an attribute in XML: the deck may be called anything.
+std::string as_attribute(const std::string& text) {
+  std::string safe;
+  for (const char letter : text) {
+    if (letter == '&')
+      safe += "&amp;";
+    else if (letter == '<')
+      safe += "&lt;";
+    else if (letter == '>')
+      safe += "&gt;";
+    else if (letter == '"')
+      safe += "&quot;";
+    else
+      safe += letter;
+  }
+  return safe;
+}
+
 }  // namespace
 
 ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view)
@@ -220,7 +238,7 @@ std::string ParaviewSeries::collection_text() const {
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
   const auto add = [&](int frame, int part, const std::string& file) {
     fmt::format_to(std::back_inserter(text), "    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n",
-                   times_[frame], part, file);
+                   times_[frame], part, as_attribute(file));
   };
   for (int frame = 0; frame < frames(); ++frame) {
     add(frame, 0, frame_name(frame));

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
 #include "report/text_file.hpp"
@@ -39,12 +41,31 @@ std::filesystem::path choose_collection(const ResultFolder& results) {
                           found[1].filename().string()));
 }
 
+/// What the writer of a value made of the letters that XML gives a meaning, undone.
+std::string plain_text(std::string_view value) {
+  constexpr std::array<std::pair<std::string_view, char>, 4> written{
+      {{"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&amp;", '&'}}};
+  std::string text;
+  while (!value.empty()) {
+    std::size_t length = 1;
+    char letter = value.front();
+    for (const auto& [name, meant] : written)
+      if (value.starts_with(name)) {
+        length = name.size();
+        letter = meant;
+      }
+    text += letter;
+    value.remove_prefix(length);
+  }
+  return text;
+}
+
 std::optional<std::string> attribute(std::string_view tag, const std::string& name) {
   const std::string key = fmt::format(" {}=\"", name);
   const std::size_t at = tag.find(key);
   if (at == std::string_view::npos) return std::nullopt;
   const std::size_t start = at + key.size();
-  return std::string(tag.substr(start, tag.find('"', start) - start));
+  return plain_text(tag.substr(start, tag.find('"', start) - start));
 }
 
 std::vector<FrameFiles> frames_of(const std::filesystem::path& collection) {

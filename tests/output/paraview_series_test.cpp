@@ -95,6 +95,13 @@ TEST_F(ParaviewSeriesTest, TheCollectionListsEveryFrameAtEveryMoment) {
     EXPECT_NE(entry.path().extension(), ".tmp") << entry.path();
 }
 
+TEST_F(ParaviewSeriesTest, ADeckMayBeCalledAnything) {
+  ParaviewSeries series(folder_, "a\"b>c&d", view());
+  series.write_frame(view());
+  const std::string text = read(series.collection());
+  EXPECT_NE(text.find("file=\"vtu/a&quot;b&gt;c&amp;d_000000.vtu\""), std::string::npos) << text;
+}
+
 TEST_F(ParaviewSeriesTest, RemovesFramesOfAnEarlierRunAndNoOther) {
   std::filesystem::create_directories(folder_ / "vtu");
   for (const char* name : {"run_000005.vtu", "other_000005.vtu", "run_notes.txt"})

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/result_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace crumple::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ResultFolderTest : public testing::Test {
+ protected:
+  ResultFolderTest() { fs::create_directories(folder_); }
+  ~ResultFolderTest() override { fs::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+
+  fs::path folder_ = fs::temp_directory_path() / ("crumple_result_" + std::to_string(getpid()));
+};
+
+TEST_F(ResultFolderTest, NamesOfFilesMayHoldWhatXmlGivesAMeaning) {
+  write("run.pvd",
+        "<VTKFile><Collection>\n"
+        "<DataSet timestep=\"0.5\" part=\"0\" file=\"vtu/a&quot;b&gt;c&amp;lt;_000000.vtu\"/>\n"
+        "<DataSet timestep=\"0.5\" part=\"1\" file=\"vtu/walls.vtu\"/>\n</Collection></VTKFile>\n");
+  const ResultFolder found = open_results(folder_);
+  ASSERT_EQ(found.frames.size(), 1U);
+  EXPECT_EQ(found.frames[0].grid, folder_ / "vtu/a\"b>c&lt;_000000.vtu");
+  EXPECT_EQ(found.frames[0].walls, folder_ / "vtu/walls.vtu");
+}
+
+TEST_F(ResultFolderTest, AFolderWithoutFramesIsNoResult) {
+  EXPECT_THROW(open_results(folder_), Error);
+  write("run.pvd", "<VTKFile><Collection></Collection></VTKFile>\n");
+  EXPECT_THROW(open_results(folder_), Error);
+  EXPECT_THROW(open_results(folder_ / "nowhere"), Error);
+}
+
+}  // namespace
+}  // namespace crumple::report
