@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "contact/search_calls.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -30,19 +31,8 @@ cellsearch::EdgePairSettings settings_of(int threads) {
   return found;
 }
 
-cellsearch::Positions view(std::span<const Vec3> values) {
-  return std::span<const double>(&values.front().x, 3 * values.size());
-}
-
 double length_of(const cellsearch::Point& a) {
   return norm(Vec3{a[0], a[1], a[2]});
-}
-
-[[noreturn]] void rethrow(const cellsearch::Error& error, const Surface& surface) {
-  if (error.kind() != cellsearch::ErrorKind::NonFiniteCoordinate) throw Error(error.what());
-  throw NumericalError("The position of node " +
-                       std::to_string(surface.node_id[surface.place[error.index()]]) +
-                       " is not a finite number any more.");
 }
 
 }  // namespace

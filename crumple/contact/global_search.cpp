@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "contact/search_calls.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -67,20 +68,8 @@ cellsearch::Settings settings_of(const model::SearchSettings& settings, int thre
   return found;
 }
 
-cellsearch::Positions view(std::span<const Vec3> values) {
-  static_assert(sizeof(Vec3) == 3 * sizeof(double));
-  return std::span<const double>(&values.front().x, 3 * values.size());
-}
-
 Vec3 vector_of(const cellsearch::Point& a) {
   return {a[0], a[1], a[2]};
-}
-
-[[noreturn]] void rethrow(const cellsearch::Error& error, const Surface& surface) {
-  if (error.kind() != cellsearch::ErrorKind::NonFiniteCoordinate) throw Error(error.what());
-  throw NumericalError("The position of node " +
-                       std::to_string(surface.node_id[surface.place[error.index()]]) +
-                       " is not a finite number any more.");
 }
 
 /// True if a segment shares a node with a segment of `place`: a next neighbour in the mesh.

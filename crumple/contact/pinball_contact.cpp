@@ -6,11 +6,10 @@
 #include <limits>
 #include <string>
 
-#include <cellsearch/error.hpp>
-
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "contact/inside_outside.hpp"
+#include "contact/search_calls.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -22,10 +21,6 @@ constexpr double automatic_margin = 0.4;
 constexpr double leg_of_margin = 0.01;
 
 constexpr Index piece = 256;
-
-cellsearch::Positions view(std::span<const Vec3> values) {
-  return std::span<const double>(&values.front().x, 3 * values.size());
-}
 
 Configuration now(const Kinematics& motion) {
   return {motion.position.data(), motion.velocity.data(), 0};
@@ -45,13 +40,6 @@ Vec3 point_of(const SegmentShape& shape, const std::array<double, 4>& weight) {
 
 bool before(const RememberedPinballs& pair, Index first, Index second) {
   return pair.first != first ? pair.first < first : pair.second < second;
-}
-
-[[noreturn]] void rethrow(const cellsearch::Error& error, const Surface& surface) {
-  if (error.kind() != cellsearch::ErrorKind::NonFiniteCoordinate) throw Error(error.what());
-  throw NumericalError("The position of node " +
-                       std::to_string(surface.node_id[surface.place[error.index()]]) +
-                       " is not a finite number any more.");
 }
 
 /// What a given territory expansion leaves beyond the largest contact distance, as in EdgeSearch.

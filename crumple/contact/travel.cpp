@@ -3,15 +3,9 @@
 
 #include <algorithm>
 
+#include "contact/search_calls.hpp"
+
 namespace crumple::contact {
-namespace {
-
-cellsearch::Positions view(std::span<const Vec3> values) {
-  return std::span<const double>(&values.front().x, 3 * values.size());
-}
-
-}  // namespace
-
 void Travel::start(std::span<const Vec3> position, std::span<const Index> nodes) {
   earlier_legs_ = leg_ = 0;
   tracker_.start(view(position), nodes);

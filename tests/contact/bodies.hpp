@@ -194,6 +194,12 @@ inline Balance balance(const domain::Domain& made, double step) {
   return sum;
 }
 
+/// Throws everything that lies above z = `height` with this velocity, and what lies below against it.
+inline void throw_together(domain::Domain& made, double height, const Vec3& velocity) {
+  for (Index i = 0; i < made.nodes.count(); ++i)
+    made.nodes.velocity[i] = (made.nodes.reference[i].z > height ? 1.0 : -1.0) * velocity;
+}
+
 /// What an impact under contact forces alone does to the sums.
 struct Impact {
   Balance start;

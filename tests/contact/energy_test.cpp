@@ -49,15 +49,10 @@ Bodies two_plates() {
   return bodies;
 }
 
-void throw_plates(domain::Domain& made, const Vec3& velocity) {
-  for (Index i = 0; i < made.nodes.count(); ++i)
-    made.nodes.velocity[i] = (made.nodes.reference[i].z > 0.05 ? 1.0 : -1.0) * velocity;
-}
-
 TEST(Energy, CollisionKeepsMomentumAndEnergy) {
   const Bodies bodies = two_plates();
   domain::Domain made = bodies.build(1.0);
-  throw_plates(made, {0.0, 0.0, -0.4});
+  test::throw_together(made, 0.05, {0.0, 0.0, -0.4});
   contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   const test::Impact found = test::impact(touching, made, 1e-3, 3000);
@@ -77,7 +72,7 @@ TEST(Energy, FrictionAndDampingTakeEnergyOut) {
   bodies.contact.dynamic_friction = 0.3;
   bodies.contact.viscous_damping = 0.2;
   domain::Domain made = bodies.build(1.0);
-  throw_plates(made, {0.2, 0.1, -0.4});
+  test::throw_together(made, 0.05, {0.2, 0.1, -0.4});
   contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   const double step = 1e-3;

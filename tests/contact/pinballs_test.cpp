@@ -103,15 +103,10 @@ Bodies two_plates() {
   return bodies;
 }
 
-void throw_plates(domain::Domain& made, const Vec3& velocity) {
-  for (Index i = 0; i < made.nodes.count(); ++i)
-    made.nodes.velocity[i] = (made.nodes.reference[i].z > 0.1 ? 1.0 : -1.0) * velocity;
-}
-
 TEST(Pinballs, CollisionKeepsMomentumAndEnergy) {
   const Bodies bodies = two_plates();
   domain::Domain made = bodies.build();
-  throw_plates(made, {0.02, 0.01, -0.4});
+  test::throw_together(made, 0.1, {0.02, 0.01, -0.4});
   contact::Interface touching = bodies.attach(made);
   touching.verify_search_every(50);
   test::add_forces(touching, made);
@@ -135,7 +130,7 @@ TEST(Pinballs, TrianglesTouchQuadrilaterals) {
   bodies.shell(first, first + 1, first + 2, first + 2);
   bodies.shell(first, first + 2, first + 3, first + 3);
   domain::Domain made = bodies.build();
-  throw_plates(made, {0.02, 0.01, -0.3});
+  test::throw_together(made, 0.1, {0.02, 0.01, -0.3});
   contact::Interface touching = bodies.attach(made);
   touching.verify_search_every(50);
   test::add_forces(touching, made);
@@ -150,7 +145,7 @@ TEST(Pinballs, FrictionTakesEnergyOutAndSlowsBothAlike) {
   Bodies bodies = two_plates();
   bodies.contact.static_friction = bodies.contact.dynamic_friction = 0.3;
   domain::Domain made = bodies.build();
-  throw_plates(made, {0.1, 0.05, -0.3});
+  test::throw_together(made, 0.1, {0.1, 0.05, -0.3});
   contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   const test::Impact found = test::impact(touching, made, 1e-3, 3000);
@@ -166,7 +161,7 @@ TEST(Pinballs, FrictionTurnsWithTheBodies) {
   Bodies bodies = two_plates();
   bodies.contact.static_friction = bodies.contact.dynamic_friction = 10;
   domain::Domain made = bodies.build();
-  throw_plates(made, {0.1, 0.05, -0.4});
+  test::throw_together(made, 0.1, {0.1, 0.05, -0.4});
   contact::Interface touching = bodies.attach(made);
   test::add_forces(touching, made);
   for (int step = 0; step < 200; ++step) test::integrate(touching, made, 1e-3);
@@ -258,8 +253,7 @@ TEST(Pinballs, CollisionOfSolidsKeepsMomentum) {
   for (const double thickness : {0.0, 0.2, 1.2}) {
     const Bodies bodies = two_cubes(thickness + 0.05, thickness);
     domain::Domain made = bodies.build();
-    for (Index i = 0; i < made.nodes.count(); ++i)
-      made.nodes.velocity[i] = (made.nodes.reference[i].z > 1.01 ? 1.0 : -1.0) * Vec3{0.03, 0.02, -0.1};
+    test::throw_together(made, 1.01, Vec3{0.03, 0.02, -0.1});
     contact::Interface touching = bodies.attach(made);
     touching.verify_search_every(20);
     test::add_forces(touching, made);
