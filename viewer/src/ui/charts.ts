@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import { axisRange, short, ticks } from "../math/numbers";
 import { h } from "./dom";
+import { FittedPlot } from "./fitted_plot";
 import type { Themes } from "./theme";
 
 export interface Curve {
@@ -25,27 +26,19 @@ export function axisSize(_: uPlot, texts: string[] | null): number {
 }
 
 /** A chart that follows its box's width, the theme and the moment of the animation. */
-export class Chart {
-  private plot: uPlot | null = null;
-  private data: ChartData | null = null;
+export class Chart extends FittedPlot<ChartData> {
   private moment = -Infinity;
   private readonly marker = h("div", { class: "moment" });
   /** series that the user has switched, by label */
   private readonly switched = new Map<string, boolean>();
 
   constructor(
-    private readonly host: HTMLElement,
-    private readonly height: number,
-    private readonly themes: Themes,
+    host: HTMLElement,
+    height: number,
+    themes: Themes,
     private readonly onSeek: ((time: number) => void) | null,
   ) {
-    new ResizeObserver(() => this.fit()).observe(host);
-    themes.watch(() => this.rebuild());
-  }
-
-  show(data: ChartData): void {
-    this.data = data;
-    this.rebuild();
+    super(host, height, themes);
   }
 
   /** Puts a line at this time. It lies over the chart, which need not be drawn anew while the animation plays. */
@@ -54,12 +47,7 @@ export class Chart {
     this.placeMoment();
   }
 
-  private fit(): void {
-    const width = this.host.clientWidth;
-    if (this.plot && width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: this.height });
-  }
-
-  private rebuild(): void {
+  protected rebuild(): void {
     this.plot?.destroy();
     this.plot = null;
     const data = this.data;

@@ -2,7 +2,7 @@
 import uPlot from "uplot";
 import { axisRange, ticks } from "../math/numbers";
 import { axisSize, hues } from "./charts";
-import type { Themes } from "./theme";
+import { FittedPlot } from "./fitted_plot";
 
 export interface XyData {
   xLabel: string;
@@ -11,30 +11,8 @@ export interface XyData {
 }
 
 /** Curves of one quantity over another, which may turn back. */
-export class XyChart {
-  private plot: uPlot | null = null;
-  private data: XyData | null = null;
-
-  constructor(
-    private readonly host: HTMLElement,
-    private readonly height: number,
-    private readonly themes: Themes,
-  ) {
-    new ResizeObserver(() => this.fit()).observe(host);
-    themes.watch(() => this.rebuild());
-  }
-
-  show(data: XyData): void {
-    this.data = data;
-    this.rebuild();
-  }
-
-  private fit(): void {
-    const width = this.host.clientWidth;
-    if (this.plot && width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: this.height });
-  }
-
-  private rebuild(): void {
+export class XyChart extends FittedPlot<XyData> {
+  protected rebuild(): void {
     this.plot?.destroy();
     this.plot = null;
     const data = this.data;
