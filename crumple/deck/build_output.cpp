@@ -16,6 +16,7 @@ void build_output(Build& build) {
       output.history_nodes.push_back(node);
   };
   for (const RawHistory& raw : build.deck.histories) {
+    if (raw.item != HistoryItem::Node) continue;
     const Index index = build.find(raw.is_set ? Item::NodeSet : Item::Node, {raw.id, "ID", raw.where});
     if (index == no_index) continue;
     if (!raw.is_set)

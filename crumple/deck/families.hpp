@@ -116,11 +116,11 @@ void read_control_shell(Cards& cards, RawDeck& deck);
 void read_control_contact(Cards& cards, RawDeck& deck);
 
 // read_database.cpp
-void read_database_glstat(Cards& cards, RawDeck& deck);
-void read_database_matsum(Cards& cards, RawDeck& deck);
-void read_database_rwforc(Cards& cards, RawDeck& deck);
-void read_database_rcforc(Cards& cards, RawDeck& deck);
-void read_database_nodout(Cards& cards, RawDeck& deck);
+void read_database_history_file(Cards& cards, RawDeck& deck, model::HistoryFile file);
+template <model::HistoryFile file>
+void read_database(Cards& cards, RawDeck& deck) {
+  read_database_history_file(cards, deck, file);
+}
 void read_database_history_node(Cards& cards, RawDeck& deck);
 void read_database_history_node_id(Cards& cards, RawDeck& deck);
 void read_database_history_node_set(Cards& cards, RawDeck& deck);

@@ -12,6 +12,7 @@ namespace {
 constexpr HeadingKind none = HeadingKind::None;
 constexpr HeadingKind title = HeadingKind::Title;
 constexpr HeadingKind identity = HeadingKind::Identity;
+using File = model::HistoryFile;
 
 // KEYWORD, INCLUDE and END are the scanner's, PARAMETER and PARAMETER_EXPRESSION are the reader's.
 constexpr Keyword table[] = {
@@ -205,11 +206,11 @@ constexpr Keyword table[] = {
     {"CONTROL_SHELL", read_control_shell, none, false},
     {"CONTROL_CONTACT", read_control_contact, none, false},
 
-    {"DATABASE_GLSTAT", read_database_glstat, none, false},
-    {"DATABASE_MATSUM", read_database_matsum, none, false},
-    {"DATABASE_RWFORC", read_database_rwforc, none, false},
-    {"DATABASE_RCFORC", read_database_rcforc, none, false},
-    {"DATABASE_NODOUT", read_database_nodout, none, false},
+    {"DATABASE_GLSTAT", read_database<File::Glstat>, none, false},
+    {"DATABASE_MATSUM", read_database<File::Matsum>, none, false},
+    {"DATABASE_RWFORC", read_database<File::Rwforc>, none, false},
+    {"DATABASE_RCFORC", read_database<File::Rcforc>, none, false},
+    {"DATABASE_NODOUT", read_database<File::Nodout>, none, false},
     {"DATABASE_HISTORY_NODE", read_database_history_node},
     {"DATABASE_HISTORY_NODE_ID", read_database_history_node_id},
     {"DATABASE_HISTORY_NODE_SET", read_database_history_node_set},

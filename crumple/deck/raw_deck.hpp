@@ -373,10 +373,14 @@ struct RawRigidBodyLoad {
   Where where;
 };
 
+/// What *DATABASE_HISTORY names.
+enum class HistoryItem { Node, Shell, Solid, Beam, Discrete };
+
 struct RawHistory {
   UserId id = 0;
   bool is_set = false;
   Where where;
+  HistoryItem item = HistoryItem::Node;
 };
 
 /// The id that a keyword would define if it were supported: a missing reference then names the true cause.

@@ -12,7 +12,7 @@ constexpr std::string_view constant_interval = "the interval is constant";
 
 constexpr Field interval_card[] = {
     real("DT", 0, not_negative),
-    unused("BINARY"),  // the form of LS-DYNA's files
+    harmless("BINARY", {0, 1, 2, 3}, "the file is written in both forms"),
     harmless("LCUR", {0}, constant_interval),
     unused("IOOPT"),
     unused("OPTION1"),
@@ -31,10 +31,6 @@ constexpr Field history_card[] = {reference("ID1"), reference("ID2"), reference(
 
 constexpr Field named_history_card[] = {id("ID"), text("HEADING", 70)};
 
-double interval(Cards& cards) {
-  return cards.next(interval_card).real("DT");
-}
-
 void read_histories(Cards& cards, RawDeck& deck, bool is_set) {
   while (cards.more()) {
     const Card card = cards.next_filled(history_card);
@@ -46,24 +42,14 @@ void read_histories(Cards& cards, RawDeck& deck, bool is_set) {
 
 }  // namespace
 
-void read_database_glstat(Cards& cards, RawDeck& deck) {
-  deck.output.glstat_interval = interval(cards);
-}
-
-void read_database_matsum(Cards& cards, RawDeck& deck) {
-  deck.output.matsum_interval = interval(cards);
-}
-
-void read_database_rwforc(Cards& cards, RawDeck& deck) {
-  deck.output.rwforc_interval = interval(cards);
-}
-
-void read_database_rcforc(Cards& cards, RawDeck& deck) {
-  deck.output.rcforc_interval = interval(cards);
-}
-
-void read_database_nodout(Cards& cards, RawDeck& deck) {
-  deck.output.nodout_interval = interval(cards);
+void read_database_history_file(Cards& cards, RawDeck& deck, model::HistoryFile file) {
+  const Card card = cards.next(interval_card);
+  model::HistoryRequest& request = deck.output.of(file);
+  request.asked = true;
+  request.interval = card.real("DT");
+  const double form = card.real("BINARY");
+  request.ascii = form != 2;
+  request.binary = form != 1;
 }
 
 void read_database_history_node(Cards& cards, RawDeck& deck) {

@@ -7,7 +7,8 @@ namespace crumple::domain {
 
 std::uint64_t StateList::hash() const {
   StateHash hash;
-  for (const StateArray& array : arrays_) hash.add(array.bytes);
+  for (const StateArray& array : arrays_)
+    if (array.in_hash) hash.add(array.bytes);
   return hash.value();
 }
 

@@ -54,6 +54,7 @@ struct Domain {
   std::vector<TransducerReport> transducers;
   std::vector<WallReport> walls;
   std::vector<WeldReport> welds;
+  std::vector<SupportReport> supports;  ///< of the nodes that are held, if output asks for their forces
   std::vector<Tie> ties;                ///< in the order of Model::tied_contacts
   std::vector<RigidBody> rigid_bodies;  ///< in the order of the model
   std::vector<Index> body_of_node;      ///< rigid body of each node, or no_index; empty without bodies

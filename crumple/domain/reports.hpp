@@ -100,6 +100,13 @@ struct WeldReport {
   double failure_time = 0;  ///< if broken [time]
 };
 
+/// The force of what holds a node in place (*BOUNDARY_SPC).
+struct SupportReport {
+  Index node = no_index;  ///< domain node
+  math::Vec3 force{};     ///< on the model at time n [force]
+  math::Vec3 moment{};    ///< the same [force * length]
+};
+
 /// The element that governs the step.
 struct ControllingElement {
   const char* kind = "shell";  ///< what the element is called

@@ -28,17 +28,6 @@ struct Control {
   double contact_stiffness_scale = 0.1;  ///< SLSFAC
 };
 
-/// What to write and how often. A zero interval means that the deck does not ask for it.
-struct OutputRequests {
-  double state_interval = 0;         ///< *DATABASE_BINARY_D3PLOT [time]
-  double glstat_interval = 0;        ///< [time]
-  double matsum_interval = 0;        ///< [time]
-  double rwforc_interval = 0;        ///< [time]
-  double rcforc_interval = 0;        ///< [time]
-  double nodout_interval = 0;        ///< [time]
-  std::vector<Index> history_nodes;  ///< *DATABASE_HISTORY_NODE
-};
-
 /// How a contact finds what touches among the candidates.
 enum class LocalSearchKind {
   InsideOutside,  ///< nodes against segments, by mesh normals

@@ -12,6 +12,7 @@
 #include "model/equation_of_state.hpp"
 #include "model/material.hpp"
 #include "model/mesh.hpp"
+#include "model/output_requests.hpp"
 #include "model/rigid_body.hpp"
 #include "model/section.hpp"
 #include "model/spring.hpp"

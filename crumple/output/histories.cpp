@@ -21,33 +21,33 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   entries.push_back({"glstat.csv",
                      "time,dt,kinetic,internal,hourglass,contact,friction,rigidwall,damping,external_work,"
                      "eroded,total,ratio,added_mass",
-                     asked.glstat_interval, make_energy_history()});
+                     asked.of(model::HistoryFile::Glstat).interval, make_energy_history()});
   // To find the element takes a look at all: rows few enough that a run does not feel them.
   if (view.controlling)
     entries.push_back({"timestep.csv", "time,dt,kind,element,part", 0, make_step_history(), 200});
   entries.push_back({"matsum.csv", "time,part,internal,kinetic,hourglass,vx,vy,vz,mass",
-                     asked.matsum_interval, make_part_history(view)});
+                     asked.of(model::HistoryFile::Matsum).interval, make_part_history(view)});
   if (!view.domain.walls.empty())
-    entries.push_back(
-        {"rwforc.csv", "time,wall,normal,fx,fy,fz", asked.rwforc_interval, make_wall_history(view)});
+    entries.push_back({"rwforc.csv", "time,wall,normal,fx,fy,fz",
+                       asked.of(model::HistoryFile::Rwforc).interval, make_wall_history(view)});
   if (any_wall_moves(view.model))
-    entries.push_back({"rwmotion.csv", "time,wall,ux,uy,uz,vx,vy,vz,kinetic", asked.rwforc_interval,
-                       make_wall_motion_history()});
+    entries.push_back({"rwmotion.csv", "time,wall,ux,uy,uz,vx,vy,vz,kinetic",
+                       asked.of(model::HistoryFile::Rwforc).interval, make_wall_motion_history()});
   if (!view.domain.contacts.empty() || !view.domain.transducers.empty())
-    entries.push_back(
-        {"rcforc.csv", "time,interface,side,fx,fy,fz,mass", asked.rcforc_interval, make_contact_history()});
+    entries.push_back({"rcforc.csv", "time,interface,side,fx,fy,fz,mass",
+                       asked.of(model::HistoryFile::Rcforc).interval, make_contact_history()});
   if (!view.domain.ties.empty())
-    entries.push_back({"ties.csv", "time,interface,tied,broken,fx,fy,fz,energy", asked.rcforc_interval,
-                       make_tie_history()});
+    entries.push_back({"ties.csv", "time,interface,tied,broken,fx,fy,fz,energy",
+                       asked.of(model::HistoryFile::Rcforc).interval, make_tie_history()});
   if (!view.model.rigid_bodies.empty())
     entries.push_back({"rbdout.csv", "time,body,x,y,z,vx,vy,vz,wx,wy,wz,kinetic,fx,fy,fz",
-                       asked.glstat_interval, make_rigid_body_history()});
+                       asked.of(model::HistoryFile::Glstat).interval, make_rigid_body_history()});
   if (!view.domain.welds.empty())
-    entries.push_back(
-        {"swforc.csv", "time,weld,axial,shear,broken", asked.glstat_interval, make_weld_history()});
+    entries.push_back({"swforc.csv", "time,weld,axial,shear,broken",
+                       asked.of(model::HistoryFile::Glstat).interval, make_weld_history()});
   if (!asked.history_nodes.empty())
-    entries.push_back({"nodout.csv", "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z", asked.nodout_interval,
-                       make_node_history()});
+    entries.push_back({"nodout.csv", "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z",
+                       asked.of(model::HistoryFile::Nodout).interval, make_node_history()});
   return entries;
 }
 

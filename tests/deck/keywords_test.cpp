@@ -398,11 +398,11 @@ TEST(Database, IntervalsAndHistories) {
       "*DATABASE_NODOUT\n0.05,\n*DATABASE_BINARY_D3PLOT\n0.5,\n"
       "*DATABASE_HISTORY_NODE\n         3         1\n*DATABASE_HISTORY_NODE_ID\n         6the tip\n"
       "*DATABASE_HISTORY_NODE_SET\n         2\n*SET_NODE_LIST\n         2\n         1         2\n");
-  EXPECT_EQ(model.output.glstat_interval, 0.01);
-  EXPECT_EQ(model.output.matsum_interval, 0.02);
-  EXPECT_EQ(model.output.rwforc_interval, 0.03);
-  EXPECT_EQ(model.output.rcforc_interval, 0.04);
-  EXPECT_EQ(model.output.nodout_interval, 0.05);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Glstat).interval, 0.01);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Matsum).interval, 0.02);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Rwforc).interval, 0.03);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Rcforc).interval, 0.04);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Nodout).interval, 0.05);
   EXPECT_EQ(model.output.state_interval, 0.5);
   EXPECT_EQ(model.output.history_nodes, (std::vector<Index>{2, 0, 5, 1}));
 }

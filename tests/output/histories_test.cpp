@@ -130,7 +130,7 @@ TEST_F(HistoriesTest, TheLastStateIsWrittenOnce) {
 }
 
 TEST_F(HistoriesTest, IntervalsOfTheDeckHoldAndTheRestTakesDefaults) {
-  model_.output.glstat_interval = 0.25;
+  model_.output.of(model::HistoryFile::Glstat).interval = 0.25;
   model_.output.state_interval = 0.5;
   Recorder recorder(folder_, "run", view());
   for (long cycle = 0; cycle <= 4000; ++cycle) record(recorder, static_cast<double>(cycle) / 4000, cycle);
