@@ -107,6 +107,12 @@ RigidWall::RigidWall(const model::Model& model, const model::RigidWall& wall, do
   now.kinetic_energy = 0.5 * mass_ * dot(now.velocity, now.velocity);
 }
 
+void RigidWall::declare(domain::StateList& list) {
+  list.keep("wall_displacement_now", "length", domain::Entity::Wall, displacement_);
+  list.keep("wall_velocity_now", "length/time", domain::Entity::Wall, velocity_);
+  list.keep("wall_frame_velocity", "length/time", domain::Entity::Wall, frame_);
+}
+
 double RigidWall::kinetic_energy(const domain::Domain& domain) {
   double sum = 0;
   for (const domain::WallReport& wall : domain.walls) sum += wall.kinetic_energy;

@@ -29,6 +29,9 @@ class RigidWall {
   void stop_nodes(domain::Domain& domain, const AlignedArray<math::Vec3>& previous_velocity,
                   double impulse_interval, double next_step);
 
+  /// Declares where the wall is and how it moves.
+  void declare(domain::StateList& list);
+
   /// Of all walls with mass at time n [energy].
   static double kinetic_energy(const domain::Domain& domain);
 

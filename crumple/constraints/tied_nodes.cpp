@@ -325,6 +325,8 @@ KineticChange TiedNodes::carried_energy(const Domain& domain) const {
 
 void TiedNodes::declare(domain::StateList& list) {
   list.add("tied_nodes", "-", domain::Entity::Contact, 1, std::span(active_));
+  list.keep_list("tied_by", "-", domain::Entity::Contact, 1, tied_by_);
+  list.keep("tied_nodes_eroded", "-", domain::Entity::Contact, eroded_);
 }
 
 }  // namespace crumple::constraints

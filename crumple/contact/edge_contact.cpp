@@ -132,8 +132,15 @@ void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touc
 void EdgeContact::declare(domain::StateList& list) {
   if (!exists()) return;
   search_.declare(list);
-  list.add("contact_edge_pairs", "by item", domain::Entity::Contact, 1, std::span(remembered_));
-  list.add("contact_edge_node_depths", "by item", domain::Entity::Contact, 1, std::span(node_depths_));
+  list.add_list("contact_edge_pairs", "by item", domain::Entity::Contact, 1, remembered_);
+  list.add_list("contact_edge_node_depths", "by item", domain::Entity::Contact, 1, node_depths_);
+  list.keep("contact_eroded_beams", "-", domain::Entity::Contact, eroded_beams_);
+}
+
+void EdgeContact::resume(const domain::Domain& domain, const Kinematics& motion) {
+  if (!exists()) return;
+  if (domain::eroded_elements(domain) > 0) refresh(edges_, *surface_, domain);
+  search_.resume(motion);
 }
 
 }  // namespace crumple::contact

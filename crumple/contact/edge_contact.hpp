@@ -51,6 +51,8 @@ class EdgeContact {
 
   /// Declares what is remembered from step to step.
   void declare(domain::StateList& list);
+  /// To be called once after a restart has filled what was declared.
+  void resume(const domain::Domain& domain, const Kinematics& motion);
 
  private:
   const Surface* surface_;

@@ -76,14 +76,18 @@ double EdgeSearch::step_motion(const Kinematics& motion) const {
   return motion.step * length_of(motion_.relative_speed(view(motion.velocity)));
 }
 
-void EdgeSearch::search(const Kinematics& motion) {
+void EdgeSearch::watch_ends() {
   watched_.clear();
   for (const Index e : edges_->taking_part)
     for (const Index node : edges_->ends(e)) watched_.push_back(node);
   std::sort(watched_.begin(), watched_.end());
   watched_.erase(std::unique(watched_.begin(), watched_.end()), watched_.end());
+}
+
+/// Finds the candidates for these positions and counts the motion from there.
+void EdgeSearch::collect(std::span<const Vec3> position) {
   cellsearch::EdgeScene scene;
-  scene.positions = view(motion.position);
+  scene.positions = view(position);
   scene.edges = cellsearch::Edges(edges_->nodes);
   // Each of the two boxes has half of the margin.
   scene.expansion = 0.5 * margin_;
@@ -96,6 +100,11 @@ void EdgeSearch::search(const Kinematics& motion) {
   } catch (const cellsearch::Error& error) {
     rethrow(error, *surface_);
   }
+}
+
+void EdgeSearch::search(const Kinematics& motion) {
+  watch_ends();
+  collect(motion.position);
   measure(motion);
   ready_ = true;
   ++searches_;
@@ -157,7 +166,22 @@ void EdgeSearch::verify(const Kinematics& motion) const {
 }
 
 void EdgeSearch::declare(domain::StateList& list) {
-  list.add("contact_searched_edge_position", "length", domain::Entity::Contact, 3, motion_.reference());
+  searched_position_.assign(motion_.reference().begin(), motion_.reference().end());
+  list.add_list("contact_searched_edge_position", "length", domain::Entity::Contact, 3, searched_position_);
+  list.keep("contact_edges_consumed", "length", domain::Entity::Contact, consumed_);
+  list.keep("contact_edges_ready", "-", domain::Entity::Contact, ready_);
+  list.keep("contact_edge_searches", "-", domain::Entity::Contact, searches_);
+  list.keep("contact_edge_candidates", "-", domain::Entity::Contact, candidates_);
+}
+
+void EdgeSearch::resume(const Kinematics& motion) {
+  if (!ready_) return;
+  watch_ends();
+  const std::vector<Vec3> then = positions_at_search(motion.position, watched_, searched_position_);
+  collect(then);
+  Kinematics at_search = motion;
+  at_search.position = then;
+  measure(at_search);
 }
 
 }  // namespace crumple::contact

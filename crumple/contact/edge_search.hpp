@@ -54,7 +54,13 @@ class EdgeSearch {
   /// Declares the positions at the last search, from which the candidates follow.
   void declare(domain::StateList& list);
 
+  /// To be called once after a restart has filled what was declared: finds the candidates of the last search
+  /// again.
+  void resume(const Kinematics& motion);
+
  private:
+  void watch_ends();
+  void collect(std::span<const Vec3> position);
   void search(const Kinematics& motion);
   void measure(const Kinematics& motion);
   double step_motion(const Kinematics& motion) const;
@@ -75,6 +81,7 @@ class EdgeSearch {
   bool ready_ = false;
   long searches_ = 0;
   long candidates_ = 0;
+  std::vector<double> searched_position_;  ///< filled by declare(), and by a restart
 };
 
 }  // namespace crumple::contact

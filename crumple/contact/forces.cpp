@@ -307,6 +307,7 @@ void Forces::hand_over(domain::Domain& domain) {
 void Forces::declare(domain::StateList& list) {
   list.add("contact_normal_force", "force", domain::Entity::Contact, 3, std::span(previous_normal_));
   list.add("contact_friction_force", "force", domain::Entity::Contact, 3, std::span(previous_friction_));
+  list.keep_list("contact_active_places", "-", domain::Entity::Contact, 1, previous_active_);
 }
 
 }  // namespace crumple::contact

@@ -156,9 +156,10 @@ Vec3 GlobalSearch::step_motion(const Kinematics& motion) const {
   return motion.step * vector_of(motion_.relative_speed(view(motion.velocity)));
 }
 
-void GlobalSearch::search(const Kinematics& motion) {
+/// Finds the candidates for these positions and counts the motion from there.
+void GlobalSearch::collect(std::span<const Vec3> position) {
   cellsearch::Scene scene;
-  scene.positions = view(motion.position);
+  scene.positions = view(position);
   scene.segments = cellsearch::Segments(surface_->connectivity);
   scene.expansion = common_expansion_;
   scene.segment_expansion = segment_expansion_;
@@ -171,11 +172,15 @@ void GlobalSearch::search(const Kinematics& motion) {
   try {
     sort_by_node(search_.find(scene));
     motion_.start(scene.positions, surface_->nodes);
-    travel_.start(motion.position, surface_->nodes);
-    safe_length_ = almost * statistics_.margin;
   } catch (const cellsearch::Error& error) {
     rethrow(error, *surface_);
   }
+}
+
+void GlobalSearch::search(const Kinematics& motion) {
+  collect(motion.position);
+  travel_.start(motion.position, surface_->nodes);
+  safe_length_ = almost * statistics_.margin;
   measure_slack(motion);
   ++statistics_.searches;
   statistics_.candidates += static_cast<long>(segment_.size());
@@ -222,7 +227,7 @@ void GlobalSearch::measure_slack(const Kinematics& motion) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
       double smallest = std::numeric_limits<double>::max();
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
-        const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), searched(i));
+        const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), at.x[surface_->nodes[i]]);
         distance_[pair] = distance_of(reference, i, segment_[pair]);
         slack_[pair] =
             std::sqrt(nearest.distance_squared) - distance_[pair] - surface_->watch(segment_[pair]);
@@ -266,7 +271,20 @@ void GlobalSearch::verify(const Kinematics& motion) {
 }
 
 void GlobalSearch::declare(domain::StateList& list) {
-  list.add("contact_searched_position", "length", domain::Entity::Contact, 3, motion_.reference());
+  searched_position_.assign(motion_.reference().begin(), motion_.reference().end());
+  list.add_list("contact_searched_position", "length", domain::Entity::Contact, 3, searched_position_);
+  list.keep("contact_search_statistics", "by item", domain::Entity::Contact, statistics_);
+}
+
+void GlobalSearch::resume(const Kinematics& motion) {
+  if (statistics_.searches == 0) return;
+  collect(positions_at_search(motion.position, surface_->nodes, searched_position_));
+  // The way so far is not known: slacks are measured anew, and the way begins here.
+  travel_.start(motion.position, surface_->nodes);
+  motion_.update(view(motion.position));
+  safe_length_ = almost * motion_.left();
+  measure_slack(motion);
+  consumed_ = norm(step_motion(motion));
 }
 
 }  // namespace crumple::contact

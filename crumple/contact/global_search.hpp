@@ -66,8 +66,13 @@ class GlobalSearch {
   /// Declares the positions at the last search, from which the candidates follow.
   void declare(domain::StateList& list);
 
+  /// To be called once after a restart has filled what was declared: finds the candidates of the last search
+  /// again. `motion` is where the nodes are now.
+  void resume(const Kinematics& motion);
+
  private:
   void search(const Kinematics& motion);
+  void collect(std::span<const Vec3> position);
   void sort_by_node(const cellsearch::Candidates& found);
   void measure_slack(const Kinematics& motion);
   /// Position at the last search.
@@ -98,6 +103,7 @@ class GlobalSearch {
   double safe_length_ = 0;          ///< of the way, up to which no search can be due [length]
   double consumed_ = 0;
   SearchStatistics statistics_;
+  std::vector<double> searched_position_;  ///< filled by declare(), and by a restart
 };
 
 }  // namespace crumple::contact

@@ -305,9 +305,24 @@ void Interface::declare(domain::StateList& list) {
   list.add("contact_started", "-", domain::Entity::Contact, 1, std::span(&own.started, 1));
   own.search.declare(list);
   own.forces.declare(list);
-  list.add("contact_pairs", "by item", domain::Entity::Contact, 1, std::span(own.remembered));
+  list.add_list("contact_pairs", "by item", domain::Entity::Contact, 1, own.remembered);
+  list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
+  list.keep("contact_statistics", "by item", domain::Entity::Contact, own.statistics);
   own.edges.declare(list);
   if (own.pinballs) own.pinballs->declare(list);
+}
+
+void Interface::resume(const domain::Domain& domain) {
+  Implementation& own = *implementation_;
+  if (own.started == 0) return;
+  const Kinematics motion = present(domain);
+  follow_erosion(own.surface, domain);
+  if (own.pinballs) {
+    own.pinballs->resume(motion);
+    return;
+  }
+  own.search.resume(motion);
+  own.edges.resume(domain, motion);
 }
 
 void Interface::verify_search_every(long cycles) {

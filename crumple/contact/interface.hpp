@@ -38,6 +38,10 @@ class Interface {
   /// Declares what the contact remembers from step to step.
   void declare(domain::StateList& list);
 
+  /// To be called once after a restart has filled what was declared, and the domain: makes what follows from
+  /// it.
+  void resume(const domain::Domain& domain);
+
   /// Compares every `cycles` cycles the candidates in use with a brute-force search; throws Error naming the
   /// first pair that was missed. 0 switches it off.
   void verify_search_every(long cycles);

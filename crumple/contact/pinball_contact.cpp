@@ -92,9 +92,10 @@ void PinballContact::update(const Kinematics& motion, bool surface_changed) {
   }
 }
 
-void PinballContact::search(const Kinematics& motion) {
+/// Finds the candidates for these positions, all due for a look, and counts the motion from there.
+void PinballContact::collect(std::span<const Vec3> position) {
   cellsearch::Scene scene;
-  scene.positions = view(motion.position);
+  scene.positions = view(position);
   scene.segments = cellsearch::Segments(surface_->connectivity);
   scene.expansion = 0.5 * margin_;
   // The balls of a face reach as far above it as its thickness is, and as far below it as they are sunk.
@@ -112,6 +113,10 @@ void PinballContact::search(const Kinematics& motion) {
     for (std::int64_t at = pairs_.first[first]; at < pairs_.first[first + 1]; ++at)
       slack_[at] = may_touch(first, pairs_.second[at]) ? 0 : std::numeric_limits<double>::max();
   motion_.start(scene.positions, surface_->nodes);
+}
+
+void PinballContact::search(const Kinematics& motion) {
+  collect(motion.position);
   travel_.start(motion.position, surface_->nodes);
   std::erase_if(remembered_, [&](const RememberedPinballs& pair) {
     return surface_->active[pair.first] == 0 || surface_->active[pair.second] == 0;
@@ -294,8 +299,18 @@ void PinballContact::verify(const Kinematics& motion) const {
 }
 
 void PinballContact::declare(domain::StateList& list) {
-  list.add("contact_searched_segment_position", "length", domain::Entity::Contact, 3, motion_.reference());
-  list.add("contact_pinball_pairs", "by item", domain::Entity::Contact, 1, std::span(remembered_));
+  searched_position_.assign(motion_.reference().begin(), motion_.reference().end());
+  list.add_list("contact_searched_segment_position", "length", domain::Entity::Contact, 3,
+                searched_position_);
+  list.add_list("contact_pinball_pairs", "by item", domain::Entity::Contact, 1, remembered_);
+  list.keep("contact_pinball_searches", "-", domain::Entity::Contact, searches_);
+  list.keep("contact_pinball_candidates", "-", domain::Entity::Contact, candidates_);
+}
+
+void PinballContact::resume(const Kinematics& motion) {
+  if (searches_ == 0) return;
+  collect(positions_at_search(motion.position, surface_->nodes, searched_position_));
+  travel_.start(motion.position, surface_->nodes);
 }
 
 }  // namespace crumple::contact

@@ -80,9 +80,13 @@ class PinballContact {
 
   /// Declares what is remembered, and the positions at the last search.
   void declare(domain::StateList& list);
+  /// To be called once after a restart has filled what was declared: finds the candidates of the last search
+  /// again.
+  void resume(const Kinematics& motion);
 
  private:
   void search(const Kinematics& motion);
+  void collect(std::span<const Vec3> position);
   bool may_touch(Index first, Index second) const;
   bool next_neighbours(Index first, Index second) const;
   double contact_distance(Index first, Index second) const;
@@ -105,6 +109,7 @@ class PinballContact {
   std::vector<RememberedPinballs> remembered_;
   long searches_ = 0;
   long candidates_ = 0;
+  std::vector<double> searched_position_;  ///< filled by declare(), and by a restart
 };
 
 }  // namespace crumple::contact

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <cellsearch/error.hpp>
 #include <cellsearch/scene.hpp>
@@ -13,6 +14,11 @@ namespace crumple::contact {
 
 /// Vectors by domain node as cellsearch reads them; nothing is copied [any].
 cellsearch::Positions view(std::span<const Vec3> values);
+
+/// All positions, by domain node, with those of `nodes` replaced by what they were at a search: x, y, z of
+/// each in the order of `nodes` [length].
+std::vector<Vec3> positions_at_search(std::span<const Vec3> position, std::span<const Index> nodes,
+                                      std::span<const double> searched);
 
 /// What an error of cellsearch means to the user of a contact: NumericalError, with the user's number of the
 /// node, for a position that is no number any more, else Error with cellsearch's own words.

@@ -239,6 +239,7 @@ void TieSprings::declare(domain::StateList& list) {
   list.add("tie_springs", "-", domain::Entity::Contact, 1, std::span(active_));
   list.add("tie_spring_loads", "by item", domain::Entity::Contact, 20, std::span(previous_));
   list.add("tie_spring_turns", "rad", domain::Entity::Contact, 3, std::span(turn_));
+  list.keep("tie_spring_eroded", "-", domain::Entity::Contact, eroded_);
 }
 
 }  // namespace crumple::contact

@@ -23,6 +23,38 @@ void declare_block(const std::string& name, Entity entity, ElementBlock& block, 
   list.add(name + "_eroded", "-", Entity::Run, 1, std::span(&block.eroded, 1));
 }
 
+void keep_body(RigidBody& body, StateList& list) {
+  const auto keep = [&](const char* name, const char* unit, auto& value) {
+    list.keep(std::string("body_") + name, unit, Entity::RigidBody, value);
+  };
+  keep("acceleration", "length/time^2", body.acceleration);
+  keep("kinetic_energy", "energy", body.kinetic_energy);
+  keep("reaction", "force", body.reaction);
+  keep("reaction_moment", "force*length", body.reaction_moment);
+  keep("held_translation", "-", body.held_translation);
+  keep("prescribed_velocity", "length/time", body.prescribed_velocity);
+  keep("previous_velocity", "length/time", body.previous_velocity);
+  keep("previous_spin", "1/time", body.previous_spin);
+  keep("previous_momentum", "mass*length^2/time", body.previous_momentum);
+  keep("impulse", "force*time", body.impulse);
+  keep("angular_impulse", "force*length*time", body.angular_impulse);
+}
+
+void keep_contact(ContactReport& contact, StateList& list) {
+  const auto keep = [&](const char* name, const char* unit, auto& value) {
+    list.keep(std::string("contact_") + name, unit, Entity::Contact, value);
+  };
+  keep("searches", "-", contact.searches);
+  keep("candidates", "-", contact.candidates);
+  keep("active_pairs", "-", contact.active_pairs);
+  keep("penetration", "length", contact.penetration);
+  keep("worst_penetration", "length", contact.worst_penetration);
+  keep("worst_node", "-", contact.worst_node);
+  keep("force", "force", contact.force);
+  keep("mass", "mass", contact.mass);
+  list.keep_list("contact_initial_overlaps", "by item", Entity::Contact, 1, contact.initial_overlaps);
+}
+
 void declare_body(RigidBody& body, StateList& list) {
   const auto add = [&](const char* name, const char* unit, int components, auto& value) {
     list.add(std::string("body_") + name, unit, Entity::RigidBody, components, std::span(&value, 1));
@@ -38,6 +70,7 @@ void declare_body(RigidBody& body, StateList& list) {
   add("held_rotation", "-", 3, body.held_rotation);
   add("prescribed_spin", "1/time", 3, body.prescribed_spin);
   add("active", "-", 1, body.active);
+  keep_body(body, list);
 }
 
 }  // namespace
@@ -66,6 +99,12 @@ void Domain::declare(StateList& list) {
   list.add("angular_velocity", "1/time", Entity::Node, 3, std::span(nodes.angular_velocity));
   list.add("mass", "mass", Entity::Node, 1, std::span(nodes.mass));
   list.add("inertia", "mass*length^2", Entity::Node, 1, std::span(nodes.inertia));
+  list.keep_list("fixed", "-", Entity::Node, 1, nodes.fixed);
+  list.keep_list("carried_mass", "mass", Entity::Node, 1, nodes.carried_mass);
+  list.keep_list("carried_inertia", "mass*length^2", Entity::Node, 1, nodes.carried_inertia);
+  list.keep_list("acceleration", "length/time^2", Entity::Node, 3, nodes.acceleration);
+  list.keep_list("contact_force", "force", Entity::Node, 3, contact_force);
+  list.keep_list("body_of_node", "-", Entity::Node, 1, body_of_node);
   for (ShellBlock& block : shells) {
     // A part has one block of quadrilaterals and one of triangles at most.
     const bool triangles = block.formulation == model::ShellFormulation::Triangle;
@@ -88,17 +127,27 @@ void Domain::declare(StateList& list) {
     // That of the others follows from their curves.
     if (wall.mass > 0)
       list.add("wall_velocity", "length/time", Entity::Wall, 3, std::span(&wall.velocity, 1));
+    list.keep("wall_report", "by item", Entity::Wall, wall);
   }
   for (RigidBody& body : rigid_bodies) declare_body(body, list);
   for (ContactReport& contact : contacts) {
     list.add("contact_energy", "energy", Entity::Contact, 1, std::span(&contact.energy, 1));
     list.add("friction_energy", "energy", Entity::Contact, 1, std::span(&contact.friction_energy, 1));
+    keep_contact(contact, list);
   }
   for (Tie& tie : ties) {
     list.add("tie_energy", "energy", Entity::Contact, 1, std::span(&tie.energy, 1));
     list.add("tie_released", "-", Entity::Contact, 1, std::span(&tie.released, 1));
     list.add("tie_broken", "-", Entity::Contact, 1, std::span(&tie.broken, 1));
+    list.keep("tie_force", "force", Entity::Contact, tie.force);
+    list.keep("tie_opening", "length", Entity::Contact, tie.opening);
   }
+  for (WeldReport& weld : welds) list.keep("weld_report", "by item", Entity::Run, weld);
+  list.keep_list("transducers", "by item", Entity::Contact, 1, transducers);
+  list.keep_list("supports", "by item", Entity::Node, 1, supports);
+  list.keep("energy_ledger", "energy", Entity::Run, energy);
+  list.keep("added_mass", "mass", Entity::Run, added_mass);
+  list.keep("element_limit", "time", Entity::Run, clock.element_limit);
   list.add("time", "time", Entity::Run, 1, std::span(&clock.time, 1));
   list.add("step", "time", Entity::Run, 1, std::span(&clock.step, 1));
   list.add("cycle", "-", Entity::Run, 1, std::span(&clock.cycle, 1));

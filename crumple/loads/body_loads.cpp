@@ -63,4 +63,12 @@ void RigidBodyLoads::add_forces(domain::Domain& domain) {
   }
 }
 
+void BodyLoads::declare(domain::StateList& list) {
+  list.keep("body_load", "length/time^2", domain::Entity::Run, previous_);
+}
+
+void RigidBodyLoads::declare(domain::StateList& list) {
+  list.keep_list("rigid_body_loads", "-", domain::Entity::RigidBody, 1, previous_);
+}
+
 }  // namespace crumple::loads

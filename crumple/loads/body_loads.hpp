@@ -19,6 +19,9 @@ class BodyLoads {
   /// external work. On entry velocities are those of n-1/2 and clock.step is the step between.
   void add_forces(domain::Domain& domain);
 
+  /// Declares what is remembered of time n-1.
+  void declare(domain::StateList& list);
+
  private:
   const model::Model* model_;
   math::Vec3 previous_;              ///< acceleration of the frame at time n-1
@@ -34,6 +37,9 @@ class RigidBodyLoads {
       : model_(&model), previous_(model.rigid_body_loads.size()) {}
 
   void add_forces(domain::Domain& domain);
+
+  /// Declares what is remembered of time n-1.
+  void declare(domain::StateList& list);
 
  private:
   const model::Model* model_;

@@ -27,4 +27,8 @@ void NodalLoads::add_forces(domain::Domain& domain) {
   }
 }
 
+void NodalLoads::declare(domain::StateList& list) {
+  for (Load& load : loads_) list.keep("nodal_load", "-", domain::Entity::Node, load.previous);
+}
+
 }  // namespace crumple::loads

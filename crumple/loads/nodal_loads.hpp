@@ -18,6 +18,9 @@ class NodalLoads {
   /// external work. On entry nodes.velocity is v(n-1/2) and clock.step the step between.
   void add_forces(domain::Domain& domain);
 
+  /// Declares what is remembered of time n-1.
+  void declare(domain::StateList& list);
+
  private:
   struct Load {
     Index node = no_index;  ///< domain node

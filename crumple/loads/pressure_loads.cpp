@@ -62,4 +62,12 @@ void PressureLoads::add_forces(domain::Domain& domain) {
   }
 }
 
+void PressureLoads::declare(domain::StateList& list) {
+  for (Load& load : loads_) {
+    list.keep("pressure_load", "force", domain::Entity::Node, load.previous);
+    list.keep("pressure_load_ended", "-", domain::Entity::Run, load.ended);
+  }
+  list.keep("pressure_loads_eroded", "-", domain::Entity::Run, eroded_);
+}
+
 }  // namespace crumple::loads

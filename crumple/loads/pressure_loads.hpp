@@ -21,6 +21,9 @@ class PressureLoads {
   /// external work. On entry nodes.velocity is v(n-1/2) and clock.step the step between.
   void add_forces(domain::Domain& domain);
 
+  /// Declares what is remembered of time n-1.
+  void declare(domain::StateList& list);
+
  private:
   struct Load {
     std::array<Index, 4> node{};  ///< domain nodes; a triangle repeats its third one

@@ -74,7 +74,7 @@ bool Simulation::finished() const {
          (control.end_cycle > 0 && clock.cycle >= control.end_cycle);
 }
 
-std::uint64_t Simulation::state_hash() {
+domain::StateList Simulation::state() {
   domain::StateList list;
   domain_.declare(list);
   for (contact::Interface& contact : contacts_) contact.declare(list);
@@ -82,7 +82,19 @@ std::uint64_t Simulation::state_hash() {
   tied_nodes_.declare(list);
   prescribed_motions_.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
-  return list.hash();
+  list.keep("largest_step", "time", domain::Entity::Run, largest_step_);
+  list.keep_list("previous_velocity", "length/time", domain::Entity::Node, 3, previous_velocity_);
+  for (constraints::RigidWall& wall : walls_) wall.declare(list);
+  nodal_loads_.declare(list);
+  pressure_loads_.declare(list);
+  body_loads_.declare(list);
+  rigid_body_loads_.declare(list);
+  return list;
+}
+
+void Simulation::resume() {
+  domain_.nodes.publish_all();
+  for (contact::Interface& contact : contacts_) contact.resume(domain_);
 }
 
 void Simulation::inspect_contacts() {

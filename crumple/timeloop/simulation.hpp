@@ -31,6 +31,15 @@ class Simulation {
   Simulation(const model::Model& model, const domain::Execution& execution);
   Simulation(const model::Model&& model, const domain::Execution& execution) = delete;
 
+  /// Everything that a run can be taken up from between two steps; the hash is that of every array that
+  /// changes. Holds until the next step.
+  domain::StateList state();
+
+  /// Instead of start(): the arrays of state() have been filled with those of another simulation of the same
+  /// model, at any time of its run. The steps that follow are bitwise the same as there, with any number of
+  /// threads.
+  void resume();
+
   /// Forces, energies and the first step size at time zero; velocities then are half a step ahead.
   void start();
 
@@ -43,7 +52,7 @@ class Simulation {
   bool finished() const;
 
   /// Fingerprint of every array that changes.
-  std::uint64_t state_hash();
+  std::uint64_t state_hash() { return state().hash(); }
 
   /// Has every contact look for mid-surfaces that cut through each other, into its report.
   void inspect_contacts();

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <cstdlib>
 #include <functional>
 
+#include "domain/state_snapshot.hpp"
 #include "timeloop/simulation.hpp"
 
 namespace crumple::test {
@@ -12,16 +16,35 @@ inline domain::Execution execution() {
   return {Precision::Double, default_isa(), 1};
 }
 
-/// Runs to the model's end time; calls `watch` at time zero and after every step.
+/// A second simulation that begins with a copied state must come to the end of the first, bit by bit.
+inline void expect_same_end(timeloop::Simulation& first, const domain::StateSnapshot& copy, int threads) {
+  domain::Execution execution = first.domain().execution;
+  execution.threads = threads;
+  timeloop::Simulation second(first.model(), execution);
+  copy.put_back(second.state());
+  second.resume();
+  EXPECT_LT(second.domain().clock.cycle, first.domain().clock.cycle);
+  while (second.domain().clock.cycle < first.domain().clock.cycle) second.step();
+  EXPECT_EQ(second.state_hash(), first.state_hash()) << "from a copied state, with " << threads << " threads";
+  EXPECT_EQ(second.domain().energy.total(), first.domain().energy.total());
+}
+
+/// Runs to the model's end time; calls `watch` at time zero and after every step. Where the environment has
+/// CRUMPLE_TEST_RESTART_CYCLE, a copy of the state of that cycle is taken up again and must end the same.
 inline void run(
     timeloop::Simulation& simulation,
     const std::function<void(const domain::Domain&)>& watch = [](const domain::Domain&) {}) {
+  const char* const wanted = std::getenv("CRUMPLE_TEST_RESTART_CYCLE");
+  const long copied_cycle = wanted == nullptr ? -1 : std::atol(wanted);
+  domain::StateSnapshot copy;
   simulation.start();
   watch(simulation.domain());
   while (!simulation.finished()) {
+    if (simulation.domain().clock.cycle == copied_cycle) copy.take(simulation.state());
     simulation.step();
     watch(simulation.domain());
   }
+  if (!copy.empty()) expect_same_end(simulation, copy, 2);
 }
 
 /// Displacement of a model node [length].

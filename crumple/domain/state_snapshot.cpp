@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "domain/state_snapshot.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace crumple::domain {
+
+void StateSnapshot::take(const StateList& list) {
+  arrays_.resize(list.arrays().size());
+  for (std::size_t i = 0; i < arrays_.size(); ++i) {
+    const StateArray& from = list.arrays()[i];
+    arrays_[i].name = from.name;
+    arrays_[i].bytes.assign(from.bytes.begin(), from.bytes.end());
+  }
+}
+
+void StateSnapshot::put_back(const StateList& list) const {
+  if (list.arrays().size() != arrays_.size())
+    throw Error("A state of " + std::to_string(arrays_.size()) +
+                " arrays does not fit this model, which has " + std::to_string(list.arrays().size()) + ".");
+  for (std::size_t i = 0; i < arrays_.size(); ++i) {
+    const StateArray& to = list.arrays()[i];
+    if (to.name != arrays_[i].name || (!to.resize && to.bytes.size() != arrays_[i].bytes.size()))
+      throw Error("A state does not fit this model: " + arrays_[i].name + " of " +
+                  std::to_string(arrays_[i].bytes.size()) + " bytes where " + to.name + " of " +
+                  std::to_string(to.bytes.size()) + " is expected.");
+  }
+  for (std::size_t i = 0; i < arrays_.size(); ++i) {
+    const StateArray& to = list.arrays()[i];
+    const std::span<std::byte> place = to.resize ? to.resize(arrays_[i].bytes.size()) : to.bytes;
+    std::copy_n(arrays_[i].bytes.begin(), std::min(place.size(), arrays_[i].bytes.size()), place.begin());
+  }
+}
+
+}  // namespace crumple::domain
