@@ -41,6 +41,8 @@ Example:
 constexpr const char* examples = R"(Examples:
   crumple run deck.k                        results in ./deck.out
   crumple run deck.k -o results -t 4        results in ./results, on 4 threads
+  crumple run deck.k --restart-every 30min  restart files in ./deck.out/restart
+  crumple run --restart deck.out --end 0.02 take the run up again, to a later end
   crumple run deck.k --contact auto         contact of everything with everything
   crumple run deck.k --search brute-force   another method of the contact search
   crumple check deck.k                      what is read, ignored, wrong; masses and time steps
@@ -55,7 +57,8 @@ Exit codes:
   5 stopped by sw1 in d3kil    130 stopped by Ctrl-C        143 stopped by SIGTERM
 
 While it runs: Ctrl-C ends with the last state written; a file named d3kil, in the working folder or in that of
-the results, holding sw1 (stop), sw2 (status line) or sw4 (write a frame) does as in LS-DYNA.)";
+the results, holding sw1 (stop), sw2 (status line), sw3 (write a restart file) or sw4 (write a frame) does as in LS-DYNA. Whatever
+stops a run writes a restart file; SIGUSR1 writes one and the run goes on.)";
 
 std::vector<std::string> search_names() {
   std::vector<std::string> names;
@@ -107,7 +110,7 @@ CLI::Validator parameter_setting() {
 
 /// Options of both commands.
 void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
-  command.add_option("deck", options.deck, "LS-DYNA keyword deck")->required();
+  command.add_option("deck", options.deck, "LS-DYNA keyword deck");
   command
       .add_option_function<std::vector<std::string>>(
           "-P,--parameter",
@@ -168,6 +171,26 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_flag("-q,--quiet", options.quiet, "Print warnings, errors and the kind of termination only");
 }
 
+void add_restart_options(CLI::App& run, Options& options) {
+  CLI::Option* const restart = run.add_option(
+      "--restart", options.restart,
+      "Take up a run from a restart file, or from the newest one in a folder of results; a deck then\n"
+      "may hold new *CONTROL_TERMINATION and *DATABASE cards");
+  run.add_option_function<std::string>(
+         "--restart-every",
+         [&options](const std::string& text) { options.restart_every = *parse_restart_interval(text); },
+         "Write a restart file every so many cycles (500), or after so much time (90s, 30min, 2h)")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return parse_restart_interval(text) ? std::string() : text + " is not as 500, 90s, 30min or 2h";
+          },
+          "INTERVAL"));
+  // What the run so far was computed with stays.
+  for (const char* const fixed : {"--precision", "--search", "--local-search", "--move-apart", "--perturb",
+                                  "--seed", "--parameter", "--allow-unsupported", "--contact"})
+    run.get_option(fixed)->excludes(restart);
+}
+
 /// `12`, `40%` or `last`.
 CLI::Validator frame_choice() {
   return CLI::Validator(
@@ -202,7 +225,29 @@ void add_report_options(CLI::App& report, ReportOptions& options) {
   report.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 
+void require_deck(const Options& options) {
+  if (options.deck.empty()) throw CLI::RequiredError("deck");
+}
+
 }  // namespace
+
+std::optional<RestartInterval> parse_restart_interval(const std::string& text) {
+  struct Unit {
+    std::string_view name;
+    double seconds;
+  };
+  constexpr Unit units[] = {{"", 0}, {"s", 1}, {"min", 60}, {"m", 60}, {"h", 3600}};
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  for (const Unit& unit : units) {
+    double value = 0;
+    if (text.substr(end) != unit.name || !CLI::detail::lexical_cast(text.substr(0, end), value)) continue;
+    if (!(value > 0) || value > 1e9) return std::nullopt;
+    if (unit.seconds > 0) return RestartInterval{0, value * unit.seconds};
+    const long cycles = std::lround(value);
+    if (static_cast<double>(cycles) == value) return RestartInterval{cycles, 0};
+  }
+  return std::nullopt;
+}
 
 std::string program_version() {
   return "crumple " CRUMPLE_VERSION;
@@ -227,12 +272,14 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
   bool automatic_contact = false;
   add_reading_options(*run, line.options, automatic_contact);
   add_run_options(*run, line.options);
+  add_restart_options(*run, line.options);
   add_reading_options(*check, line.options, automatic_contact);
   try {
     std::vector<std::string> own = translate_foreign_arguments(arguments, line.options.notes);
     // CLI11 takes its arguments from the back of the list.
     std::reverse(own.begin(), own.end());
     program.parse(own);
+    if ((run->parsed() && line.options.restart.empty()) || check->parsed()) require_deck(line.options);
   } catch (const CLI::ParseError& stop) {
     std::ostringstream out;
     std::ostringstream err;

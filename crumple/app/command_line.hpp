@@ -10,9 +10,20 @@
 
 namespace crumple::app {
 
+/// How often restart files are written besides what the deck says.
+struct RestartInterval {
+  long cycles = 0;     ///< 0: not by cycles
+  double seconds = 0;  ///< wall time; 0: not by wall time [s]
+};
+
+/// "500" are cycles; "90s", "30min", "2h" are wall time. Empty if it is neither.
+std::optional<RestartInterval> parse_restart_interval(const std::string& text);
+
 /// What the user asks for on the command line. What is absent is left to the deck, then to the program.
 struct Options {
-  std::filesystem::path deck;
+  std::filesystem::path deck;     ///< of a restart that of the changes, if any
+  std::filesystem::path restart;  ///< file or folder to take a run up from; empty begins a new one
+  RestartInterval restart_every;
   std::filesystem::path folder;             ///< of the results; empty is the deck's name with ".out", here
   std::optional<int> threads;               ///< at least 1
   std::optional<std::string> precision;     ///< "mixed" or "double"

@@ -25,14 +25,18 @@ std::string lower_case(std::string text) {
 }
 
 bool is_ls_dyna(const std::vector<std::string>& arguments) {
-  return std::any_of(arguments.begin(), arguments.end(),
-                     [](const std::string& argument) { return lower_case(argument).starts_with("i="); });
+  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+    const std::string text = lower_case(argument);
+    return text.starts_with("i=") || text.starts_with("r=");
+  });
 }
 
 void translate_pair(const std::string& key, const std::string& value, std::vector<std::string>& own,
                     std::vector<std::string>& notes) {
   if (key == "i") {
     own.push_back(value);
+  } else if (key == "r") {
+    own.insert(own.end(), {"--restart", value});
   } else if (key == "ncpu") {
     // A negative number asks LS-DYNA for results that do not depend on it: ours never do.
     own.insert(own.end(), {"--threads", value.starts_with('-') ? value.substr(1) : value});
@@ -42,7 +46,7 @@ void translate_pair(const std::string& key, const std::string& value, std::vecto
              keys_without_effect.end()) {
     notes.push_back(fmt::format("{}={} has no meaning here and is ignored.", key, value));
   } else {
-    throw Error(fmt::format("{}={} is not understood: i=, ncpu=, endtime= and memory= are.", key, value));
+    throw Error(fmt::format("{}={} is not understood: i=, r=, ncpu=, endtime= and memory= are.", key, value));
   }
 }
 

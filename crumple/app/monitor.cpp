@@ -19,8 +19,13 @@ constexpr double speed_window = 2;
 
 }  // namespace
 
-Monitor::Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet)
-    : simulation_(simulation), console_(console), quiet_(quiet) {
+Monitor::Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet,
+                 double earlier_seconds)
+    : simulation_(simulation),
+      console_(console),
+      quiet_(quiet),
+      earlier_seconds_(earlier_seconds),
+      speed_cycle_(simulation.domain().clock.cycle) {
   if (!quiet_) fmt::print(console_.out, "\n{}\n", status_header());
 }
 
@@ -39,7 +44,7 @@ Progress Monitor::progress() const {
   progress.end_time = simulation_.model().control.end_time;
   progress.next_step = simulation_.next_step();
   progress.cycle_seconds = cycle_seconds_;
-  progress.seconds = since_start_.seconds();
+  progress.seconds = seconds();
   progress.controlling = elements::controlling_element(simulation_.model(), simulation_.domain());
   return progress;
 }

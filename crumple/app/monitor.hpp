@@ -12,7 +12,9 @@ namespace crumple::app {
 /// written over five times a second. Quiet, it says nothing.
 class Monitor {
  public:
-  Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet);
+  /// `earlier_seconds`: wall time that the cycles before a restart took [s].
+  Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet,
+          double earlier_seconds = 0);
 
   /// To be called once at time zero and after every step.
   void observe();
@@ -23,8 +25,8 @@ class Monitor {
   /// Removes the bar, so that other text can be printed. The next observe brings it back.
   void clear_bar();
 
-  /// Wall time since construction [s].
-  double seconds() const { return since_start_.seconds(); }
+  /// Wall time of the cycles, those before a restart included [s].
+  double seconds() const { return earlier_seconds_ + since_start_.seconds(); }
 
  private:
   Progress progress() const;
@@ -34,6 +36,7 @@ class Monitor {
   const Console& console_;
   bool quiet_;
   bool bar_shown_ = false;
+  double earlier_seconds_ = 0;
   Stopwatch since_start_;
   double next_line_time_ = 0;     ///< [time]
   double next_line_seconds_ = 0;  ///< wall time [s]

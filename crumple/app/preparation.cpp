@@ -22,26 +22,41 @@ void apply_options(const Options& options, model::Model& model) {
   if (options.perturbation > 0) perturb_coordinates(model, options.perturbation, options.seed);
 }
 
-}  // namespace
-
-deck::ReadResult read_with_options(const Options& options, const Console& console) {
+deck::ReadOptions reading_of(const Options& options) {
   deck::ReadOptions reading;
   reading.allow_unsupported = options.allow_unsupported;
   reading.parameters = options.parameters;
   reading.automatic_contact = options.automatic_contact;
+  reading.keep_texts = true;
   for (const cellsearch::Method method : cellsearch::methods())
     reading.search_methods.emplace_back(name_of(method));
-  deck::ReadResult deck = deck::read_deck(options.deck, reading);
+  return reading;
+}
+
+/// Tells what is wrong, and puts what the command line asks for into the model.
+deck::ReadResult with_options(deck::ReadResult deck, const Options& options, const Console& console) {
   for (const deck::Diagnostic& diagnostic : deck.diagnostics)
     fmt::print(console.err, "{}\n", deck::to_string(diagnostic));
-  if (deck.model) {
-    apply_options(options, *deck.model);
-    const std::vector<std::string> faults = model::faults(*deck.model);
-    for (const std::string& fault : faults)
-      fmt::print(console.err, "{}: error: {}\n", options.deck.string(), fault);
-    if (!faults.empty()) deck.model.reset();
-  }
+  if (!deck.model) return deck;
+  apply_options(options, *deck.model);
+  const std::vector<std::string> faults = model::faults(*deck.model);
+  for (const std::string& fault : faults)
+    fmt::print(console.err, "{}: error: {}\n", options.deck.string(), fault);
+  if (!faults.empty()) deck.model.reset();
   return deck;
+}
+
+}  // namespace
+
+deck::ReadResult read_with_options(const Options& options, const Console& console) {
+  return with_options(deck::read_deck(options.deck, reading_of(options)), options, console);
+}
+
+deck::ReadResult read_again(const Options& options, const std::filesystem::path& changes,
+                            const std::vector<deck::RecordedText>& texts, const Console& console) {
+  const deck::ReadOptions reading = reading_of(options);
+  if (changes.empty()) return with_options(deck::read_recorded_deck(texts, reading), options, console);
+  return with_options(deck::read_recorded_deck(texts, reading, changes), options, console);
 }
 
 domain::Execution choose_execution(const Options& options, const model::Model& model) {

@@ -30,9 +30,9 @@ ExitCode end_with(ExitCode code, const Console& console) {
 }
 
 ExitCode run_model(const Options& options, const deck::ReadResult& deck, const Console& console,
-                   const Stopwatch& wall) {
+                   const Stopwatch& wall, const Restart* restart) {
   try {
-    RunSession session(options, deck, console, wall);
+    RunSession session(options, deck, console, wall, restart);
     return session.run();
   } catch (const output::WriteError& fault) {
     fmt::print(console.err, "crumple: error: {}\n", fault.what());
@@ -65,13 +65,18 @@ std::filesystem::path result_folder(const Options& options) {
   return folder += ".out";
 }
 
-ExitCode run_deck(const Options& options, const Console& console) {
+namespace {
+
+/// `changes`: the deck of a small restart; empty if there is none.
+ExitCode run_with(const Options& options, const std::filesystem::path& changes, const Restart* restart,
+                  const Console& console) {
   const Stopwatch wall;
   if (!options.quiet)
     fmt::print(console.out, "{}: explicit finite element solver for crash and contact-impact\n\n",
                program_version());
   for (const std::string& note : options.notes) fmt::print(console.err, "note: {}\n", note);
-  deck::ReadResult deck = read_with_options(options, console);
+  deck::ReadResult deck = restart == nullptr ? read_with_options(options, console)
+                                             : read_again(options, changes, restart->settings.texts, console);
   if (!deck.model) {
     fmt::print(console.err, "{} in the deck: nothing was run, nothing was written.\n",
                counted(std::max(1, deck::error_count(deck.diagnostics)), "error"));
@@ -80,7 +85,7 @@ ExitCode run_deck(const Options& options, const Console& console) {
   if (!options.quiet) print_reading(console.out, deck);
   if (options.report && !report_can_be_made({}, console)) return end_with(ExitCode::Usage, console);
   if (options.move_apart) move_overlaps_apart(options, *deck.model, console);
-  ExitCode code = run_model(options, deck, console, wall);
+  ExitCode code = run_model(options, deck, console, wall, restart);
   const bool has_results = code != ExitCode::Input && code != ExitCode::Output;
   if (options.report && has_results) {
     ReportOptions report;
@@ -90,6 +95,20 @@ ExitCode run_deck(const Options& options, const Console& console) {
       code = ExitCode::Output;
   }
   return end_with(code, console);
+}
+
+}  // namespace
+
+ExitCode run_deck(const Options& options, const Console& console) {
+  if (options.restart.empty()) return run_with(options, {}, nullptr, console);
+  try {
+    const Restart restart = read_restart(options.restart);
+    if (!restart.note.empty()) fmt::print(console.err, "warning: {}\n", restart.note);
+    return run_with(continued_options(options, restart), options.deck, &restart, console);
+  } catch (const Error& fault) {
+    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    return end_with(ExitCode::Input, console);
+  }
 }
 
 }  // namespace crumple::app

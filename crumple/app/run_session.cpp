@@ -33,6 +33,11 @@ std::uint64_t peak_memory_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
+bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code fault;
+  return std::filesystem::equivalent(a, b, fault) && !fault;
+}
+
 bool positions_are_finite(const domain::NodeFields& nodes) {
   for (const math::Vec3& x : nodes.position)
     if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) return false;
@@ -42,7 +47,7 @@ bool positions_are_finite(const domain::NodeFields& nodes) {
 }  // namespace
 
 RunSession::RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-                       const Stopwatch& wall)
+                       const Stopwatch& wall, const Restart* restart)
     : options_(options),
       deck_(deck),
       console_(console),
@@ -52,20 +57,99 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
       switches_({std::filesystem::path("."), folder_}) {
   simulation_.verify_search_every(options.verify_search);
   if (options.d3plot) simulation_.keep_accelerations();
-  simulation_.start();
+  if (restart == nullptr)
+    begin();
+  else
+    take_up(*restart);
   const domain::Domain& domain = simulation_.domain();
-  first_step_ = simulation_.next_step();
-  total_mass_ = std::accumulate(domain.nodes.mass.begin(), domain.nodes.mass.end(), 0.0) - domain.added_mass;
   if (!options.quiet) {
     print_model(console.out, *deck.model, domain);
     print_run_settings(console.out, simulation_, folder_);
   }
+  restart_settings_.options = options;
+  restart_settings_.texts = deck.texts;
+  // Other instruction sets round otherwise.
+  restart_settings_.options.isa = std::string(isa_name(domain.execution.isa));
   output::make_folder(folder_);
+  open_files(restart);
+  restart_writer_ = std::make_unique<RestartWriter>(folder_ / restart_folder, deck.model->output.restart,
+                                                    options.restart_every, domain.clock);
+  monitor_ = std::make_unique<Monitor>(simulation_, console, options.quiet, loop_seconds_);
+}
+
+void RunSession::begin() {
+  simulation_.start();
+  first_step_ = simulation_.next_step();
+  const domain::Domain& domain = simulation_.domain();
+  total_mass_ = std::accumulate(domain.nodes.mass.begin(), domain.nodes.mass.end(), 0.0) - domain.added_mass;
+}
+
+void RunSession::take_up(const Restart& restart) {
+  restart.content.simulation.put_back(simulation_.state());
+  simulation_.resume();
+  restart.content.files.put_back_known(own_state());
+  warnings_ = restart.settings.warnings;
+  if (options_.quiet) return;
+  fmt::print(console_.out, "Taken up from {}: cycle {}, time {:.6g}\n", restart.file.string(),
+             simulation_.domain().clock.cycle, simulation_.domain().clock.time);
+}
+
+/// A run that is taken up goes on in the files of its folder, and begins new ones in another.
+void RunSession::open_files(const Restart* restart) {
+  const bool goes_on = restart != nullptr && is_same_folder(folder_, continued_folder(*restart));
+  output::ExtraFiles extra{.d3plot = options_.d3plot};
+  if (goes_on) extra.opening = output::Opening::Continued;
   // Whoever finds run.json knows that it belongs to the results beside it.
-  output::remove_earlier_results(folder_);
-  recorder_ = std::make_unique<output::Recorder>(folder_, options.deck.stem().string(), view(),
-                                                 output::ExtraFiles{.d3plot = options.d3plot});
-  monitor_ = std::make_unique<Monitor>(simulation_, console, options.quiet);
+  if (goes_on) {
+    output::remove_ending(folder_);
+  } else {
+    output::remove_earlier_results(folder_);
+    if (restart == nullptr || !is_same_folder(folder_ / restart_folder, restart->file.parent_path()))
+      remove_restart_files(folder_);
+  }
+  recorder_ = std::make_unique<output::Recorder>(folder_, restart_settings_.options.deck.stem().string(),
+                                                 view(), extra);
+  if (!goes_on) return;
+  domain::StateList list;
+  recorder_->declare(list);
+  restart->content.files.put_back_known(list);
+  recorder_->resume(simulation_.domain().clock);
+}
+
+/// What the session remembers of the run so far, beside the simulation.
+domain::StateList RunSession::own_state() {
+  domain::StateList list;
+  peaks_.declare(list);
+  list.keep("first_step", "time", domain::Entity::Run, first_step_);
+  list.keep("total_mass", "mass", domain::Entity::Run, total_mass_);
+  list.keep("loop_seconds", "s", domain::Entity::Run, loop_seconds_);
+  return list;
+}
+
+/// The newest file whatever is due, or what is due.
+void RunSession::write_restart(bool newest) {
+  loop_seconds_ = monitor_->seconds();
+  restart_settings_.warnings = warnings_;
+  domain::StateList files = own_state();
+  recorder_->declare(files);
+  const domain::StateList state = simulation_.state();
+  const RestartSource source{state, files, restart_settings_};
+  if (newest)
+    restart_writer_->write_newest(simulation_.domain().clock, source);
+  else
+    restart_writer_->write_due(simulation_.domain().clock, source);
+}
+
+/// What ends before its time can be taken up again; what ends in time too, if there are restart files at all.
+void RunSession::save_for_restart(Ending& ending) {
+  const bool wanted = ending.code == ExitCode::Normal && restart_writer_->wanted();
+  if (!wanted && ending.termination != "interrupted") return;
+  try {
+    const StageTimer timer(simulation_.domain().times.output);
+    write_restart(true);
+  } catch (const output::WriteError& fault) {
+    ending = {"error", fault.what(), ExitCode::Output};
+  }
 }
 
 output::View RunSession::view() const {
@@ -78,6 +162,7 @@ void RunSession::observe() {
     const StageTimer timer(simulation_.domain().times.output);
     if (simulation_.domain().clock.cycle % peak_cycles == 0) peaks_.observe(view());
     recorder_->write_due(view());
+    if (restart_writer_->due(simulation_.domain().clock)) write_restart(false);
   }
   monitor_->observe();
 }
@@ -86,7 +171,7 @@ std::optional<Ending> RunSession::asked_to_stop() {
   if (const int signal = signals_.received(); signal != 0)
     return Ending{"interrupted", signal == SIGINT ? "Ctrl-C (SIGINT)." : "SIGTERM.",
                   signal == SIGINT ? ExitCode::Interrupt : ExitCode::Terminate};
-  const std::optional<Switch> thrown = switches_.poll();
+  const std::optional<Switch> thrown = signals_.asked_for_restart() ? Switch::Restart : switches_.poll();
   if (!thrown) return std::nullopt;
   monitor_->clear_bar();
   switch (*thrown) {
@@ -96,13 +181,14 @@ std::optional<Ending> RunSession::asked_to_stop() {
       monitor_->print_line();
       break;
     case Switch::Restart:
-      fmt::print(console_.err, "note: sw3 in d3kil: restart files are not supported yet; the run goes on.\n");
+      write_restart(true);
+      fmt::print(console_.out, "Restart file {}\n", restart_writer_->newest().string());
       break;
     case Switch::Frame:
       recorder_->write_frame(view());
       break;
     case Switch::Unknown:
-      fmt::print(console_.err, "note: d3kil holds none of sw1, sw2, sw4; the run goes on.\n");
+      fmt::print(console_.err, "note: d3kil holds none of sw1, sw2, sw3, sw4; the run goes on.\n");
       break;
   }
   return std::nullopt;
@@ -139,7 +225,7 @@ Ending RunSession::follow_guarded() {
 void RunSession::write_record(const Ending& ending) {
   output::RunRecord record;
   record.version = program_version();
-  record.deck = options_.deck.string();
+  record.deck = restart_settings_.options.deck.string();
   record.deck_hash = deck_.text_hash;
   record.units = deck::guess_units(simulation_.model());
   record.termination = ending.termination;
@@ -150,8 +236,14 @@ void RunSession::write_record(const Ending& ending) {
   record.state_hash = simulation_.state_hash();
   record.checks = output::acceptance_checks(view(), peaks_);
   record.warnings = warnings_;
-  for (const auto& file : recorder_->files()) record.files.push_back(file.lexically_relative(folder_));
+  for (const auto& file : written_files()) record.files.push_back(file.lexically_relative(folder_));
   output::write_run_record(folder_, record, view());
+}
+
+std::vector<std::filesystem::path> RunSession::written_files() const {
+  std::vector<std::filesystem::path> files = recorder_->files();
+  for (std::filesystem::path& file : restart_writer_->files()) files.push_back(std::move(file));
+  return files;
 }
 
 /// Writes what is still to be written. If that fails where all else went well, the ending becomes an error.
@@ -175,6 +267,7 @@ void RunSession::finish(Ending& ending) {
 ExitCode RunSession::run() {
   Ending ending = follow_guarded();
   loop_seconds_ = monitor_->seconds();
+  save_for_restart(ending);
   monitor_->clear_bar();
   if (!options_.quiet && ending.code != ExitCode::Output) monitor_->print_last_line();
   for (const deck::Diagnostic& diagnostic : deck_.diagnostics)
@@ -187,7 +280,7 @@ ExitCode RunSession::run() {
   if (!options_.quiet) {
     print_summary(console_.out, view(), loop_seconds_);
     print_checks(console_.out, output::acceptance_checks(view(), peaks_));
-    print_files(console_.out, folder_, recorder_->files());
+    print_files(console_.out, folder_, written_files());
   }
   if (ending.code == ExitCode::Normal)
     fmt::print(console_.out, "\n *** termination time reached ***\n");

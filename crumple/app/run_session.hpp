@@ -11,6 +11,8 @@
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
 #include "app/monitor.hpp"
+#include "app/restart_settings.hpp"
+#include "app/restart_writer.hpp"
 #include "app/stop_signals.hpp"
 #include "app/switch_file.hpp"
 #include "base/stopwatch.hpp"
@@ -28,14 +30,15 @@ struct Ending {
   ExitCode code = ExitCode::Normal;
 };
 
-/// One run of a model, from time zero to its end, with all that is printed and written on the way. It owns
-/// the loop.
+/// One run of a model, from time zero or a restart file to its end, with all that is printed and written on
+/// the way. It owns the loop.
 class RunSession {
  public:
   /// Builds the simulation, prints what it holds and makes the folder of the results. The deck, whose model
-  /// must be there, the console and the watch must outlive the session. Throws Error, WriteError.
+  /// must be there, the console and the watch must outlive the session; `restart` is null for a new run.
+  /// Throws Error, WriteError.
   RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-             const Stopwatch& wall);
+             const Stopwatch& wall, const Restart* restart = nullptr);
 
   /// Runs to the end, writes the last state and run.json, and prints the summary. Throws nothing of its own:
   /// what goes wrong is told on the console and by the exit code.
@@ -43,6 +46,12 @@ class RunSession {
 
  private:
   output::View view() const;
+  void begin();
+  void take_up(const Restart& restart);
+  void open_files(const Restart* restart);
+  domain::StateList own_state();
+  void write_restart(bool newest);
+  void save_for_restart(Ending& ending);
   Ending follow();
   Ending follow_guarded();
   void observe();
@@ -50,6 +59,7 @@ class RunSession {
   std::optional<Ending> limit_passed() const;
   void finish(Ending& ending);
   void write_record(const Ending& ending);
+  std::vector<std::filesystem::path> written_files() const;
 
   const Options& options_;
   const deck::ReadResult& deck_;
@@ -61,11 +71,13 @@ class RunSession {
   std::unique_ptr<Monitor> monitor_;
   StopSignals signals_;
   SwitchFile switches_;
+  std::unique_ptr<RestartWriter> restart_writer_;
+  RestartSettings restart_settings_;
   output::PeakValues peaks_;
   std::vector<std::string> warnings_;
   double first_step_ = 0;    ///< [time]
   double total_mass_ = 0;    ///< at time zero [mass]
-  double loop_seconds_ = 0;  ///< wall time of the cycles [s]
+  double loop_seconds_ = 0;  ///< wall time of the cycles, those before a restart included [s]
 };
 
 }  // namespace crumple::app

@@ -5,12 +5,18 @@ namespace crumple::app {
 
 namespace {
 
-/// The one global of the program: a signal handler has no other way to leave word.
+// The globals of the program: a signal handler has no other way to leave word.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 volatile std::sig_atomic_t signal_received = 0;
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+volatile std::sig_atomic_t restart_asked_for = 0;
 
 extern "C" void remember_signal(int number) {
   signal_received = number;
+}
+
+extern "C" void remember_restart(int /*number*/) {
+  restart_asked_for = 1;
 }
 
 }  // namespace
@@ -24,11 +30,22 @@ StopSignals::StopSignals() {
   action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
   sigaction(SIGINT, &action, &earlier_interrupt_);
   sigaction(SIGTERM, &action, &earlier_terminate_);
+  restart_asked_for = 0;
+  action.sa_handler = remember_restart;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGUSR1, &action, &earlier_user_);
 }
 
 StopSignals::~StopSignals() {
   sigaction(SIGINT, &earlier_interrupt_, nullptr);
   sigaction(SIGTERM, &earlier_terminate_, nullptr);
+  sigaction(SIGUSR1, &earlier_user_, nullptr);
+}
+
+bool StopSignals::asked_for_restart() {
+  const bool asked = restart_asked_for != 0;
+  if (asked) restart_asked_for = 0;
+  return asked;
 }
 
 int StopSignals::received() const {

@@ -6,7 +6,8 @@
 namespace crumple::app {
 
 /// While it lives, SIGINT and SIGTERM do not kill the program but are remembered, so that the run can end
-/// between two steps. The second of the same kind kills, for whoever cannot wait. At most one at a time.
+/// between two steps. The second of the same kind kills, for whoever cannot wait. SIGUSR1 asks for a restart
+/// file. At most one object at a time.
 class StopSignals {
  public:
   StopSignals();
@@ -16,10 +17,13 @@ class StopSignals {
 
   /// The number of the signal that came, or 0.
   int received() const;
+  /// True once after each SIGUSR1, or several at once.
+  bool asked_for_restart();
 
  private:
   struct sigaction earlier_interrupt_ {};
   struct sigaction earlier_terminate_ {};
+  struct sigaction earlier_user_ {};
 };
 
 }  // namespace crumple::app

@@ -9,6 +9,7 @@
 #include "deck/cards.hpp"
 #include "deck/keywords.hpp"
 #include "deck/numbers.hpp"
+#include "deck/recorded_source.hpp"
 #include "deck/scanner.hpp"
 #include "deck/settings.hpp"
 #include "deck/text_source.hpp"
@@ -21,11 +22,14 @@ namespace {
 /// One reading: hands blocks to their readers and keeps account of what was left out.
 class Reading {
  public:
-  Reading(TextSource& source, const ReadOptions& options)
+  /// `changes`: name of the file that may hold cards of a small restart alone; empty if there is none.
+  Reading(TextSource& source, const ReadOptions& options, std::string changes = {})
       : options_(options),
+        changes_(std::move(changes)),
         report_(options.allow_unsupported),
+        recorder_(source, texts_),
         scanner_(
-            source, report_, [this](const Block& block) { take(block); },
+            options.keep_texts ? recorder_ : source, report_, [this](const Block& block) { take(block); },
             [this](std::string_view text, const Where& where) {
               read_settings(text, where, options_.search_methods, deck_, report_);
             }) {
@@ -40,8 +44,13 @@ class Reading {
   void note_definition(const Block& block);
   void check_whole(const model::Model& model);
 
+  bool may_change(const Block& block);
+
   const ReadOptions& options_;
+  std::string changes_;
   Report report_;
+  std::vector<RecordedText> texts_;
+  RecordingSource recorder_;
   Scanner scanner_;
   Parameters parameters_;
   RawDeck deck_;
@@ -50,8 +59,21 @@ class Reading {
   bool has_keywords_ = false;
 };
 
+/// Whether a keyword may stand where it does: a small restart changes neither the model nor the step.
+bool Reading::may_change(const Block& block) {
+  if (changes_.empty() || report_.file_name(block.where.file) != changes_) return true;
+  if (block.name == "TITLE" || block.name == "CONTROL_TERMINATION" || block.name.starts_with("DATABASE_"))
+    return true;
+  report_.error(
+      block.where, "restart",
+      "cannot change at a restart; *CONTROL_TERMINATION and *DATABASE can, anything else needs a new "
+      "run");
+  return false;
+}
+
 void Reading::take(const Block& block) {
   has_keywords_ = true;
+  if (!may_change(block)) return;
   if (block.name == "PARAMETER" || block.name == "PARAMETER_EXPRESSION") {
     Cards cards(block, HeadingKind::None, parameters_, report_);
     if (block.name == "PARAMETER")
@@ -141,6 +163,7 @@ ReadResult Reading::run() {
   result.files = scanner_.files();
   result.text_hash = scanner_.text_hash();
   result.ignored_keywords = ignored_;
+  result.texts = std::move(texts_);
   if (has_keywords_) {
     check_settings(deck_, report_);
     model::Model model = build_model(deck_, options_.automatic_contact, report_);
@@ -162,6 +185,15 @@ ReadResult Reading::run() {
 ReadResult read_deck(const std::filesystem::path& deck, const ReadOptions& options) {
   DiskSource source(deck);
   return Reading(source, options).run();
+}
+
+ReadResult read_recorded_deck(const std::vector<RecordedText>& texts, const ReadOptions& options,
+                              const std::optional<std::filesystem::path>& changes) {
+  std::optional<LoadedText> loaded;
+  if (changes) loaded = load_text(*changes);
+  const std::string name = loaded ? loaded->name : std::string();
+  ReplaySource source(texts, std::move(loaded));
+  return Reading(source, options, name).run();
 }
 
 ReadResult read_deck_text(std::string_view text, const ReadOptions& options,

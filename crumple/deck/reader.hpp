@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "deck/diagnostic.hpp"
+#include "deck/recorded_source.hpp"
 #include "model/model.hpp"
 
 namespace crumple::deck {
@@ -24,6 +25,8 @@ struct ReadOptions {
   std::vector<std::pair<std::string, std::string>> parameters;
   /// Names that `$crumple method=` may have; empty accepts any.
   std::vector<std::string> search_methods;
+  /// Keeps the texts in the result, for a restart file.
+  bool keep_texts = false;
 };
 
 /// A keyword that the reader left out, with the first place where it occurs.
@@ -43,11 +46,18 @@ struct ReadResult {
   std::uint64_t text_hash = 0;                   ///< FNV-1a over all text, in the order it was read
   std::vector<IgnoredKeyword> ignored_keywords;  ///< in order of first occurrence
   std::string unit_system;                       ///< guess, such as "t, mm, s"; empty if there is none
+  std::vector<RecordedText> texts;               ///< of all files, if asked for
 };
 
 /// Reads an LS-DYNA keyword deck with everything it includes. Reports all faults at once and never throws
 /// for the deck's content; a file that cannot be opened is a fault like any other.
 ReadResult read_deck(const std::filesystem::path& deck, const ReadOptions& options = {});
+
+/// The same for the texts of an earlier reading, whose names are those of then. `changes` names a deck of a
+/// small restart, whose cards go before the earlier ones: only those that change when a run ends and what it
+/// writes.
+ReadResult read_recorded_deck(const std::vector<RecordedText>& texts, const ReadOptions& options,
+                              const std::optional<std::filesystem::path>& changes = {});
 
 /// The same for a deck held in memory. `included` maps the names that *INCLUDE may use to their text; the
 /// file system is not touched.

@@ -52,6 +52,7 @@ void keep_contact(ContactReport& contact, StateList& list) {
   keep("worst_node", "-", contact.worst_node);
   keep("force", "force", contact.force);
   keep("mass", "mass", contact.mass);
+  keep("times", "s", contact.times);
   list.keep_list("contact_initial_overlaps", "by item", Entity::Contact, 1, contact.initial_overlaps);
 }
 
@@ -147,6 +148,7 @@ void Domain::declare(StateList& list) {
   list.keep_list("supports", "by item", Entity::Node, 1, supports);
   list.keep("energy_ledger", "energy", Entity::Run, energy);
   list.keep("added_mass", "mass", Entity::Run, added_mass);
+  list.keep("stage_times", "s", Entity::Run, times);
   list.keep("element_limit", "time", Entity::Run, clock.element_limit);
   list.add("time", "time", Entity::Run, 1, std::span(&clock.time, 1));
   list.add("step", "time", Entity::Run, 1, std::span(&clock.step, 1));

@@ -7,6 +7,15 @@
 
 namespace crumple::domain {
 
+namespace {
+
+void fill(const StateArray& to, const std::vector<std::byte>& bytes) {
+  const std::span<std::byte> place = to.resize ? to.resize(bytes.size()) : to.bytes;
+  std::copy_n(bytes.begin(), std::min(place.size(), bytes.size()), place.begin());
+}
+
+}  // namespace
+
 void StateSnapshot::take(const StateList& list) {
   arrays_.resize(list.arrays().size());
   for (std::size_t i = 0; i < arrays_.size(); ++i) {
@@ -27,11 +36,13 @@ void StateSnapshot::put_back(const StateList& list) const {
                   std::to_string(arrays_[i].bytes.size()) + " bytes where " + to.name + " of " +
                   std::to_string(to.bytes.size()) + " is expected.");
   }
-  for (std::size_t i = 0; i < arrays_.size(); ++i) {
-    const StateArray& to = list.arrays()[i];
-    const std::span<std::byte> place = to.resize ? to.resize(arrays_[i].bytes.size()) : to.bytes;
-    std::copy_n(arrays_[i].bytes.begin(), std::min(place.size(), arrays_[i].bytes.size()), place.begin());
-  }
+  for (std::size_t i = 0; i < arrays_.size(); ++i) fill(list.arrays()[i], arrays_[i].bytes);
+}
+
+void StateSnapshot::put_back_known(const StateList& list) const {
+  for (const StateArray& to : list.arrays())
+    for (const Array& from : arrays_)
+      if (from.name == to.name && (to.resize || from.bytes.size() == to.bytes.size())) fill(to, from.bytes);
 }
 
 }  // namespace crumple::domain

@@ -27,6 +27,9 @@ class StateSnapshot {
   /// Fills the arrays of `list` with the copies. Throws Error, and changes nothing, if the list has other
   /// arrays: it is of another model, or of another version of the program.
   void put_back(const StateList& list) const;
+  /// Fills those arrays of `list` that are known by name and have the same length; the others stay as they
+  /// are.
+  void put_back_known(const StateList& list) const;
 
   const std::vector<Array>& arrays() const { return arrays_; }
   bool empty() const { return arrays_.empty(); }

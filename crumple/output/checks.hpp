@@ -25,6 +25,9 @@ class PeakValues {
   /// Takes in the present state. Costs a pass over the nodes: for now and then, not for every step.
   void observe(const View& view);
 
+  /// Declares the peaks so far, for a restart.
+  void declare(domain::StateList& list) { list.keep("peak_values", "by item", domain::Entity::Run, *this); }
+
   double fastest() const { return fastest_; }
   double reference_speed() const { return reference_speed_; }
   UserId fastest_node() const { return fastest_node_; }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
@@ -10,14 +11,25 @@
 #include <string>
 #include <string_view>
 
+#include "domain/state_list.hpp"
+
 namespace crumple::output {
+
+/// Whether a file of results is made anew or goes on from what lies there.
+enum class Opening { New, Continued };
 
 /// A table of comma-separated values with a header line, written in whole rows. Numbers have as many digits
 /// as it takes to read the same double back.
 class CsvFile {
  public:
-  /// Makes the file and writes the header. Throws WriteError.
-  CsvFile(std::filesystem::path path, std::string_view header);
+  /// Makes the file and writes the header; if it is continued, that is left to resume(). Throws WriteError.
+  CsvFile(std::filesystem::path path, std::string_view header, Opening opening = Opening::New);
+
+  /// Declares the length of the file, for a restart.
+  void declare(domain::StateList& list);
+  /// To be called after a restart has filled what was declared: rows behind that length, which the run wrote
+  /// after the restart file, are cut off. A file that is not there begins anew. Throws WriteError.
+  void resume();
 
   /// Appends a row to the memory of the table; it reaches the file with the next flush.
   template <class... Values>
@@ -36,9 +48,13 @@ class CsvFile {
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  void open(const char* mode);
+
   std::filesystem::path path_;
+  std::string header_;
   std::unique_ptr<std::FILE, Closer> file_;
   std::string rows_;
+  std::uint64_t bytes_ = 0;  ///< in the file
 };
 
 }  // namespace crumple::output

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -21,11 +23,16 @@ namespace crumple::output {
 
 namespace {
 
-bool is_of_family(const std::string& name) {
-  constexpr std::string_view stem = "d3plot";
-  return name.starts_with(stem) && (name.size() == stem.size() || name.size() >= stem.size() + 2) &&
-         std::all_of(name.begin() + stem.size(), name.end(),
-                     [](unsigned char c) { return std::isdigit(c) != 0; });
+constexpr std::string_view stem = "d3plot";
+
+/// Number of a file of the family: 0 is the first; -1 if it is none.
+int number_of(const std::string& name) {
+  if (!name.starts_with(stem) || name.size() == stem.size() + 1) return -1;
+  const std::string digits = name.substr(stem.size());
+  if (digits.empty()) return 0;
+  const bool number = digits.size() < 9 && std::all_of(digits.begin(), digits.end(),
+                                                       [](unsigned char c) { return std::isdigit(c) != 0; });
+  return number ? std::atoi(digits.c_str()) : -1;
 }
 
 bool write_at(std::FILE* file, std::size_t word, std::string_view bytes) {
@@ -39,16 +46,50 @@ struct Close {
 
 }  // namespace
 
-D3plotFamily::D3plotFamily(std::filesystem::path folder, const D3plotWords& geometry, std::size_t file_words)
-    : folder_(std::move(folder)), file_words_(file_words) {
-  remove_earlier_files();
-  write_atomically(first_file(), geometry.bytes());
+D3plotFamily::D3plotFamily(std::filesystem::path folder, D3plotWords geometry, std::size_t file_words,
+                           Opening opening)
+    : folder_(std::move(folder)), geometry_(std::move(geometry)), file_words_(file_words) {
+  if (opening == Opening::New) begin();
 }
 
-void D3plotFamily::remove_earlier_files() const {
+void D3plotFamily::begin() {
+  remove_files_after(-1);
+  write_atomically(first_file(), geometry_.bytes());
+  geometry_ = {};
+  files_ = 0;
+  words_ = 0;
+}
+
+void D3plotFamily::remove_files_after(int last) const {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder_, ignored))
-    if (is_of_family(entry.path().filename().string())) std::filesystem::remove(entry.path(), ignored);
+    if (number_of(entry.path().filename().string()) > last) std::filesystem::remove(entry.path(), ignored);
+}
+
+void D3plotFamily::declare(domain::StateList& list) {
+  list.keep("d3plot_files", "-", domain::Entity::Run, files_);
+  list.keep("d3plot_words", "-", domain::Entity::Run, words_);
+}
+
+bool D3plotFamily::is_whole() const {
+  std::error_code fault;
+  if (files_ == 0 || !std::filesystem::exists(first_file(), fault)) return false;
+  const std::uintmax_t bytes = std::filesystem::file_size(last_file(), fault);
+  return !fault && bytes > words_ * sizeof(std::uint32_t);
+}
+
+void D3plotFamily::resume() {
+  if (!is_whole()) {
+    begin();
+    return;
+  }
+  geometry_ = {};
+  remove_files_after(files_);
+  D3plotWords mark;
+  mark.end_mark();
+  const std::unique_ptr<std::FILE, Close> file(std::fopen(last_file().c_str(), "r+b"));
+  if (!file || !write_at(file.get(), words_, mark.bytes()))
+    throw WriteError(fmt::format("Cannot write {}: {}.", last_file().string(), std::strerror(errno)));
 }
 
 std::filesystem::path D3plotFamily::last_file() const {

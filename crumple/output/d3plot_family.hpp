@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "output/csv_file.hpp"
 #include "output/d3plot_words.hpp"
 
 namespace crumple::output {
@@ -15,8 +16,16 @@ class D3plotFamily {
   /// LS-DYNA's default size of a file: 7 times 512 * 512 words.
   static constexpr std::size_t default_file_words = std::size_t{7} * 512 * 512;
 
-  /// Removes a family that lies in the folder and writes the first file. Throws WriteError.
-  D3plotFamily(std::filesystem::path folder, const D3plotWords& geometry, std::size_t file_words);
+  /// Removes a family that lies in the folder and writes the first file; if it is continued, that is left to
+  /// resume(). Throws WriteError.
+  D3plotFamily(std::filesystem::path folder, D3plotWords geometry, std::size_t file_words,
+               Opening opening = Opening::New);
+
+  /// Declares how many files and states there are, for a restart.
+  void declare(domain::StateList& list);
+  /// To be called after a restart has filled what was declared: states behind those are removed. Begins a new
+  /// family where files are missing. Throws WriteError.
+  void resume();
 
   /// Adds a state to the last file, or to a new one where that would grow beyond its size; a state is never
   /// split, so that one that is larger has a file of its own. Throws WriteError.
@@ -25,11 +34,14 @@ class D3plotFamily {
   std::filesystem::path first_file() const { return folder_ / "d3plot"; }
 
  private:
-  void remove_earlier_files() const;
+  void begin();
+  bool is_whole() const;
+  void remove_files_after(int last) const;
   std::filesystem::path last_file() const;
   void append(const D3plotWords& state) const;
 
   std::filesystem::path folder_;
+  D3plotWords geometry_;  ///< until the first file is written
   std::size_t file_words_ = default_file_words;
   int files_ = 0;          ///< with states
   std::size_t words_ = 0;  ///< of the states in the last file

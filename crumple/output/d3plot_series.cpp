@@ -16,7 +16,8 @@ std::int64_t seconds_since_1970() {
 
 }  // namespace
 
-D3plotSeries::D3plotSeries(const std::filesystem::path& folder, const View& view, std::size_t file_words)
-    : family_(folder, d3plot_geometry(view, seconds_since_1970()), file_words), state_(view) {}
+D3plotSeries::D3plotSeries(const std::filesystem::path& folder, const View& view, std::size_t file_words,
+                           Opening opening)
+    : family_(folder, d3plot_geometry(view, seconds_since_1970()), file_words, opening), state_(view) {}
 
 }  // namespace crumple::output

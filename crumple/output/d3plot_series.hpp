@@ -13,10 +13,18 @@ namespace crumple::output {
 /// The states of a run in LS-DYNA's d3plot files, for programs that read these.
 class D3plotSeries {
  public:
-  /// Writes the first file and removes those of an earlier run; the folder must exist. Files with states have
-  /// at most `file_words` words. Throws WriteError.
+  /// Writes the first file and removes those of an earlier run; if they are continued, that is left to
+  /// resume(). The folder must exist. Files with states have at most `file_words` words. Throws WriteError.
   D3plotSeries(const std::filesystem::path& folder, const View& view,
-               std::size_t file_words = D3plotFamily::default_file_words);
+               std::size_t file_words = D3plotFamily::default_file_words, Opening opening = Opening::New);
+
+  /// Declares the states so far, for a restart.
+  void declare(domain::StateList& list) {
+    family_.declare(list);
+    state_.declare(list);
+  }
+  /// To be called after a restart has filled what was declared. Throws WriteError.
+  void resume() { family_.resume(); }
 
   /// Adds the present state. Throws WriteError.
   void write_state(const View& view) { family_.add_state(state_.words(view)); }

@@ -150,4 +150,9 @@ D3plotWords D3plotState::words(const View& view) {
   return words;
 }
 
+void D3plotState::declare(domain::StateList& list) {
+  list.keep("d3plot_time", "time", domain::Entity::Run, time_);
+  list.keep_list("d3plot_wall_impulse", "force*time", domain::Entity::Wall, 1, wall_normal_impulse_);
+}
+
 }  // namespace crumple::output

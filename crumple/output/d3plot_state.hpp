@@ -20,6 +20,9 @@ class D3plotState {
   /// deletion table. Forces on walls are the mean since the state before.
   D3plotWords words(const View& view);
 
+  /// Declares what is remembered of the state before, for a restart.
+  void declare(domain::StateList& list);
+
  private:
   void add_globals(D3plotWords& words, const View& view);
   void add_walls(D3plotWords& words, const View& view);

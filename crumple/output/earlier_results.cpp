@@ -16,6 +16,11 @@ constexpr std::array<std::string_view, 13> names{"run.json",   "report.html",  "
 
 }  // namespace
 
+void remove_ending(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"run.json", "report.html"}) std::filesystem::remove(folder / name, ignored);
+}
+
 void remove_earlier_results(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const std::string_view name : names) std::filesystem::remove(folder / name, ignored);

@@ -10,4 +10,7 @@ namespace crumple::output {
 /// are removed where new ones are written.
 void remove_earlier_results(const std::filesystem::path& folder);
 
+/// Removes what only a finished run has: a run that is taken up goes on in the folder.
+void remove_ending(const std::filesystem::path& folder);
+
 }  // namespace crumple::output

@@ -19,6 +19,8 @@ class History {
  public:
   virtual ~History() = default;
   virtual void add_rows(const View& view, CsvFile& table) = 0;
+  /// Declares what it remembers from row to row, for a restart.
+  virtual void declare(domain::StateList& /*list*/) {}
 };
 
 /// A history of a run: its file, its columns, and the interval that the deck asks for.

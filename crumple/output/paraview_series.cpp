@@ -95,15 +95,20 @@ std::string as_attribute(const std::string& text) {
 
 }  // namespace
 
-ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view)
+ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view,
+                               Opening opening)
     : folder_(std::move(folder)), name_(std::move(name)), walls_(view) {
   make_folder(folder_ / "vtu");
-  remove_earlier_frames();
+  if (opening == Opening::New) remove_earlier_frames();
   place_ = block_places(view.domain.shells, view.model.shells.size());
   solid_place_ = block_places(view.domain.solids, view.model.solids.size());
   beam_place_ = block_places(view.domain.beams, view.model.beams.size());
   discrete_place_ = block_places(view.domain.discretes, view.model.discretes.size());
   pack_constant_arrays(view);
+}
+
+void ParaviewSeries::declare(domain::StateList& list) {
+  list.keep_list("frame_times", "time", domain::Entity::Run, 1, times_);
 }
 
 void ParaviewSeries::remove_earlier_frames() const {

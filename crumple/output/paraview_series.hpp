@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/block_places.hpp"
+#include "output/csv_file.hpp"
 #include "output/paraview_walls.hpp"
 #include "output/view.hpp"
 #include "output/vtu_file.hpp"
@@ -18,8 +19,13 @@ namespace crumple::output {
 /// loads at any moment.
 class ParaviewSeries {
  public:
-  /// Makes the folders and removes frames that an earlier run of that name left. Throws WriteError.
-  ParaviewSeries(std::filesystem::path folder, std::string name, const View& view);
+  /// Makes the folders and removes frames that an earlier run of that name left, unless they are continued.
+  /// Throws WriteError.
+  ParaviewSeries(std::filesystem::path folder, std::string name, const View& view,
+                 Opening opening = Opening::New);
+
+  /// Declares the frames so far, for a restart.
+  void declare(domain::StateList& list);
 
   /// Adds the present state as the next frame. Throws WriteError.
   void write_frame(const View& view);

@@ -7,13 +7,33 @@ namespace crumple::output {
 
 Recorder::Recorder(const std::filesystem::path& folder, const std::string& name, const View& view,
                    const ExtraFiles& extra)
-    : series_(folder, name, view),
+    : series_(folder, name, view, extra.opening),
       frame_schedule_(view.model.output.state_interval, default_frames, view.model.control) {
-  if (extra.d3plot) d3plot_.emplace(folder, view);
+  if (extra.d3plot) d3plot_.emplace(folder, view, D3plotFamily::default_file_words, extra.opening);
   for (HistoryEntry& entry : histories_of(view))
-    tables_.push_back({CsvFile(folder / entry.file, entry.header),
+    tables_.push_back({CsvFile(folder / entry.file, entry.header, extra.opening),
                        Schedule(entry.interval, entry.points, view.model.control), std::move(entry.history)});
   if (const auto path = write_initial_overlaps(folder, view)) start_files_.push_back(*path);
+}
+
+void Recorder::declare(domain::StateList& list) {
+  series_.declare(list);
+  if (d3plot_) d3plot_->declare(list);
+  frame_schedule_.declare("frames", list);
+  for (Table& table : tables_) {
+    table.file.declare(list);
+    table.schedule.declare(table.file.path().filename().string(), list);
+    table.history->declare(list);
+  }
+}
+
+void Recorder::resume(const domain::Clock& clock) {
+  if (d3plot_) d3plot_->resume();
+  frame_schedule_.resume(clock);
+  for (Table& table : tables_) {
+    table.file.resume();
+    table.schedule.resume(clock);
+  }
 }
 
 void Recorder::write_rows(Table& table, const View& view) {

@@ -20,15 +20,23 @@ inline constexpr int default_frames = 100;
 
 /// What the deck does not ask for and the user may.
 struct ExtraFiles {
-  bool d3plot = false;  ///< LS-DYNA's files of the frames, beside ParaView's
+  bool d3plot = false;             ///< LS-DYNA's files of the frames, beside ParaView's
+  Opening opening = Opening::New;  ///< whether all files are made anew
 };
 
 /// Everything that a run writes while it goes on.
 class Recorder {
  public:
-  /// Makes the folder and the files in it; `name` is that of the frames. Throws WriteError.
+  /// Makes the folder and the files in it; `name` is that of the frames. If they are continued, their content
+  /// is left to resume(). Throws WriteError.
   Recorder(const std::filesystem::path& folder, const std::string& name, const View& view,
            const ExtraFiles& extra = {});
+
+  /// Declares how far all files have come, for a restart.
+  void declare(domain::StateList& list);
+  /// To be called after a restart has filled what was declared: what the files hold beyond it is cut off.
+  /// Throws WriteError.
+  void resume(const domain::Clock& clock);
 
   /// Writes what is due at this time. To be called once at time zero and after every step. Throws WriteError.
   void write_due(const View& view);

@@ -20,14 +20,24 @@ Schedule::Schedule(double interval, int points, const model::Control& control) :
 }
 
 bool Schedule::due(const domain::Clock& clock) const {
-  if (interval_ <= 0) return clock.cycle >= next_cycle_;
-  return clock.time >= (next_multiple_ - slack) * interval_;
+  if (interval_ <= 0) return clock.cycle >= progress_.next_cycle;
+  return clock.time >= (progress_.next_multiple - slack) * interval_;
 }
 
 void Schedule::mark_written(const domain::Clock& clock) {
-  last_cycle_ = clock.cycle;
-  next_cycle_ = clock.cycle + cycle_interval_;
-  if (interval_ > 0) next_multiple_ = std::floor(clock.time / interval_ + slack) + 1;
+  progress_.last_cycle = clock.cycle;
+  progress_.next_cycle = clock.cycle + cycle_interval_;
+  if (interval_ > 0) progress_.next_multiple = std::floor(clock.time / interval_ + slack) + 1;
+}
+
+void Schedule::declare(const std::string& name, domain::StateList& list) {
+  progress_.interval = interval_;
+  list.keep(name + "_schedule", "by item", domain::Entity::Run, progress_);
+}
+
+void Schedule::resume(const domain::Clock& clock) {
+  if (interval_ <= 0 || progress_.interval == interval_) return;
+  progress_.next_multiple = std::floor(clock.time / interval_ + slack) + 1;
 }
 
 }  // namespace crumple::output

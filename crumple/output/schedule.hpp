@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
 #include "domain/domain.hpp"
 #include "model/control.hpp"
 
@@ -19,16 +21,25 @@ class Schedule {
   /// Something was written: the next multiple after the present time is due next.
   void mark_written(const domain::Clock& clock);
   /// True if the state at hand is the one that was written last.
-  bool has_written(const domain::Clock& clock) const { return last_cycle_ == clock.cycle; }
+  bool has_written(const domain::Clock& clock) const { return progress_.last_cycle == clock.cycle; }
 
   double interval() const { return interval_; }
 
+  /// Declares how far it has come, for a restart.
+  void declare(const std::string& name, domain::StateList& list);
+  /// To be called after a restart has filled what was declared: the interval may have changed since.
+  void resume(const domain::Clock& clock);
+
  private:
+  struct Progress {
+    double interval = 0;  ///< by which the multiples count [time]
+    double next_multiple = 0;
+    long next_cycle = 0;
+    long last_cycle = -1;
+  };
   double interval_ = 0;        ///< [time]; 0 counts cycles
   long cycle_interval_ = 100;  ///< for runs that only a number of cycles ends
-  double next_multiple_ = 0;
-  long next_cycle_ = 0;
-  long last_cycle_ = -1;
+  Progress progress_;
 };
 
 }  // namespace crumple::output

@@ -29,6 +29,12 @@ class WallHistory : public History {
     time_ = time;
   }
 
+  void declare(domain::StateList& list) override {
+    list.keep("wall_history_time", "time", domain::Entity::Run, time_);
+    list.keep_list("wall_history_impulse", "force*time", domain::Entity::Wall, 3, impulse_);
+    list.keep_list("wall_history_normal_impulse", "force*time", domain::Entity::Wall, 1, normal_impulse_);
+  }
+
  private:
   double time_ = 0;
   std::vector<math::Vec3> impulse_;     ///< up to the row before

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/restart_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "output/atomic_file.hpp"
+#include "output/write_error.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+constexpr const char* extension = ".restart";
+
+bool is_multiple(long cycle, long interval) {
+  return interval > 0 && cycle % interval == 0;
+}
+
+}  // namespace
+
+std::string earlier_restart(int age) {
+  return age == 1 ? "previous.restart" : fmt::format("previous{}.restart", age);
+}
+
+RestartWriter::RestartWriter(std::filesystem::path folder, const model::RestartRequests& deck,
+                             const RestartInterval& asked, const domain::Clock& clock)
+    : folder_(std::move(folder)), deck_(deck), asked_(asked), first_cycle_(clock.cycle) {}
+
+bool RestartWriter::running_due(const domain::Clock& clock) const {
+  return is_multiple(clock.cycle, deck_.running_cycles) || is_multiple(clock.cycle, asked_.cycles) ||
+         (asked_.seconds > 0 && since_last_.seconds() >= asked_.seconds);
+}
+
+bool RestartWriter::dump_due(const domain::Clock& clock) const {
+  return is_multiple(clock.cycle, deck_.dump_cycles);
+}
+
+bool RestartWriter::due(const domain::Clock& clock) const {
+  return clock.cycle != first_cycle_ && (running_due(clock) || dump_due(clock));
+}
+
+bool RestartWriter::wanted() const {
+  return deck_.running_cycles > 0 || deck_.dump_cycles > 0 || asked_.cycles > 0 || asked_.seconds > 0;
+}
+
+void RestartWriter::write_due(const domain::Clock& clock, const RestartSource& source) {
+  if (dump_due(clock))
+    write(folder_ / fmt::format("dump{:02}{}", clock.cycle / deck_.dump_cycles, extension), clock, source);
+  if (running_due(clock)) write_newest(clock, source);
+}
+
+void RestartWriter::write_newest(const domain::Clock& clock, const RestartSource& source) {
+  if (clock.cycle == newest_cycle_) return;
+  std::filesystem::path fresh = newest();
+  fresh += ".new";
+  write(fresh, clock, source);
+  keep_earlier();
+  std::error_code fault;
+  std::filesystem::rename(fresh, newest(), fault);
+  if (fault)
+    throw output::WriteError(fmt::format("Cannot write {}: {}.", newest().string(), fault.message()));
+  newest_cycle_ = clock.cycle;
+  since_last_.restart();
+}
+
+void RestartWriter::write(const std::filesystem::path& path, const domain::Clock& clock,
+                          const RestartSource& source) const {
+  output::make_folder(folder_);
+  output::RestartRecord record = make_restart_record(source.settings);
+  record.time = clock.time;
+  record.cycle = clock.cycle;
+  output::write_restart_file(path, record, source.simulation, source.files);
+}
+
+/// Moves the newest file and those before it one place on; the oldest goes.
+void RestartWriter::keep_earlier() const {
+  std::error_code ignored;
+  for (int age = std::max(1, deck_.running_files); age > 0; --age) {
+    const std::filesystem::path from = age == 1 ? newest() : folder_ / earlier_restart(age - 1);
+    if (std::filesystem::exists(from, ignored))
+      std::filesystem::rename(from, folder_ / earlier_restart(age), ignored);
+  }
+}
+
+std::vector<std::filesystem::path> RestartWriter::files() const {
+  std::vector<std::filesystem::path> found;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, ignored))
+    if (entry.path().extension() == extension) found.push_back(entry.path());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void remove_restart_files(const std::filesystem::path& results) {
+  std::error_code ignored;
+  const std::filesystem::path folder = results / restart_folder;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() == extension || name.ends_with(".restart.new") || name.ends_with(".tmp"))
+      std::filesystem::remove(entry.path(), ignored);
+  }
+  std::filesystem::remove(folder, ignored);
+}
+
+}  // namespace crumple::app

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/restart_settings.hpp"
+#include "base/stopwatch.hpp"
+#include "domain/domain.hpp"
+#include "model/output_requests.hpp"
+
+namespace crumple::app {
+
+/// Folder of the restart files in that of the results, and the newest file in it.
+inline constexpr const char* restart_folder = "restart";
+inline constexpr const char* newest_restart = "latest.restart";
+/// The file before the newest (1), the one before that (2), ...
+std::string earlier_restart(int age);
+
+/// What a restart file is made from, between two steps.
+struct RestartSource {
+  const domain::StateList& simulation;
+  const domain::StateList& files;
+  const RestartSettings& settings;
+};
+
+/// Writes restart files when they are due. Those that replace each other keep the one before until the new
+/// one is whole, so that there is a good one at any moment.
+class RestartWriter {
+ public:
+  RestartWriter(std::filesystem::path folder, const model::RestartRequests& deck,
+                const RestartInterval& asked, const domain::Clock& clock);
+
+  /// Whether a file is due after this cycle.
+  bool due(const domain::Clock& clock) const;
+  /// Whether the user or the deck asks for restart files at all.
+  bool wanted() const;
+  /// Writes what is due: the newest file, or one that is kept (D3DUMP). Throws WriteError.
+  void write_due(const domain::Clock& clock, const RestartSource& source);
+  /// Writes the newest file, unless it is that of this cycle. Throws WriteError.
+  void write_newest(const domain::Clock& clock, const RestartSource& source);
+
+  /// What was written, or taken up, and still lies there.
+  std::vector<std::filesystem::path> files() const;
+  std::filesystem::path newest() const { return folder_ / newest_restart; }
+
+ private:
+  bool running_due(const domain::Clock& clock) const;
+  bool dump_due(const domain::Clock& clock) const;
+  void write(const std::filesystem::path& path, const domain::Clock& clock,
+             const RestartSource& source) const;
+  void keep_earlier() const;
+
+  std::filesystem::path folder_;
+  model::RestartRequests deck_;
+  RestartInterval asked_;
+  Stopwatch since_last_;
+  long first_cycle_ = 0;    ///< with which this run of the program began
+  long newest_cycle_ = -1;  ///< of the newest file
+};
+
+/// Removes the restart files of an earlier run from a folder of results.
+void remove_restart_files(const std::filesystem::path& results);
+
+}  // namespace crumple::app
