@@ -46,17 +46,21 @@ bool RestartWriter::wanted() const {
   return deck_.running_cycles > 0 || deck_.dump_cycles > 0 || asked_.cycles > 0 || asked_.seconds > 0;
 }
 
-void RestartWriter::write_due(const domain::Clock& clock, const RestartSource& source) {
-  if (dump_due(clock))
-    write(folder_ / fmt::format("dump{:02}{}", clock.cycle / deck_.dump_cycles, extension), clock, source);
-  if (running_due(clock)) write_newest(clock, source);
+void RestartWriter::write(RestartKind kind, const domain::Clock& clock, const RestartSource& source) {
+  if (kind == RestartKind::LastGood) write_file(folder_ / "last_good.restart", clock, source);
+  if (kind == RestartKind::Due && dump_due(clock))
+    write_file(folder_ / fmt::format("dump{:02}{}", clock.cycle / deck_.dump_cycles, extension), clock,
+               source);
+  if (kind == RestartKind::Newest || (kind == RestartKind::Due && running_due(clock)))
+    write_newest(clock, source);
 }
 
+/// Unless it is that of this cycle.
 void RestartWriter::write_newest(const domain::Clock& clock, const RestartSource& source) {
   if (clock.cycle == newest_cycle_) return;
   std::filesystem::path fresh = newest();
   fresh += ".new";
-  write(fresh, clock, source);
+  write_file(fresh, clock, source);
   keep_earlier();
   std::error_code fault;
   std::filesystem::rename(fresh, newest(), fault);
@@ -66,8 +70,8 @@ void RestartWriter::write_newest(const domain::Clock& clock, const RestartSource
   since_last_.restart();
 }
 
-void RestartWriter::write(const std::filesystem::path& path, const domain::Clock& clock,
-                          const RestartSource& source) const {
+void RestartWriter::write_file(const std::filesystem::path& path, const domain::Clock& clock,
+                               const RestartSource& source) const {
   output::make_folder(folder_);
   output::RestartRecord record = make_restart_record(source.settings);
   record.time = clock.time;

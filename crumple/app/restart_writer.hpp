@@ -26,6 +26,13 @@ struct RestartSource {
   const RestartSettings& settings;
 };
 
+/// Which restart file to write.
+enum class RestartKind {
+  Due,       ///< those that are due now
+  Newest,    ///< the newest file, whether it is due or not
+  LastGood,  ///< the state before an error, beside the others
+};
+
 /// Writes restart files when they are due. Those that replace each other keep the one before until the new
 /// one is whole, so that there is a good one at any moment.
 class RestartWriter {
@@ -37,10 +44,8 @@ class RestartWriter {
   bool due(const domain::Clock& clock) const;
   /// Whether the user or the deck asks for restart files at all.
   bool wanted() const;
-  /// Writes what is due: the newest file, or one that is kept (D3DUMP). Throws WriteError.
-  void write_due(const domain::Clock& clock, const RestartSource& source);
-  /// Writes the newest file, unless it is that of this cycle. Throws WriteError.
-  void write_newest(const domain::Clock& clock, const RestartSource& source);
+  /// Throws WriteError.
+  void write(RestartKind kind, const domain::Clock& clock, const RestartSource& source);
 
   /// What was written, or taken up, and still lies there.
   std::vector<std::filesystem::path> files() const;
@@ -49,8 +54,9 @@ class RestartWriter {
  private:
   bool running_due(const domain::Clock& clock) const;
   bool dump_due(const domain::Clock& clock) const;
-  void write(const std::filesystem::path& path, const domain::Clock& clock,
-             const RestartSource& source) const;
+  void write_newest(const domain::Clock& clock, const RestartSource& source);
+  void write_file(const std::filesystem::path& path, const domain::Clock& clock,
+                  const RestartSource& source) const;
   void keep_earlier() const;
 
   std::filesystem::path folder_;

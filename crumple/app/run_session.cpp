@@ -126,18 +126,14 @@ domain::StateList RunSession::own_state() {
   return list;
 }
 
-/// The newest file whatever is due, or what is due.
-void RunSession::write_restart(bool newest) {
+void RunSession::write_restart(RestartKind kind) {
   loop_seconds_ = monitor_->seconds();
   restart_settings_.warnings = warnings_;
   domain::StateList files = own_state();
   recorder_->declare(files);
   const domain::StateList state = simulation_.state();
   const RestartSource source{state, files, restart_settings_};
-  if (newest)
-    restart_writer_->write_newest(simulation_.domain().clock, source);
-  else
-    restart_writer_->write_due(simulation_.domain().clock, source);
+  restart_writer_->write(kind, simulation_.domain().clock, source);
 }
 
 /// What ends before its time can be taken up again; what ends in time too, if there are restart files at all.
@@ -146,7 +142,7 @@ void RunSession::save_for_restart(Ending& ending) {
   if (!wanted && ending.termination != "interrupted") return;
   try {
     const StageTimer timer(simulation_.domain().times.output);
-    write_restart(true);
+    write_restart(RestartKind::Newest);
   } catch (const output::WriteError& fault) {
     ending = {"error", fault.what(), ExitCode::Output};
   }
@@ -162,8 +158,9 @@ void RunSession::observe() {
     const StageTimer timer(simulation_.domain().times.output);
     if (simulation_.domain().clock.cycle % peak_cycles == 0) peaks_.observe(view());
     recorder_->write_due(view());
-    if (restart_writer_->due(simulation_.domain().clock)) write_restart(false);
+    if (restart_writer_->due(simulation_.domain().clock)) write_restart(RestartKind::Due);
   }
+  good_state_.observe(simulation_);
   monitor_->observe();
 }
 
@@ -181,7 +178,7 @@ std::optional<Ending> RunSession::asked_to_stop() {
       monitor_->print_line();
       break;
     case Switch::Restart:
-      write_restart(true);
+      write_restart(RestartKind::Newest);
       fmt::print(console_.out, "Restart file {}\n", restart_writer_->newest().string());
       break;
     case Switch::Frame:
@@ -218,8 +215,23 @@ Ending RunSession::follow_guarded() {
   } catch (const output::WriteError& fault) {
     return {"error", fault.what(), ExitCode::Output};
   } catch (const Error& fault) {
-    return {"error", fault.what(), ExitCode::Numerical};
+    return gone_wrong(fault.what());
   }
+}
+
+/// Goes back to the last state before the error, for the frames and histories, and for whoever wants to look
+/// at the step that failed.
+Ending RunSession::gone_wrong(const std::string& reason) {
+  Ending ending{"error", reason, ExitCode::Numerical};
+  if (!good_state_.return_before(simulation_.domain().clock.cycle, simulation_)) return ending;
+  ending.reason += fmt::format(" The last state before it, of cycle {}, is the last frame.",
+                               simulation_.domain().clock.cycle);
+  try {
+    write_restart(RestartKind::LastGood);
+  } catch (const output::WriteError& fault) {
+    return {"error", reason + " " + fault.what(), ExitCode::Output};
+  }
+  return ending;
 }
 
 void RunSession::write_record(const Ending& ending) {

@@ -10,6 +10,7 @@
 #include "app/command_line.hpp"
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
+#include "app/good_state.hpp"
 #include "app/monitor.hpp"
 #include "app/restart_settings.hpp"
 #include "app/restart_writer.hpp"
@@ -50,8 +51,9 @@ class RunSession {
   void take_up(const Restart& restart);
   void open_files(const Restart* restart);
   domain::StateList own_state();
-  void write_restart(bool newest);
+  void write_restart(RestartKind kind);
   void save_for_restart(Ending& ending);
+  Ending gone_wrong(const std::string& reason);
   Ending follow();
   Ending follow_guarded();
   void observe();
@@ -73,6 +75,7 @@ class RunSession {
   SwitchFile switches_;
   std::unique_ptr<RestartWriter> restart_writer_;
   RestartSettings restart_settings_;
+  GoodState good_state_;
   output::PeakValues peaks_;
   std::vector<std::string> warnings_;
   double first_step_ = 0;    ///< [time]

@@ -34,12 +34,16 @@ StopSignals::StopSignals() {
   action.sa_handler = remember_restart;
   action.sa_flags = SA_RESTART;
   sigaction(SIGUSR1, &action, &earlier_user_);
+  // A limit on the size of files then shows as an error of the write, which names the file.
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, &earlier_file_size_);
 }
 
 StopSignals::~StopSignals() {
   sigaction(SIGINT, &earlier_interrupt_, nullptr);
   sigaction(SIGTERM, &earlier_terminate_, nullptr);
   sigaction(SIGUSR1, &earlier_user_, nullptr);
+  sigaction(SIGXFSZ, &earlier_file_size_, nullptr);
 }
 
 bool StopSignals::asked_for_restart() {

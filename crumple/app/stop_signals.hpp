@@ -7,7 +7,7 @@ namespace crumple::app {
 
 /// While it lives, SIGINT and SIGTERM do not kill the program but are remembered, so that the run can end
 /// between two steps. The second of the same kind kills, for whoever cannot wait. SIGUSR1 asks for a restart
-/// file. At most one object at a time.
+/// file, and SIGXFSZ (a file grows beyond a limit) does not kill. At most one object at a time.
 class StopSignals {
  public:
   StopSignals();
@@ -24,6 +24,7 @@ class StopSignals {
   struct sigaction earlier_interrupt_ {};
   struct sigaction earlier_terminate_ {};
   struct sigaction earlier_user_ {};
+  struct sigaction earlier_file_size_ {};
 };
 
 }  // namespace crumple::app

@@ -139,7 +139,7 @@ void EdgeContact::declare(domain::StateList& list) {
 
 void EdgeContact::resume(const domain::Domain& domain, const Kinematics& motion) {
   if (!exists()) return;
-  if (domain::eroded_elements(domain) > 0) refresh(edges_, *surface_, domain);
+  refresh(edges_, *surface_, domain);
   search_.resume(motion);
 }
 

@@ -125,6 +125,8 @@ void read_database_history_node(Cards& cards, RawDeck& deck);
 void read_database_history_node_id(Cards& cards, RawDeck& deck);
 void read_database_history_node_set(Cards& cards, RawDeck& deck);
 void read_database_binary_d3plot(Cards& cards, RawDeck& deck);
+void read_database_binary_d3dump(Cards& cards, RawDeck& deck);
+void read_database_binary_runrsf(Cards& cards, RawDeck& deck);
 
 // read_conditions.cpp
 void read_boundary_spc_node(Cards& cards, RawDeck& deck);

@@ -215,6 +215,8 @@ constexpr Keyword table[] = {
     {"DATABASE_HISTORY_NODE_ID", read_database_history_node_id},
     {"DATABASE_HISTORY_NODE_SET", read_database_history_node_set},
     {"DATABASE_BINARY_D3PLOT", read_database_binary_d3plot, none, false},
+    {"DATABASE_BINARY_D3DUMP", read_database_binary_d3dump, none, false},
+    {"DATABASE_BINARY_RUNRSF", read_database_binary_runrsf, none, false},
 };
 
 constexpr std::string_view is_output = "an output that is not written";

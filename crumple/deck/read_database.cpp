@@ -26,6 +26,15 @@ constexpr Field state_card[] = {
     integer("NPLTC", 0, not_negative), harmless("PSETID", {0}, "all parts are written"), unused("CID"),
 };
 
+constexpr Field dump_card[] = {
+    integer("CYCL", 0, not_negative),
+};
+
+constexpr Field running_card[] = {
+    integer("CYCL", 0, not_negative),
+    integer_or_default("NR", 1, not_negative),
+};
+
 constexpr Field history_card[] = {reference("ID1"), reference("ID2"), reference("ID3"), reference("ID4"),
                                   reference("ID5"), reference("ID6"), reference("ID7"), reference("ID8")};
 
@@ -72,6 +81,17 @@ void read_database_binary_d3plot(Cards& cards, RawDeck& deck) {
   deck.output.state_interval = card.real("DT");
   deck.state_count = card.good("NPLTC") ? card.integer("NPLTC") : 0;
   cards.skip_rest();  // further cards choose what LS-DYNA's own file holds
+}
+
+void read_database_binary_d3dump(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(dump_card);
+  if (card.good("CYCL")) deck.output.restart.dump_cycles = card.integer("CYCL");
+}
+
+void read_database_binary_runrsf(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(running_card);
+  if (card.good("CYCL")) deck.output.restart.running_cycles = card.integer("CYCL");
+  if (card.good("NR")) deck.output.restart.running_files = static_cast<int>(card.integer("NR"));
 }
 
 }  // namespace crumple::deck

@@ -19,6 +19,8 @@ CsvFile::CsvFile(std::filesystem::path path, std::string_view header, Opening op
 void CsvFile::open(const char* mode) {
   file_.reset(std::fopen(path_.c_str(), mode));
   if (!file_) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
+  // Each flush is one write: nothing is left over for later if it fails.
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
   if (bytes_ > 0) return;
   rows_ = header_ + "\n";
   flush();
@@ -44,9 +46,17 @@ void CsvFile::resume() {
 void CsvFile::flush() {
   const bool good = std::fwrite(rows_.data(), 1, rows_.size(), file_.get()) == rows_.size() &&
                     std::fflush(file_.get()) == 0;
-  bytes_ += rows_.size();
+  const int reason = errno;
+  const std::size_t added = rows_.size();
   rows_.clear();
-  if (!good) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
+  if (good) {
+    bytes_ += added;
+    return;
+  }
+  // Half a row would be no table any more.
+  std::error_code ignored;
+  std::filesystem::resize_file(path_, bytes_, ignored);
+  throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(reason)));
 }
 
 }  // namespace crumple::output

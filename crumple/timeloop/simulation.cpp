@@ -94,6 +94,9 @@ domain::StateList Simulation::state() {
 
 void Simulation::resume() {
   domain_.nodes.publish_all();
+  // A step that failed has left forces behind.
+  std::fill(domain_.nodes.force.begin(), domain_.nodes.force.end(), domain::NodeForce{});
+  for (domain::RigidBody& body : domain_.rigid_bodies) body.force = body.moment = math::Vec3{};
   for (contact::Interface& contact : contacts_) contact.resume(domain_);
 }
 

@@ -35,9 +35,9 @@ class Simulation {
   /// changes. Holds until the next step.
   domain::StateList state();
 
-  /// Instead of start(): the arrays of state() have been filled with those of another simulation of the same
-  /// model, at any time of its run. The steps that follow are bitwise the same as there, with any number of
-  /// threads.
+  /// Instead of start(), or to go back: the arrays of state() have been filled with those of an earlier time,
+  /// or of another simulation of the same model. The steps that follow are bitwise the same as there, with
+  /// any number of threads.
   void resume();
 
   /// Forces, energies and the first step size at time zero; velocities then are half a step ahead.

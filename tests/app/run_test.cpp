@@ -151,6 +151,26 @@ TEST_F(RunTest, ARunThatGoesWrongEndsWithAnErrorAndKeepsWhatWasGood) {
   EXPECT_EQ(table("out/glstat.csv")[1][0], "0");
 }
 
+TEST_F(RunTest, WhereItWentWrongIsTheLastFrame) {
+  // Halfway a curve pulls a node away faster than the elements can follow.
+  std::string text = falling_plate();
+  text.replace(text.find("*END"), 4,
+               "*DEFINE_CURVE\n5\n0.0,0.0\n0.5,0.0\n0.500001,1e30\n2.0,1e30\n"
+               "*LOAD_NODE_POINT\n9,1,5\n*END");
+  const Result result = run({"run", write("plate.k", text), "-o", path("out")});
+  EXPECT_EQ(result.code, ExitCode::Numerical) << result.out;
+  const auto json = record("out");
+  const std::string reason = json["reason"];
+  EXPECT_NE(reason.find(" of shell "), std::string::npos) << reason;
+  EXPECT_NE(reason.find("is the last frame"), std::string::npos) << reason;
+  const double last = json["end_time"];
+  EXPECT_NEAR(last, 0.5, 0.01);
+  EXPECT_EQ(std::stod(table("out/glstat.csv").back()[0]), last);
+  EXPECT_TRUE(exists("out/restart/last_good.restart"));
+  // It fails again where it failed.
+  EXPECT_EQ(run({"run", "--restart", path("out/restart/last_good.restart")}).code, ExitCode::Numerical);
+}
+
 TEST_F(RunTest, AnEnergyRatioOutOfBoundsEndsTheRun) {
   const std::string control =
       "*CONTROL_TERMINATION\n"
@@ -230,6 +250,30 @@ TEST_F(StopTest, SwitchOne) {
   EXPECT_EQ(result.code, ExitCode::Stopped);
   expect_complete("sw1");
   EXPECT_FALSE(exists("out/d3kil"));
+}
+
+TEST_F(StopTest, WhatWasStoppedCanBeTakenUp) {
+  run_until([] { kill(getpid(), SIGTERM); });
+  const auto stopped = record("out");
+  EXPECT_TRUE(exists("out/restart/latest.restart"));
+  const double end = 1.1 * stopped["end_time"].get<double>();
+  const Result result = run({"run", "--restart", path("out"), "--end", std::to_string(end)});
+  EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+  EXPECT_GE(record("out")["end_time"], end * (1 - 1e-9));
+  EXPECT_GT(record("out")["cycles"], stopped["cycles"]);
+}
+
+TEST_F(StopTest, SwitchThreeAndSigusr1WriteRestartFilesAndTheRunGoesOn) {
+  run_until([this] {
+    write("out/d3kil", "sw3");
+    while (!exists("out/restart/latest.restart")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_FALSE(exists("out/restart/previous.restart"));
+    kill(getpid(), SIGUSR1);
+    while (!exists("out/restart/previous.restart")) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_FALSE(exists("out/run.json"));
+    kill(getpid(), SIGINT);
+  });
+  EXPECT_EQ(record("out")["termination"], "interrupted");
 }
 
 TEST_F(StopTest, SwitchFourWritesAFrameAndTheRunGoesOn) {
