@@ -117,9 +117,9 @@ void read_control_contact(Cards& cards, RawDeck& deck);
 
 // read_database.cpp
 void read_database_history_file(Cards& cards, RawDeck& deck, model::HistoryFile file);
-template <model::HistoryFile file>
+template <model::HistoryFile WhichFile>
 void read_database(Cards& cards, RawDeck& deck) {
-  read_database_history_file(cards, deck, file);
+  read_database_history_file(cards, deck, WhichFile);
 }
 void read_database_history_node(Cards& cards, RawDeck& deck);
 void read_database_history_node_id(Cards& cards, RawDeck& deck);
