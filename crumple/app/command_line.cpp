@@ -158,6 +158,8 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_flag(
       "--move-apart", options.move_apart,
       "Move nodes that overlap other surfaces at the start; otherwise their contact begins where they are");
+  run.add_flag("--trace-energy", options.trace_energy,
+               "Follow the energy balance by part and contact: energy_residual.csv, run.json");
   run.add_option("--verify-search", options.verify_search,
                  "Compare the contact search with brute force every so many cycles; stop on a difference")
       ->check(CLI::NonNegativeNumber);
@@ -186,8 +188,9 @@ void add_restart_options(CLI::App& run, Options& options) {
           },
           "INTERVAL"));
   // What the run so far was computed with stays.
-  for (const char* const fixed : {"--precision", "--search", "--local-search", "--move-apart", "--perturb",
-                                  "--seed", "--parameter", "--allow-unsupported", "--contact"})
+  for (const char* const fixed :
+       {"--precision", "--search", "--local-search", "--move-apart", "--perturb", "--seed", "--parameter",
+        "--allow-unsupported", "--contact", "--trace-energy"})
     run.get_option(fixed)->excludes(restart);
 }
 

@@ -38,6 +38,7 @@ Json json_of(const Options& options) {
           {"automatic_contact", options.automatic_contact},
           {"allow_unsupported", options.allow_unsupported},
           {"d3plot", options.d3plot},
+          {"trace_energy", options.trace_energy},
           {"move_apart", options.move_apart},
           {"perturbation", options.perturbation},
           {"seed", options.seed}};
@@ -56,6 +57,7 @@ Options options_of(const Json& json) {
   options.automatic_contact = json.at("automatic_contact");
   options.allow_unsupported = json.at("allow_unsupported");
   options.d3plot = json.at("d3plot");
+  options.trace_energy = json.at("trace_energy");
   options.move_apart = json.at("move_apart");
   options.perturbation = json.at("perturbation");
   options.seed = json.at("seed");

@@ -57,6 +57,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
       switches_({std::filesystem::path("."), folder_}) {
   simulation_.verify_search_every(options.verify_search);
   if (options.d3plot) simulation_.keep_accelerations();
+  if (options.trace_energy) simulation_.trace_energy();
   if (restart == nullptr)
     begin();
   else
@@ -149,8 +150,12 @@ void RunSession::save_for_restart(Ending& ending) {
 }
 
 output::View RunSession::view() const {
-  return {simulation_.model(), simulation_.domain(), simulation_.next_step(),
-          [this] { return elements::controlling_element(simulation_.model(), simulation_.domain()); }};
+  output::View view{simulation_.model(), simulation_.domain(), simulation_.next_step()};
+  view.controlling = [this] {
+    return elements::controlling_element(simulation_.model(), simulation_.domain());
+  };
+  if (options_.trace_energy) view.energy_trace = [this] { return simulation_.energy_trace(); };
+  return view;
 }
 
 void RunSession::observe() {

@@ -355,6 +355,13 @@ std::span<const Touch> Interface::touches() const {
   return implementation_->touches;
 }
 
+double Interface::stored_energy() const {
+  double sum = 0;
+  for (const Touch& touch : implementation_->touches)
+    sum += 0.5 * norm(touch.normal_force) * std::max(0.0, touch.penetration);
+  return sum;
+}
+
 const Surface& Interface::surface() const {
   return implementation_->surface;
 }

@@ -56,6 +56,8 @@ class Interface {
   std::span<const Penetration> penetrations() const;
   /// All places that touch at time n, with their forces; holds until the next call of add_forces.
   std::span<const Touch> touches() const;
+  /// What the penalties hold now, as springs of their mean stiffness [energy].
+  double stored_energy() const;
   /// The segments and nodes of this contact.
   const Surface& surface() const;
 

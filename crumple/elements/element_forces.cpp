@@ -7,6 +7,7 @@
 #include "elements/chunk_task.hpp"
 #include "elements/discrete_elements.hpp"
 #include "elements/elements.hpp"
+#include "elements/energy_trace.hpp"
 #include "elements/nodal_average.hpp"
 #include "elements/registry.hpp"
 #include "elements/shell_task.hpp"
@@ -92,7 +93,7 @@ void work_off_all(Domain& domain, std::vector<ElementSums>& sums) {
 
 }  // namespace
 
-void add_element_forces(Domain& domain) {
+void add_element_forces(Domain& domain, EnergyTrace* trace) {
   const std::vector<Chunk>& chunks = domain.assembly.chunks();
   std::vector<ElementSums> sums(chunks.size());
   average_dilatations(domain);
@@ -100,6 +101,7 @@ void add_element_forces(Domain& domain) {
     work_off_all<float>(domain, sums);
   else
     work_off_all<double>(domain, sums);
+  if (trace != nullptr) trace->observe(domain, sums);
   domain.assembly.gather_interface(domain.nodes.force, domain.execution.threads);
   domain.clock.element_limit = domain.clock.rigid_limit;
   const std::vector<domain::ElementBlock*> blocks = domain.blocks();

@@ -6,6 +6,8 @@
 
 namespace crumple::elements {
 
+class EnergyTrace;
+
 /// Gives every block its state, constants and kernels, and adds the mass and rotary inertia of the elements
 /// to the nodes, with the mass that DT2MS asks for. Throws Error for a formulation, material or integration
 /// rule that no kind in the registry computes, naming the part.
@@ -15,8 +17,8 @@ void prepare_elements(const model::Model& model, domain::Domain& domain);
 /// the step between (zero before the first step: forces of the present stress, no strain). On exit the state
 /// is that of time n, the nodal forces are added to nodes.force (interface slots gathered), the blocks'
 /// energies are summed and clock.element_limit is the smallest stable step. Bitwise the same for any number
-/// of threads.
-void add_element_forces(domain::Domain& domain);
+/// of threads. `trace`, if there is one, looks on.
+void add_element_forces(domain::Domain& domain, EnergyTrace* trace = nullptr);
 
 /// The element whose stable step is the smallest at time n.
 domain::ControllingElement controlling_element(const model::Model& model, const domain::Domain& domain);

@@ -8,11 +8,12 @@
 namespace crumple::output {
 namespace {
 
-constexpr std::array<std::string_view, 13> names{"run.json",   "report.html",  "initial_penetrations.csv",
-                                                 "glstat.csv", "timestep.csv", "matsum.csv",
-                                                 "rwforc.csv", "rwmotion.csv", "rcforc.csv",
-                                                 "ties.csv",   "rbdout.csv",   "swforc.csv",
-                                                 "nodout.csv"};
+constexpr std::array<std::string_view, 14> names{
+    "run.json",   "report.html",        "initial_penetrations.csv",
+    "glstat.csv", "timestep.csv",       "matsum.csv",
+    "rwforc.csv", "rwmotion.csv",       "rcforc.csv",
+    "ties.csv",   "rbdout.csv",         "swforc.csv",
+    "nodout.csv", "energy_residual.csv"};
 
 }  // namespace
 

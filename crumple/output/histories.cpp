@@ -25,6 +25,9 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   // To find the element takes a look at all: rows few enough that a run does not feel them.
   if (view.controlling)
     entries.push_back({"timestep.csv", "time,dt,kind,element,part", 0, make_step_history(), 200});
+  if (view.energy_trace)
+    entries.push_back({"energy_residual.csv", "time,kind,id,energy,residual",
+                       asked.of(model::HistoryFile::Glstat).interval, make_residual_history()});
   entries.push_back({"matsum.csv", "time,part,internal,kinetic,hourglass,vx,vy,vz,mass",
                      asked.of(model::HistoryFile::Matsum).interval, make_part_history(view)});
   if (!view.domain.walls.empty())

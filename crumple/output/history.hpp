@@ -36,6 +36,8 @@ struct HistoryEntry {
 std::unique_ptr<History> make_energy_history();
 /// The time step and the element that controls it.
 std::unique_ptr<History> make_step_history();
+/// Energy that no motion has put in, by part and contact.
+std::unique_ptr<History> make_residual_history();
 /// Energies, velocity of the centre of mass, and mass by part. Masses are those of the elements: lumped
 /// masses belong to no part.
 std::unique_ptr<History> make_part_history(const View& view);

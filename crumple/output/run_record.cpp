@@ -90,6 +90,31 @@ Json plane_walls_of(const model::Model& model) {
   return list;
 }
 
+/// Null if energy was not traced.
+Json energy_trace_of(const View& view) {
+  if (!view.energy_trace) return nullptr;
+  const domain::EnergyTraceReport report = view.energy_trace();
+  const auto list_of = [](const std::vector<domain::EnergyResidual>& entries) {
+    Json list = Json::array();
+    for (const domain::EnergyResidual& entry : entries)
+      list.push_back({{"id", entry.id}, {"energy", entry.energy}, {"residual", entry.residual}});
+    return list;
+  };
+  Json worst = Json::array();
+  for (const domain::ElementResidual& entry : report.worst)
+    worst.push_back({{"part", entry.part},
+                     {"kind", entry.kind},
+                     {"first", entry.first},
+                     {"last", entry.last},
+                     {"elements", entry.elements},
+                     {"residual", entry.residual},
+                     {"fastest_node", entry.node},
+                     {"speed", entry.speed},
+                     {"place", {entry.place.x, entry.place.y, entry.place.z}}});
+  return {
+      {"parts", list_of(report.parts)}, {"contacts", list_of(report.contacts)}, {"worst_elements", worst}};
+}
+
 Json checks_of(const std::vector<Check>& checks) {
   Json list = Json::array();
   for (const Check& check : checks) {
@@ -139,6 +164,7 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
                      {"ns_per_element_cycle", nanoseconds_per_element_cycle(domain, record.loop_seconds)},
                      {"peak_memory_bytes", record.peak_memory_bytes},
                      {"energy", energy_of(domain.energy)},
+                     {"energy_trace", energy_trace_of(view)},
                      {"added_mass", domain.added_mass},
                      {"state_hash", fmt::format("{:016x}", record.state_hash)},
                      {"timings", timings_of(domain.times)},

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "domain/domain.hpp"
+#include "domain/energy_residual.hpp"
 #include "math/vec3.hpp"
 #include "model/model.hpp"
 
@@ -16,6 +17,8 @@ struct View {
   double next_step = 0;  ///< from n to n+1 [time]
   /// Finds the element whose step is the smallest, which takes a look at all of them; may be absent.
   std::function<domain::ControllingElement()> controlling = {};
+  /// Tells where energy goes wrong; absent if it is not traced.
+  std::function<domain::EnergyTraceReport()> energy_trace = {};
 };
 
 }  // namespace crumple::output

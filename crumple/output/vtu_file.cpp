@@ -28,11 +28,11 @@ void add_section(std::string& xml, std::string_view section, const std::vector<c
                  std::uint64_t& offset) {
   fmt::format_to(std::back_inserter(xml), "      <{}>\n", section);
   for (const VtuArray* array : arrays) {
+    offset -= array->packed.size();
     fmt::format_to(std::back_inserter(xml),
                    "        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
                    "offset=\"{}\"/>\n",
                    array->type, array->name, array->components, offset);
-    offset += array->packed.size();
   }
   fmt::format_to(std::back_inserter(xml), "      </{}>\n", section);
 }
@@ -99,14 +99,18 @@ std::string vtu_text(const VtuGrid& grid) {
       "    </FieldData>\n"
       "    <Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
       order, grid.time, grid.points, grid.cells);
-  std::uint64_t offset = 0;
+  // The data stand in reverse: meshio looks for the array of an offset among tags whose offsets it has
+  // changed, and only so the first that it finds is the one.
+  std::string data;
+  for (const auto* arrays : {&grid.topology, &grid.positions, &grid.cell_data, &grid.point_data})
+    for (auto array = arrays->rbegin(); array != arrays->rend(); ++array) data += (*array)->packed;
+  std::uint64_t offset = data.size();
   add_section(text, "PointData", grid.point_data, offset);
   add_section(text, "CellData", grid.cell_data, offset);
   add_section(text, "Points", grid.positions, offset);
   add_section(text, "Cells", grid.topology, offset);
   text += "    </Piece>\n  </UnstructuredGrid>\n  <AppendedData encoding=\"raw\">\n_";
-  for (const auto* arrays : {&grid.point_data, &grid.cell_data, &grid.positions, &grid.topology})
-    for (const VtuArray* array : *arrays) text += array->packed;
+  text += data;
   text += "\n  </AppendedData>\n</VTKFile>\n";
   return text;
 }

@@ -89,6 +89,7 @@ domain::StateList Simulation::state() {
   pressure_loads_.declare(list);
   body_loads_.declare(list);
   rigid_body_loads_.declare(list);
+  if (energy_trace_) energy_trace_->declare(list);
   return list;
 }
 
@@ -106,6 +107,24 @@ void Simulation::inspect_contacts() {
 
 void Simulation::verify_search_every(long cycles) {
   for (contact::Interface& contact : contacts_) contact.verify_search_every(cycles);
+}
+
+void Simulation::trace_energy() {
+  energy_trace_.emplace(domain_);
+}
+
+domain::EnergyTraceReport Simulation::energy_trace() const {
+  constexpr std::size_t worst_elements = 10;
+  domain::EnergyTraceReport report;
+  if (!energy_trace_) return report;
+  report.parts = energy_trace_->parts(*model_, domain_);
+  report.worst = energy_trace_->worst(*model_, domain_, worst_elements);
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const domain::ContactReport& contact = domain_.contacts[i];
+    report.contacts.push_back(
+        {"contact", contact.id, contact.energy, contact.energy - contacts_[i].stored_energy()});
+  }
+  return report;
 }
 
 void Simulation::keep_accelerations() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "constraints/node_sets.hpp"
@@ -15,6 +16,8 @@
 #include "contact/interface.hpp"
 #include "contact/tie_springs.hpp"
 #include "domain/domain.hpp"
+#include "domain/energy_residual.hpp"
+#include "elements/energy_trace.hpp"
 #include "loads/body_loads.hpp"
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
@@ -60,6 +63,11 @@ class Simulation {
   /// Compares contact candidates with brute force every `cycles` cycles (a debugging aid); 0 is off.
   void verify_search_every(long cycles);
 
+  /// Has the energy balance followed by part and contact, from the start on.
+  void trace_energy();
+  /// Where energy goes wrong, if it is traced; else empty.
+  domain::EnergyTraceReport energy_trace() const;
+
   /// Has NodeFields::acceleration written in every step, also if the deck asks for no nodes' motion.
   void keep_accelerations();
 
@@ -103,6 +111,7 @@ class Simulation {
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
   KickEnergy kick_energy_;                      ///< of the last kick, walls included
   bool keeps_accelerations_ = false;
+  std::optional<elements::EnergyTrace> energy_trace_;
   double largest_step_ = 0;  ///< no step exceeds this [time]
   double next_step_ = 0;     ///< from n to n+1 [time]
 };
