@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace crumple::output {
+
+/// A file in the format LSDA, the one of LS-DYNA's binout: a tree of named arrays, in this machine's order of
+/// bytes. Records go to the end of it. Each flush adds a table of what is new and only then links it to the
+/// table before: at any moment a reader that follows the tables finds whole flushes and nothing else.
+class LsdaFile {
+ public:
+  /// Makes the file, empty. Throws WriteError.
+  explicit LsdaFile(std::filesystem::path path);
+  /// Goes on with a file as it was when `length()` was this; what came later is cut off. Throws WriteError.
+  LsdaFile(std::filesystem::path path, std::uint64_t length);
+
+  /// What is added next lies in this folder of the tree: an absolute path, made as needed.
+  void enter(std::string_view folder);
+  /// Adds an array under a name of at most 255 characters; empty ones are left out.
+  void add(std::string_view name, std::span<const double> values);
+  /// The same; of 4 bytes each where that is enough.
+  void add(std::string_view name, std::span<const std::int64_t> values);
+  /// The same, a character for each byte.
+  void add(std::string_view name, std::string_view text);
+  void add(std::string_view name, double value) { add(name, std::span<const double>(&value, 1)); }
+  void add(std::string_view name, std::int64_t value) { add(name, std::span<const std::int64_t>(&value, 1)); }
+
+  /// Makes what was added a part of the file that outlives the program. Throws WriteError.
+  void flush();
+
+  /// Of the file after the last flush [bytes].
+  std::uint64_t length() const { return length_; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  /// A line of the table: where an array is.
+  struct Entry {
+    std::string folder;
+    std::string name;
+    std::uint8_t type = 0;
+    std::uint64_t record = 0;  ///< place of its record in the file [bytes]
+    std::uint64_t values = 0;
+  };
+  void add_record(std::string_view name, std::uint8_t type, std::uint64_t values, std::string_view bytes);
+  std::string table() const;
+  void write_at(std::uint64_t place, std::string_view bytes);
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, Closer> file_;
+  std::uint64_t length_ = 0;
+  std::string records_;  ///< not in the file yet
+  std::vector<Entry> entries_;
+  std::string folder_;
+  std::string recorded_folder_;  ///< that the records are in
+};
+
+}  // namespace crumple::output

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/lsda_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "output/lsda_reader.hpp"
+#include "output/sample.hpp"
+#include "output/write_error.hpp"
+
+namespace crumple::output {
+namespace {
+
+class LsdaFileTest : public SampleTest {
+ protected:
+  std::filesystem::path path() const { return folder_ / "binout0000"; }
+
+  /// A state with three values that tell its number.
+  static void add_state(LsdaFile& file, int number) {
+    file.enter("/glstat/d00000" + std::to_string(number));
+    file.add("time", 0.5 * number);
+    file.add("cycle", std::int64_t{10 * number});
+    file.add("kinetic_energy", std::vector<double>{1.0 * number, 2.0 * number});
+    file.flush();
+  }
+  static void expect_states(const std::filesystem::path& path, int states) {
+    const LsdaReader read(path);
+    EXPECT_EQ(read.states("/glstat"), states);
+    for (int number = 1; number <= states; ++number) {
+      const std::string folder = "/glstat/d00000" + std::to_string(number) + "/";
+      EXPECT_EQ(read.reals(folder + "time"), std::vector<double>{0.5 * number});
+      EXPECT_EQ(read.integers(folder + "cycle"), std::vector<std::int64_t>{10 * number});
+      EXPECT_EQ(read.reals(folder + "kinetic_energy"), (std::vector<double>{1.0 * number, 2.0 * number}));
+    }
+  }
+};
+
+TEST_F(LsdaFileTest, StartsWithTheHeaderAndAnEmptyLink) {
+  const LsdaFile file(path());
+  EXPECT_EQ(read(path()), std::string("\10\10\10\1\1\1\0\0"
+                                      "\21\0\0\0\0\0\0\0\7"
+                                      "\0\0\0\0\0\0\0\0",
+                                      25));
+  EXPECT_EQ(file.length(), 25U);
+  EXPECT_EQ(LsdaReader(path()).tables(), 0);
+}
+
+TEST_F(LsdaFileTest, ArraysOfAllTypesReadBack) {
+  LsdaFile file(path());
+  const std::int64_t large = std::int64_t{1} << 40;
+  file.enter("/nodout/metadata");
+  file.add("title", "a plate");
+  file.add("ids", std::vector<std::int64_t>{7, -1, std::numeric_limits<std::int32_t>::max()});
+  file.add("large_ids", std::vector<std::int64_t>{7, large});
+  file.add("none", std::vector<double>{});
+  file.enter("/nodout/d000001");
+  file.add("x_velocity", std::vector<double>{1.0 / 3, -1e-300, std::numeric_limits<double>::infinity()});
+  file.flush();
+  const LsdaReader read(path());
+  EXPECT_EQ(read.characters("/nodout/metadata/title"), "a plate");
+  EXPECT_EQ(read.array("/nodout/metadata/ids").type, 3);
+  EXPECT_EQ(read.integers("/nodout/metadata/ids"), (std::vector<std::int64_t>{7, -1, 2147483647}));
+  EXPECT_EQ(read.integers("/nodout/metadata/large_ids"), (std::vector<std::int64_t>{7, large}));
+  EXPECT_FALSE(read.has("/nodout/metadata/none"));
+  EXPECT_EQ(read.reals("/nodout/d000001/x_velocity"),
+            (std::vector<double>{1.0 / 3, -1e-300, std::numeric_limits<double>::infinity()}));
+}
+
+TEST_F(LsdaFileTest, EachFlushAddsATable) {
+  LsdaFile file(path());
+  for (int number = 1; number <= 3; ++number) add_state(file, number);
+  file.flush();
+  EXPECT_EQ(LsdaReader(path()).tables(), 3) << "the last flush had nothing to add";
+  EXPECT_EQ(file.length(), std::filesystem::file_size(path()));
+  expect_states(path(), 3);
+}
+
+TEST_F(LsdaFileTest, AProgramKilledWhileItWritesLeavesWhatWasThere) {
+  LsdaFile file(path());
+  add_state(file, 1);
+  const std::uint64_t before = file.length();
+  const std::string intact = read(path());
+  add_state(file, 2);
+  const std::string whole = read(path());
+  // All records come before the link that makes them known.
+  for (std::uint64_t length = before; length < whole.size(); ++length) {
+    std::ofstream(path(), std::ios::binary) << intact << whole.substr(before, length - before);
+    expect_states(path(), 1);
+  }
+}
+
+TEST_F(LsdaFileTest, GoesOnFromAnEarlierLength) {
+  std::uint64_t length = 0;
+  std::uint64_t empty = 0;
+  std::string all;
+  {
+    LsdaFile file(path());
+    empty = file.length();
+    add_state(file, 1);
+    add_state(file, 2);
+    length = file.length();
+    add_state(file, 3);
+    all = read(path());
+  }
+  {
+    LsdaFile file(path(), length);
+    EXPECT_EQ(file.length(), length);
+    expect_states(path(), 2);
+    add_state(file, 3);
+  }
+  EXPECT_EQ(read(path()), all);
+  {
+    LsdaFile file(path(), empty);
+    for (int number = 1; number <= 3; ++number) add_state(file, number);
+  }
+  EXPECT_EQ(read(path()), all);
+}
+
+TEST_F(LsdaFileTest, WhatCannotBeWrittenIsSaid) {
+  EXPECT_THROW(LsdaFile(folder_ / "no" / "binout0000"), WriteError);
+  EXPECT_THROW(LsdaFile(folder_ / "none", 25), WriteError);
+  { const LsdaFile file(path()); }
+  EXPECT_THROW(LsdaFile(path(), 26), WriteError);
+}
+
+}  // namespace
+}  // namespace crumple::output
