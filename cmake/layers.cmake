@@ -97,6 +97,10 @@ function(crumple_add_layer layer)
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/report/page.cpp PROPERTY COMPILE_DEFINITIONS
       CRUMPLE_BUILT_TEMPLATE="${PROJECT_SOURCE_DIR}/build/viewer/report_template.html")
   endif()
+  if(layer STREQUAL "output")
+    set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/output/text_file.cpp PROPERTY COMPILE_DEFINITIONS
+      CRUMPLE_VERSION="${PROJECT_VERSION}")
+  endif()
   if(layer MATCHES "^(output|report)$")
     find_package(ZLIB REQUIRED)
     find_package(nlohmann_json REQUIRED)

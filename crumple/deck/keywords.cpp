@@ -211,6 +211,8 @@ constexpr Keyword table[] = {
     {"DATABASE_RWFORC", read_database<File::Rwforc>, none, false},
     {"DATABASE_RCFORC", read_database<File::Rcforc>, none, false},
     {"DATABASE_NODOUT", read_database<File::Nodout>, none, false},
+    {"DATABASE_RBDOUT", read_database<File::Rbdout>, none, false},
+    {"DATABASE_SWFORC", read_database<File::Swforc>, none, false},
     {"DATABASE_HISTORY_NODE", read_database_history_node},
     {"DATABASE_HISTORY_NODE_ID", read_database_history_node_id},
     {"DATABASE_HISTORY_NODE_SET", read_database_history_node_set},

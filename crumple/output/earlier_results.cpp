@@ -2,8 +2,14 @@
 #include "output/earlier_results.hpp"
 
 #include <array>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <system_error>
+
+#include "output/binout.hpp"
+#include "output/text_file.hpp"
 
 namespace crumple::output {
 namespace {
@@ -15,6 +21,18 @@ constexpr std::array<std::string_view, 14> names{
     "ties.csv",   "rbdout.csv",         "swforc.csv",
     "nodout.csv", "energy_residual.csv"};
 
+/// LS-DYNA writes files of the same names: of these only our own are removed. All start with whose they are.
+constexpr std::array<std::string_view, 7> shared_names{"glstat", "matsum", "rwforc", "rcforc",
+                                                       "nodout", "rbdout", "swforc"};
+constexpr std::string_view binout_name = "binout0000";
+
+bool mentions(const std::filesystem::path& path, std::string_view mark) {
+  std::ifstream file(path, std::ios::binary);
+  std::string start(2048, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start.find(mark) != std::string::npos;
+}
+
 }  // namespace
 
 void remove_ending(const std::filesystem::path& folder) {
@@ -25,6 +43,9 @@ void remove_ending(const std::filesystem::path& folder) {
 void remove_earlier_results(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const std::string_view name : names) std::filesystem::remove(folder / name, ignored);
+  for (const std::string_view name : shared_names)
+    if (mentions(folder / name, program_mark)) std::filesystem::remove(folder / name, ignored);
+  if (mentions(folder / binout_name, binout_mark)) std::filesystem::remove(folder / binout_name, ignored);
 }
 
 }  // namespace crumple::output

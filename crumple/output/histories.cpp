@@ -13,6 +13,11 @@ bool any_wall_moves(const model::Model& model) {
   });
 }
 
+/// Before the deck could ask for it, the file came as often as glstat does.
+double interval_or_glstat(const model::OutputRequests& asked, model::HistoryFile file) {
+  return asked.of(asked.of(file).asked ? file : model::HistoryFile::Glstat).interval;
+}
+
 }  // namespace
 
 std::vector<HistoryEntry> histories_of(const View& view) {
@@ -44,10 +49,10 @@ std::vector<HistoryEntry> histories_of(const View& view) {
                        asked.of(model::HistoryFile::Rcforc).interval, make_tie_history()});
   if (!view.model.rigid_bodies.empty())
     entries.push_back({"rbdout.csv", "time,body,x,y,z,vx,vy,vz,wx,wy,wz,kinetic,fx,fy,fz",
-                       asked.of(model::HistoryFile::Glstat).interval, make_rigid_body_history()});
+                       interval_or_glstat(asked, model::HistoryFile::Rbdout), make_rigid_body_history(view)});
   if (!view.domain.welds.empty())
     entries.push_back({"swforc.csv", "time,weld,axial,shear,broken",
-                       asked.of(model::HistoryFile::Glstat).interval, make_weld_history()});
+                       interval_or_glstat(asked, model::HistoryFile::Swforc), make_weld_history()});
   if (!asked.history_nodes.empty())
     entries.push_back({"nodout.csv", "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z",
                        asked.of(model::HistoryFile::Nodout).interval, make_node_history()});

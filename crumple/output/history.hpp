@@ -14,6 +14,8 @@ namespace crumple::output {
 /// Rows of each history over a run if the deck does not ask for an interval.
 inline constexpr int default_history_points = 1000;
 
+class SampledHistory;
+
 /// One table over time.
 class History {
  public:
@@ -21,6 +23,8 @@ class History {
   virtual void add_rows(const View& view, CsvFile& table) = 0;
   /// Declares what it remembers from row to row, for a restart.
   virtual void declare(domain::StateList& /*list*/) {}
+  /// Itself, if LS-DYNA has the history, too (sampled_history.hpp).
+  virtual SampledHistory* sampled() { return nullptr; }
 };
 
 /// A history of a run: its file, its columns, and the interval that the deck asks for.
@@ -52,7 +56,7 @@ std::unique_ptr<History> make_contact_history();
 std::unique_ptr<History> make_node_history();
 
 /// Motion of the rigid bodies, and the forces that hold or move them as prescribed.
-std::unique_ptr<History> make_rigid_body_history();
+std::unique_ptr<History> make_rigid_body_history(const View& view);
 
 /// Tension and shear in the spot welds, and whether they are broken.
 std::unique_ptr<History> make_weld_history();

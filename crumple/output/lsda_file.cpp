@@ -63,9 +63,17 @@ std::string_view bytes_of(std::span<const Number> numbers) {
 
 }  // namespace
 
-LsdaFile::LsdaFile(std::filesystem::path path)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "wb")) {
+LsdaFile::LsdaFile(std::filesystem::path path, Opening opening) : path_(std::move(path)) {
+  if (opening == Opening::New) begin();
+}
+
+void LsdaFile::open(const char* mode) {
+  file_.reset(std::fopen(path_.c_str(), mode));
   if (!file_) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
+}
+
+void LsdaFile::begin() {
+  open("wb");
   std::string start = header();
   put_head(start, head_bytes + link_bytes, Command::FirstTable);
   put(start, std::uint64_t{0});
@@ -73,19 +81,23 @@ LsdaFile::LsdaFile(std::filesystem::path path)
   length_ = start.size();
 }
 
-LsdaFile::LsdaFile(std::filesystem::path path, std::uint64_t length)
-    : path_(std::move(path)), length_(length) {
+void LsdaFile::declare(domain::StateList& list) {
+  list.keep(path_.filename().string() + "_bytes", "-", domain::Entity::Run, length_);
+}
+
+bool LsdaFile::resume() {
   std::error_code fault;
-  const std::uint64_t present = std::filesystem::file_size(path_, fault);
-  if (!fault && present < length)
-    throw WriteError(
-        fmt::format("Cannot go on with {}: it has {} bytes instead of {}.", path_.string(), present, length));
-  if (!fault) std::filesystem::resize_file(path_, length, fault);
-  if (fault) throw WriteError(fmt::format("Cannot go on with {}: {}.", path_.string(), fault.message()));
-  file_.reset(std::fopen(path_.c_str(), "r+b"));
-  if (!file_) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
+  const std::uint64_t there = std::filesystem::file_size(path_, fault);
+  if (fault || there < length_ || length_ == 0) {
+    begin();
+    return false;
+  }
+  std::filesystem::resize_file(path_, length_, fault);
+  if (fault) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), fault.message()));
+  open("r+b");
   // A link to the next table ends every flush, and the start of the file.
   write_at(length_ - link_bytes, std::string(link_bytes, '\0'));
+  return true;
 }
 
 void LsdaFile::enter(std::string_view folder) {

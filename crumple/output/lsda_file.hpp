@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "output/csv_file.hpp"
+
 namespace crumple::output {
 
 /// A file in the format LSDA, the one of LS-DYNA's binout: a tree of named arrays, in this machine's order of
@@ -17,10 +19,14 @@ namespace crumple::output {
 /// table before: at any moment a reader that follows the tables finds whole flushes and nothing else.
 class LsdaFile {
  public:
-  /// Makes the file, empty. Throws WriteError.
-  explicit LsdaFile(std::filesystem::path path);
-  /// Goes on with a file as it was when `length()` was this; what came later is cut off. Throws WriteError.
-  LsdaFile(std::filesystem::path path, std::uint64_t length);
+  /// Makes the file, empty; if it is continued, that is left to resume(). Throws WriteError.
+  explicit LsdaFile(std::filesystem::path path, Opening opening = Opening::New);
+
+  /// Declares the length of the file, for a restart.
+  void declare(domain::StateList& list);
+  /// To be called after a restart has filled what was declared: what came after that length is cut off. False
+  /// if the file is not there any more and begins anew. Throws WriteError.
+  bool resume();
 
   /// What is added next lies in this folder of the tree: an absolute path, made as needed.
   void enter(std::string_view folder);
@@ -36,8 +42,6 @@ class LsdaFile {
   /// Makes what was added a part of the file that outlives the program. Throws WriteError.
   void flush();
 
-  /// Of the file after the last flush [bytes].
-  std::uint64_t length() const { return length_; }
   const std::filesystem::path& path() const { return path_; }
 
  private:
@@ -52,14 +56,16 @@ class LsdaFile {
     std::uint64_t record = 0;  ///< place of its record in the file [bytes]
     std::uint64_t values = 0;
   };
+  void open(const char* mode);
+  void begin();
   void add_record(std::string_view name, std::uint8_t type, std::uint64_t values, std::string_view bytes);
   std::string table() const;
   void write_at(std::uint64_t place, std::string_view bytes);
 
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Closer> file_;
-  std::uint64_t length_ = 0;
-  std::string records_;  ///< not in the file yet
+  std::uint64_t length_ = 0;  ///< after the last flush [bytes]
+  std::string records_;       ///< not in the file yet
   std::vector<Entry> entries_;
   std::string folder_;
   std::string recorded_folder_;  ///< that the records are in

@@ -1,16 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/history.hpp"
 #include "output/part_masses.hpp"
+#include "output/sampled_history.hpp"
 
 namespace crumple::output {
 
 namespace {
 
-class PartHistory : public History {
- public:
-  explicit PartHistory(const View& view) : masses_(view) {}
+constexpr Variable variables[] = {
+    {"internal", "internal_energy"},
+    {"kinetic", "kinetic_energy"},
+    {"hourglass", "hourglass_energy"},
+    {"vx", "x_rbvelocity"},
+    {"vy", "y_rbvelocity"},
+    {"vz", "z_rbvelocity"},
+    {"mass", ""},  // LS-DYNA's is what mass scaling adds to the part
+    {"", "x_momentum"},
+    {"", "y_momentum"},
+    {"", "z_momentum"},
+};
 
-  void add_rows(const View& view, CsvFile& table) override {
+void print_parts(const HistoryItems& items, const Sample& sample, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "\n\n time ={:13.4E}\n", sample.time());
+  for (std::size_t i = 0; i < items.ids.size(); ++i) {
+    const auto value = [&](std::string_view name) { return sample.of(name)[i]; };
+    const auto end = std::back_inserter(text);
+    if (items.ids[i] < 100000)
+      fmt::format_to(end, " mat.#={:5}   ", items.ids[i]);
+    else
+      fmt::format_to(end, " mat.#={:8}", items.ids[i]);
+    fmt::format_to(end, "{:10}inten={:13.4E}     kinen={:13.4E}\n", "", value("internal_energy"),
+                   value("kinetic_energy"));
+    fmt::format_to(end, " x-mom={:13.4E}     y-mom={:13.4E}     z-mom={:13.4E}\n", value("x_momentum"),
+                   value("y_momentum"), value("z_momentum"));
+    fmt::format_to(end, " x-rbv={:13.4E}     y-rbv={:13.4E}     z-rbv={:13.4E}\n", value("x_rbvelocity"),
+                   value("y_rbvelocity"), value("z_rbvelocity"));
+    fmt::format_to(end, "{:25}hgeng={:13.4E}     \n", "", value("hourglass_energy"));
+  }
+}
+
+constexpr HistoryForm matsum_form{model::HistoryFile::Matsum, "matsum", "matsum", "", print_parts};
+
+class PartHistory : public SampledHistory {
+ public:
+  explicit PartHistory(const View& view) : SampledHistory(matsum_form, variables), masses_(view) {}
+
+ protected:
+  HistoryItems find_items(const View& view) override {
+    HistoryItems items;
+    for (const model::Part& part : view.model.parts) {
+      items.ids.push_back(part.id);
+      items.titles.push_back(part.title);
+    }
+    return items;
+  }
+
+  void take(const View& view, Sample& sample) override {
     std::vector<double> internal(view.model.parts.size());
     std::vector<double> hourglass(view.model.parts.size());
     for (const domain::ElementBlock* block : view.domain.blocks()) {
@@ -19,8 +63,10 @@ class PartHistory : public History {
     }
     for (Index part = 0; part < static_cast<Index>(view.model.parts.size()); ++part) {
       const PartMasses::Motion motion = masses_.motion_with_body(view.domain, part);
-      table.add_row(view.domain.clock.time, view.model.parts[part].id, internal[part], motion.kinetic_energy,
-                    hourglass[part], motion.velocity.x, motion.velocity.y, motion.velocity.z, motion.mass);
+      const math::Vec3 momentum = motion.mass * motion.velocity;
+      sample.add_item({internal[part], motion.kinetic_energy, hourglass[part], motion.velocity.x,
+                       motion.velocity.y, motion.velocity.z, motion.mass, momentum.x, momentum.y,
+                       momentum.z});
     }
   }
 

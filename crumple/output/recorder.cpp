@@ -12,16 +12,40 @@ Recorder::Recorder(const std::filesystem::path& folder, const std::string& name,
   if (extra.d3plot) d3plot_.emplace(folder, view, D3plotFamily::default_file_words, extra.opening);
   for (HistoryEntry& entry : histories_of(view))
     tables_.push_back({CsvFile(folder / entry.file, entry.header, extra.opening),
-                       Schedule(entry.interval, entry.points, view.model.control), std::move(entry.history)});
+                       Schedule(entry.interval, entry.points, view.model.control),
+                       std::move(entry.history),
+                       {},
+                       {}});
+  ask_for_foreign_forms(folder, view, extra.opening);
   if (const auto path = write_initial_overlaps(folder, view)) start_files_.push_back(*path);
+}
+
+void Recorder::ask_for_foreign_forms(const std::filesystem::path& folder, const View& view, Opening opening) {
+  std::vector<std::string> branches;
+  for (Table& table : tables_) {
+    SampledHistory* const sampled = table.history->sampled();
+    if (sampled == nullptr) continue;
+    const HistoryForm& form = sampled->form();
+    const model::HistoryRequest& request = view.model.output.of(form.file);
+    if (!request.asked) continue;
+    sampled->complete();
+    if (request.ascii) table.text.emplace(folder / form.name, opening);
+    if (!request.binary) continue;
+    table.branch = branches.size();
+    branches.emplace_back(form.name);
+  }
+  if (!branches.empty())
+    binout_.emplace(folder / "binout0000", view.model.title, std::move(branches), opening);
 }
 
 void Recorder::declare(domain::StateList& list) {
   series_.declare(list);
   if (d3plot_) d3plot_->declare(list);
+  if (binout_) binout_->declare(list);
   frame_schedule_.declare("frames", list);
   for (Table& table : tables_) {
     table.file.declare(list);
+    if (table.text) table.text->declare(list);
     table.schedule.declare(table.file.path().filename().string(), list);
     table.history->declare(list);
   }
@@ -29,9 +53,11 @@ void Recorder::declare(domain::StateList& list) {
 
 void Recorder::resume(const domain::Clock& clock) {
   if (d3plot_) d3plot_->resume();
+  if (binout_) binout_->resume();
   frame_schedule_.resume(clock);
   for (Table& table : tables_) {
     table.file.resume();
+    if (table.text) table.text->resume();
     table.schedule.resume(clock);
   }
 }
@@ -39,18 +65,28 @@ void Recorder::resume(const domain::Clock& clock) {
 void Recorder::write_rows(Table& table, const View& view) {
   table.history->add_rows(view, table.file);
   table.file.flush();
+  if (const SampledHistory* const sampled = table.history->sampled()) {
+    if (table.text) table.text->add(view.model.title, sampled->form(), sampled->items(), sampled->sample());
+    if (table.branch) binout_->add(*table.branch, sampled->form(), sampled->items(), sampled->sample());
+  }
   table.schedule.mark_written(view.domain.clock);
+}
+
+void Recorder::flush_binout() {
+  if (binout_) binout_->flush();
 }
 
 void Recorder::write_due(const View& view) {
   for (Table& table : tables_)
     if (table.schedule.due(view.domain.clock)) write_rows(table, view);
+  flush_binout();
   if (frame_schedule_.due(view.domain.clock)) write_frame(view);
 }
 
 void Recorder::write_last(const View& view) {
   for (Table& table : tables_)
     if (!table.schedule.has_written(view.domain.clock)) write_rows(table, view);
+  flush_binout();
   write_frame(view);
 }
 
@@ -65,6 +101,9 @@ std::vector<std::filesystem::path> Recorder::files() const {
   std::vector<std::filesystem::path> paths{series_.collection()};
   if (d3plot_) paths.push_back(d3plot_->first_file());
   for (const Table& table : tables_) paths.push_back(table.file.path());
+  if (binout_) paths.push_back(binout_->path());
+  for (const Table& table : tables_)
+    if (table.text) paths.push_back(table.text->path());
   paths.insert(paths.end(), start_files_.begin(), start_files_.end());
   return paths;
 }

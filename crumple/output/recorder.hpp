@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "output/binout.hpp"
 #include "output/csv_file.hpp"
 #include "output/d3plot_series.hpp"
 #include "output/history.hpp"
 #include "output/paraview_series.hpp"
+#include "output/sampled_history.hpp"
 #include "output/schedule.hpp"
+#include "output/text_file.hpp"
 #include "output/view.hpp"
 
 namespace crumple::output {
@@ -54,13 +57,18 @@ class Recorder {
     CsvFile file;
     Schedule schedule;
     std::unique_ptr<History> history;
+    std::optional<TextFile> text;       ///< LS-DYNA's, if the deck asks for it
+    std::optional<std::size_t> branch;  ///< of binout, likewise
   };
-  static void write_rows(Table& table, const View& view);
+  void ask_for_foreign_forms(const std::filesystem::path& folder, const View& view, Opening opening);
+  void write_rows(Table& table, const View& view);
+  void flush_binout();
 
   ParaviewSeries series_;
   std::optional<D3plotSeries> d3plot_;
   Schedule frame_schedule_;
   std::vector<Table> tables_;
+  std::optional<Binout> binout_;
   std::vector<std::filesystem::path> start_files_;  ///< written once
 };
 

@@ -1,28 +1,169 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/history.hpp"
+#include <array>
+#include <cmath>
+
+#include "output/sampled_history.hpp"
 
 namespace crumple::output {
 
 namespace {
 
-class RigidBodyHistory : public History {
+using math::Vec3;
+
+constexpr Variable variables[] = {
+    {"x", "global_x"},    {"y", "global_y"},   {"z", "global_z"},    {"vx", "global_vx"},
+    {"vy", "global_vy"},  {"vz", "global_vz"}, {"wx", "global_rvx"}, {"wy", "global_rvy"},
+    {"wz", "global_rvz"}, {"kinetic", ""},     {"fx", ""},           {"fy", ""},
+    {"fz", ""},           {"", "global_dx"},   {"", "global_dy"},    {"", "global_dz"},
+    {"", "global_rdx"},   {"", "global_rdy"},  {"", "global_rdz"},   {"", "global_ax"},
+    {"", "global_ay"},    {"", "global_az"},   {"", "dircos_11"},    {"", "dircos_12"},
+    {"", "dircos_13"},    {"", "dircos_21"},   {"", "dircos_22"},    {"", "dircos_23"},
+    {"", "dircos_31"},    {"", "dircos_32"},   {"", "dircos_33"},    {"", "local_dx"},
+    {"", "local_dy"},     {"", "local_dz"},    {"", "local_rdx"},    {"", "local_rdy"},
+    {"", "local_rdz"},    {"", "local_vx"},    {"", "local_vy"},     {"", "local_vz"},
+    {"", "local_rvx"},    {"", "local_rvy"},   {"", "local_rvz"},    {"", "local_ax"},
+    {"", "local_ay"},     {"", "local_az"},
+};
+
+/// One line of six numbers, or of three: `what` is "global_d" for displacements and "global_rd" for
+/// rotations.
+void print_vectors(const Sample& sample, std::size_t body, std::string_view label,
+                   std::initializer_list<std::string_view> what, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "{:>14}:  ", label);
+  for (const std::string_view vector : what)
+    for (const char axis : {'x', 'y', 'z'})
+      fmt::format_to(std::back_inserter(text), "{:12.4E}",
+                     sample.of(fmt::format("{}{}", vector, axis))[body]);
+  text += '\n';
+}
+
+void print_body(const Sample& sample, std::size_t body, std::string& text) {
+  text += "   global             x           y           z          x-rot       y-rot       z-rot\n";
+  print_vectors(sample, body, "coordinates", {"global_"}, text);
+  print_vectors(sample, body, "displacements", {"global_d", "global_rd"}, text);
+  print_vectors(sample, body, "velocities", {"global_v", "global_rv"}, text);
+  print_vectors(sample, body, "accelerations", {"global_a"}, text);
+  text +=
+      "\nprincipal or user defined local coordinate direction vectors\n"
+      "                     a           b           c\n";
+  for (int row = 1; row <= 3; ++row) {
+    fmt::format_to(std::back_inserter(text), "     row {}", row);
+    for (int column = 1; column <= 3; ++column)
+      fmt::format_to(std::back_inserter(text), "{:15.4E}",
+                     sample.of(fmt::format("dircos_{}{}", row, column))[body]);
+    text += '\n';
+  }
+  text +=
+      "\n output in principal or user defined local coordinate directions\n"
+      "                      a           b           c          a-rot       b-rot       c-rot\n";
+  print_vectors(sample, body, "displacements", {"local_d", "local_rd"}, text);
+  print_vectors(sample, body, "velocities", {"local_v", "local_rv"}, text);
+  print_vectors(sample, body, "accelerations", {"local_a"}, text);
+}
+
+void print_bodies(const HistoryItems& items, const Sample& sample, std::string& text) {
+  fmt::format_to(std::back_inserter(text),
+                 "1\n\n  r i g i d   b o d y   m o t i o n   a t  cycle={:8}    time={:15.6E}\n",
+                 sample.cycle(), sample.time());
+  const auto nodal = static_cast<std::size_t>(items.marks[0].second[0]);
+  for (std::size_t body = 0; body < items.ids.size(); ++body) {
+    const bool is_nodal = body + nodal >= items.ids.size();
+    fmt::format_to(std::back_inserter(text), "{} rigid body{:8}\n", is_nodal ? " nodal" : "\n",
+                   items.ids[body]);
+    print_body(sample, body, text);
+  }
+}
+
+constexpr HistoryForm rbdout_form{model::HistoryFile::Rbdout, "rbdout", "rbdout", "", print_bodies};
+
+/// Axis times angle [rad].
+Vec3 rotation_vector(const math::Quaternion& turn) {
+  const double sine = math::norm(turn.v);
+  if (sine == 0) return {};
+  return (2 * std::atan2(turn.w < 0 ? -sine : sine, std::fabs(turn.w)) / sine) * turn.v;
+}
+
+class RigidBodyHistory : public SampledHistory {
  public:
-  void add_rows(const View& view, CsvFile& table) override {
-    // Those of the model come first; the others are welds.
-    for (std::size_t i = 0; i < view.model.rigid_bodies.size(); ++i) {
+  explicit RigidBodyHistory(const View& view) : SampledHistory(rbdout_form, variables) {
+    for (std::size_t i = 0; i < count(view); ++i)
+      start_.push_back({view.domain.rigid_bodies[i].centre, view.domain.rigid_bodies[i].turn});
+  }
+
+  void declare(domain::StateList& list) override {
+    list.keep_list("rigid_body_history_start", "by item", domain::Entity::RigidBody, 7, start_);
+  }
+
+ protected:
+  HistoryItems find_items(const View& view) override {
+    HistoryItems items;
+    std::int64_t nodal = 0;
+    for (std::size_t i = 0; i < count(view); ++i) {
+      items.ids.push_back(view.domain.rigid_bodies[i].id);
+      // LS-DYNA's groups of nodes come last; one before a part is shown as a part.
+      nodal = view.domain.rigid_bodies[i].part == no_index ? nodal + 1 : 0;
+    }
+    items.marks.push_back({"num_nodal", {nodal}});
+    return items;
+  }
+
+  void take(const View& view, Sample& sample) override {
+    for (std::size_t i = 0; i < count(view); ++i) {
       const domain::RigidBody& body = view.domain.rigid_bodies[i];
-      table.add_row(view.domain.clock.time, body.id, body.centre.x, body.centre.y, body.centre.z,
-                    body.velocity.x, body.velocity.y, body.velocity.z, body.angular_velocity.x,
-                    body.angular_velocity.y, body.angular_velocity.z, body.kinetic_energy, body.reaction.x,
-                    body.reaction.y, body.reaction.z);
+      sample.add_item({body.centre.x, body.centre.y, body.centre.z, body.velocity.x, body.velocity.y,
+                       body.velocity.z, body.angular_velocity.x, body.angular_velocity.y,
+                       body.angular_velocity.z, body.kinetic_energy, body.reaction.x, body.reaction.y,
+                       body.reaction.z});
     }
   }
+
+  void take_rest(const View& view, Sample& sample) override {
+    for (std::size_t i = 0; i < count(view); ++i) {
+      const domain::RigidBody& body = view.domain.rigid_bodies[i];
+      const math::Matrix3 axes = math::matrix_of(body.turn);
+      for (std::size_t column = 0; column < 3; ++column) {
+        const Vec3& axis = axes.column[column];
+        const std::array<double, 3> rows{axis.x, axis.y, axis.z};
+        for (std::size_t row = 0; row < 3; ++row)
+          sample.of(fmt::format("dircos_{}{}", row + 1, column + 1)).push_back(rows[row]);
+      }
+      const auto add = [&](std::string_view what, const Vec3& vector) {
+        sample.of(fmt::format("{}x", what)).push_back(vector.x);
+        sample.of(fmt::format("{}y", what)).push_back(vector.y);
+        sample.of(fmt::format("{}z", what)).push_back(vector.z);
+      };
+      const auto add_local = [&](std::string_view what, const Vec3& vector) {
+        add(what, math::transposed_product(axes, vector));
+      };
+      const Vec3 moved = body.centre - start_[i].centre;
+      const math::Quaternion back{start_[i].turn.w, -start_[i].turn.v};
+      const Vec3 turned = rotation_vector(body.turn * back);
+      add("global_d", moved);
+      add("global_rd", turned);
+      add("global_a", body.acceleration);
+      add_local("local_d", moved);
+      add_local("local_rd", turned);
+      add_local("local_v", body.velocity);
+      add_local("local_rv", body.angular_velocity);
+      add_local("local_a", body.acceleration);
+    }
+  }
+
+ private:
+  struct Place {
+    Vec3 centre;            ///< [length]
+    math::Quaternion turn;  ///< from the body's axes to the global ones
+  };
+  // Those of the model come first; the others are welds.
+  static std::size_t count(const View& view) { return view.model.rigid_bodies.size(); }
+
+  std::vector<Place> start_;  ///< by body, at time zero
 };
 
 }  // namespace
 
-std::unique_ptr<History> make_rigid_body_history() {
-  return std::make_unique<RigidBodyHistory>();
+std::unique_ptr<History> make_rigid_body_history(const View& view) {
+  return std::make_unique<RigidBodyHistory>(view);
 }
 
 }  // namespace crumple::output

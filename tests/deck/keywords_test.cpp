@@ -407,6 +407,16 @@ TEST(Database, IntervalsAndHistories) {
   EXPECT_EQ(model.output.history_nodes, (std::vector<Index>{2, 0, 5, 1}));
 }
 
+TEST(Database, RigidBodiesAndWeldsAreAskedForInTheFormOfTheCard) {
+  const model::Model model = read_with("*DATABASE_RBDOUT\n0.01,1\n*DATABASE_SWFORC\n0.02,2\n");
+  const model::HistoryRequest& bodies = model.output.of(model::HistoryFile::Rbdout);
+  EXPECT_TRUE(bodies.asked && bodies.ascii && !bodies.binary);
+  EXPECT_EQ(bodies.interval, 0.01);
+  const model::HistoryRequest& welds = model.output.of(model::HistoryFile::Swforc);
+  EXPECT_TRUE(welds.asked && !welds.ascii && welds.binary);
+  EXPECT_EQ(welds.interval, 0.02);
+}
+
 TEST(Database, NumberOfStatesOverTheRun) {
   EXPECT_EQ(
       read_with("*DATABASE_BINARY_D3PLOT\n       0.0         0         0        50\n").output.state_interval,

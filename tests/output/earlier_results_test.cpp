@@ -18,12 +18,18 @@ TEST(EarlierResults, OnlyWhatIsOurOwnIsRemoved) {
   const auto touch = [&](const char* name) { std::ofstream(folder / name) << "x\n"; };
   for (const char* name : {"run.json", "rwforc.csv", "rwmotion.csv", "glstat.csv", "report.html"})
     touch(name);
-  for (const char* name : {"measured.csv", "d3plot", "deck.k"}) touch(name);
+  for (const char* name : {"measured.csv", "d3plot", "deck.k", "rcforc"}) touch(name);
+  std::ofstream(folder / "glstat") << " a title\n                         crumple (version 0.1.0)\n";
+  std::ofstream(folder / "binout0000") << "...version0.1.0     ...revisioncrumple   ";
   remove_earlier_results(folder);
-  for (const char* name : {"run.json", "rwforc.csv", "rwmotion.csv", "glstat.csv", "report.html"})
+  for (const char* name :
+       {"run.json", "rwforc.csv", "rwmotion.csv", "glstat.csv", "report.html", "glstat", "binout0000"})
     EXPECT_FALSE(fs::exists(folder / name)) << name;
-  for (const char* name : {"measured.csv", "d3plot", "deck.k"})
+  for (const char* name : {"measured.csv", "d3plot", "deck.k", "rcforc"})
     EXPECT_TRUE(fs::exists(folder / name)) << name;
+  touch("binout0000");
+  remove_earlier_results(folder);
+  EXPECT_TRUE(fs::exists(folder / "binout0000")) << "LS-DYNA's own";
   fs::remove_all(folder);
 }
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/binout.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "output/text_file.hpp"
+
+namespace crumple::output {
+
+namespace {
+
+std::string of_width(std::string_view text, std::size_t width) {
+  std::string result(text.substr(0, width));
+  result.resize(width, ' ');
+  return result;
+}
+
+void add_legend(LsdaFile& file, const HistoryItems& items) {
+  std::vector<std::int64_t> ids;
+  std::string legend;
+  for (std::size_t i = 0; i < items.titles.size(); ++i) {
+    if (items.titles[i].empty()) continue;
+    ids.push_back(items.ids[i]);
+    legend += of_width(items.titles[i], 70);
+  }
+  file.add("legend", legend);
+  file.add("legend_ids", ids);
+}
+
+std::vector<std::int64_t> whole_numbers(const std::vector<double>& values) {
+  std::vector<std::int64_t> result;
+  result.reserve(values.size());
+  for (const double value : values) result.push_back(std::llround(value));
+  return result;
+}
+
+}  // namespace
+
+Binout::Binout(std::filesystem::path path, std::string title, std::vector<std::string> branches,
+               Opening opening)
+    : file_(std::move(path), opening), title_(std::move(title)) {
+  for (std::string& name : branches) branches_.push_back({std::move(name)});
+}
+
+void Binout::declare(domain::StateList& list) {
+  file_.declare(list);
+  for (Branch& branch : branches_)
+    list.keep("binout_" + branch.name + "_states", "-", domain::Entity::Run, branch.states);
+}
+
+void Binout::resume() {
+  if (file_.resume()) return;
+  for (Branch& branch : branches_) branch.states = 0;
+}
+
+void Binout::add_metadata(const HistoryForm& form, const HistoryItems& items) {
+  file_.enter(fmt::format("/{}/metadata", form.branch));
+  file_.add("title", of_width(title_, 80));
+  file_.add("version", of_width(program_version(), 10));
+  file_.add("revision", of_width("crumple", 10));
+  file_.add("date", today());
+  add_legend(file_, items);
+  file_.add("ids", items.ids);
+  for (const auto& [name, values] : items.marks) file_.add(name, values);
+  for (const auto& [name, text] : items.texts) file_.add(name, text);
+}
+
+void Binout::add(std::size_t branch, const HistoryForm& form, const HistoryItems& items,
+                 const Sample& sample) {
+  if (branches_[branch].states == 0) add_metadata(form, items);
+  file_.enter(fmt::format("/{}/d{:06}", form.branch, ++branches_[branch].states));
+  file_.add("time", sample.time());
+  file_.add("cycle", std::int64_t{sample.cycle()});
+  for (std::size_t i = 0; i < sample.variables().size(); ++i) {
+    const Variable& variable = sample.variables()[i];
+    if (variable.name.empty()) continue;
+    if (variable.whole)
+      file_.add(variable.name, whole_numbers(sample.of(i)));
+    else
+      file_.add(variable.name, sample.of(i));
+  }
+}
+
+}  // namespace crumple::output
