@@ -212,6 +212,7 @@ constexpr Keyword table[] = {
     {"DATABASE_RCFORC", read_database<File::Rcforc>, none, false},
     {"DATABASE_NODOUT", read_database<File::Nodout>, none, false},
     {"DATABASE_RBDOUT", read_database<File::Rbdout>, none, false},
+    {"DATABASE_SLEOUT", read_database<File::Sleout>, none, false},
     {"DATABASE_SWFORC", read_database<File::Swforc>, none, false},
     {"DATABASE_HISTORY_NODE", read_database_history_node},
     {"DATABASE_HISTORY_NODE_ID", read_database_history_node_id},

@@ -70,8 +70,9 @@ void Binout::add_metadata(const HistoryForm& form, const HistoryItems& items) {
 
 void Binout::add(std::size_t branch, const HistoryForm& form, const HistoryItems& items,
                  const Sample& sample) {
-  if (branches_[branch].states == 0) add_metadata(form, items);
-  file_.enter(fmt::format("/{}/d{:06}", form.branch, ++branches_[branch].states));
+  const long state = branches_[branch].states + ++branches_[branch].added;
+  if (state == 1) add_metadata(form, items);
+  file_.enter(fmt::format("/{}/d{:06}", form.branch, state));
   file_.add("time", sample.time());
   file_.add("cycle", std::int64_t{sample.cycle()});
   for (std::size_t i = 0; i < sample.variables().size(); ++i) {
@@ -82,6 +83,14 @@ void Binout::add(std::size_t branch, const HistoryForm& form, const HistoryItems
     else
       file_.add(variable.name, sample.of(i));
   }
+}
+
+void Binout::flush() {
+  // What does not reach the file does not count.
+  std::vector<long> added;
+  for (Branch& branch : branches_) added.push_back(std::exchange(branch.added, 0));
+  file_.flush();
+  for (std::size_t i = 0; i < added.size(); ++i) branches_[i].states += added[i];
 }
 
 }  // namespace crumple::output

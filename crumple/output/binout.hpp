@@ -32,8 +32,8 @@ class Binout {
 
   /// Adds a state to a branch, by its place; it reaches the file with the next flush.
   void add(std::size_t branch, const HistoryForm& form, const HistoryItems& items, const Sample& sample);
-  /// Makes what was added readable. Throws WriteError.
-  void flush() { file_.flush(); }
+  /// Makes what was added readable. Throws WriteError; then nothing was.
+  void flush();
 
   const std::filesystem::path& path() const { return file_.path(); }
 
@@ -42,7 +42,8 @@ class Binout {
 
   struct Branch {
     std::string name;
-    long states = 0;
+    long states = 0;  ///< in the file
+    long added = 0;   ///< since the last flush
   };
   LsdaFile file_;
   std::string title_;

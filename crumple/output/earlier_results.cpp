@@ -14,16 +14,15 @@
 namespace crumple::output {
 namespace {
 
-constexpr std::array<std::string_view, 14> names{
-    "run.json",   "report.html",        "initial_penetrations.csv",
-    "glstat.csv", "timestep.csv",       "matsum.csv",
-    "rwforc.csv", "rwmotion.csv",       "rcforc.csv",
-    "ties.csv",   "rbdout.csv",         "swforc.csv",
-    "nodout.csv", "energy_residual.csv"};
+constexpr std::string_view names[] = {"run.json",   "report.html",         "initial_penetrations.csv",
+                                      "glstat.csv", "timestep.csv",        "matsum.csv",
+                                      "rwforc.csv", "rwmotion.csv",        "rcforc.csv",
+                                      "ties.csv",   "rbdout.csv",          "swforc.csv",
+                                      "nodout.csv", "energy_residual.csv", "sleout.csv"};
 
 /// LS-DYNA writes files of the same names: of these only our own are removed. All start with whose they are.
-constexpr std::array<std::string_view, 7> shared_names{"glstat", "matsum", "rwforc", "rcforc",
-                                                       "nodout", "rbdout", "swforc"};
+constexpr std::array<std::string_view, 8> shared_names{"glstat", "matsum", "rwforc", "rcforc",
+                                                       "nodout", "rbdout", "swforc", "sleout"};
 constexpr std::string_view binout_name = "binout0000";
 
 bool mentions(const std::filesystem::path& path, std::string_view mark) {

@@ -47,6 +47,10 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   if (!view.domain.ties.empty())
     entries.push_back({"ties.csv", "time,interface,tied,broken,fx,fy,fz,energy",
                        asked.of(model::HistoryFile::Rcforc).interval, make_tie_history()});
+  if (asked.of(model::HistoryFile::Sleout).asked &&
+      !(view.domain.contacts.empty() && view.domain.ties.empty()))
+    entries.push_back({"sleout.csv", "time,interface,energy,friction",
+                       asked.of(model::HistoryFile::Sleout).interval, make_interface_energy_history()});
   if (!view.model.rigid_bodies.empty())
     entries.push_back({"rbdout.csv", "time,body,x,y,z,vx,vy,vz,wx,wy,wz,kinetic,fx,fy,fz",
                        interval_or_glstat(asked, model::HistoryFile::Rbdout), make_rigid_body_history(view)});

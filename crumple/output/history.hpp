@@ -52,6 +52,8 @@ std::unique_ptr<History> make_wall_history(const View& view);
 std::unique_ptr<History> make_wall_motion_history();
 /// Resultant force of contact interfaces.
 std::unique_ptr<History> make_contact_history();
+/// Energies of contact interfaces and tied contacts.
+std::unique_ptr<History> make_interface_energy_history();
 /// Motion of the nodes of *DATABASE_HISTORY_NODE.
 std::unique_ptr<History> make_node_history();
 

@@ -13,8 +13,8 @@ void Sample::start(double time, long cycle) {
   for (std::vector<double>& values : values_) values.clear();
 }
 
-void Sample::add_item(std::initializer_list<double> values) {
-  std::size_t variable = 0;
+void Sample::add_item(std::initializer_list<double> values, std::size_t first) {
+  std::size_t variable = first;
   for (const double value : values) values_[variable++].push_back(value);
 }
 

@@ -38,8 +38,8 @@ class Sample {
 
   /// Forgets the numbers.
   void start(double time, long cycle);
-  /// Appends one to each of the first variables.
-  void add_item(std::initializer_list<double> values);
+  /// Appends one to each of the variables from this one on.
+  void add_item(std::initializer_list<double> values, std::size_t first = 0);
 
   /// Of one variable by its name in LS-DYNA's files, which it must have; one for each item unless it says so.
   std::vector<double>& of(std::string_view name);

@@ -70,6 +70,8 @@ LsdaFile::LsdaFile(std::filesystem::path path, Opening opening) : path_(std::mov
 void LsdaFile::open(const char* mode) {
   file_.reset(std::fopen(path_.c_str(), mode));
   if (!file_) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
+  // Each part is one write: nothing is left over for later if it fails.
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
 }
 
 void LsdaFile::begin() {
@@ -165,20 +167,19 @@ void LsdaFile::flush() {
   if (entries_.empty()) return;
   std::string link;
   put(link, length_ + records_.size());
-  records_ += table();
-  write_at(length_, records_);
-  write_at(length_ - link_bytes, link);
-  length_ += records_.size();
+  const std::string added = records_ + table();
   records_.clear();
   entries_.clear();
   // A file that goes on from here without this one's memory says where it is.
   recorded_folder_.clear();
+  write_at(length_, added);
+  write_at(length_ - link_bytes, link);
+  length_ += added.size();
 }
 
 void LsdaFile::write_at(std::uint64_t place, std::string_view bytes) {
   const bool good = std::fseek(file_.get(), static_cast<long>(place), SEEK_SET) == 0 &&
-                    std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size() &&
-                    std::fflush(file_.get()) == 0;
+                    std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
   if (!good) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <cmath>
 
 #include "output/sampled_history.hpp"
@@ -25,40 +24,52 @@ constexpr Variable variables[] = {
     {"", "local_ay"},     {"", "local_az"},
 };
 
-/// One line of six numbers, or of three: `what` is "global_d" for displacements and "global_rd" for
-/// rotations.
+/// Places of the vectors in the list above; the direction cosines are there row by row.
+enum Place : std::size_t {
+  Coordinate = 0,
+  Velocity = 3,
+  AngularVelocity = 6,
+  Displacement = 13,
+  Rotation = 16,
+  Acceleration = 19,
+  Cosines = 22,
+  LocalDisplacement = 31,
+  LocalRotation = 34,
+  LocalVelocity = 37,
+  LocalAngularVelocity = 40,
+  LocalAcceleration = 43,
+};
+
 void print_vectors(const Sample& sample, std::size_t body, std::string_view label,
-                   std::initializer_list<std::string_view> what, std::string& text) {
+                   std::initializer_list<Place> vectors, std::string& text) {
   fmt::format_to(std::back_inserter(text), "{:>14}:  ", label);
-  for (const std::string_view vector : what)
-    for (const char axis : {'x', 'y', 'z'})
-      fmt::format_to(std::back_inserter(text), "{:12.4E}",
-                     sample.of(fmt::format("{}{}", vector, axis))[body]);
+  for (const Place vector : vectors)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      fmt::format_to(std::back_inserter(text), "{:12.4E}", sample.of(vector + axis)[body]);
   text += '\n';
 }
 
 void print_body(const Sample& sample, std::size_t body, std::string& text) {
   text += "   global             x           y           z          x-rot       y-rot       z-rot\n";
-  print_vectors(sample, body, "coordinates", {"global_"}, text);
-  print_vectors(sample, body, "displacements", {"global_d", "global_rd"}, text);
-  print_vectors(sample, body, "velocities", {"global_v", "global_rv"}, text);
-  print_vectors(sample, body, "accelerations", {"global_a"}, text);
+  print_vectors(sample, body, "coordinates", {Coordinate}, text);
+  print_vectors(sample, body, "displacements", {Displacement, Rotation}, text);
+  print_vectors(sample, body, "velocities", {Velocity, AngularVelocity}, text);
+  print_vectors(sample, body, "accelerations", {Acceleration}, text);
   text +=
       "\nprincipal or user defined local coordinate direction vectors\n"
       "                     a           b           c\n";
-  for (int row = 1; row <= 3; ++row) {
-    fmt::format_to(std::back_inserter(text), "     row {}", row);
-    for (int column = 1; column <= 3; ++column)
-      fmt::format_to(std::back_inserter(text), "{:15.4E}",
-                     sample.of(fmt::format("dircos_{}{}", row, column))[body]);
+  for (std::size_t row = 0; row < 3; ++row) {
+    fmt::format_to(std::back_inserter(text), "     row {}", row + 1);
+    for (std::size_t column = 0; column < 3; ++column)
+      fmt::format_to(std::back_inserter(text), "{:15.4E}", sample.of(Cosines + 3 * row + column)[body]);
     text += '\n';
   }
   text +=
       "\n output in principal or user defined local coordinate directions\n"
       "                      a           b           c          a-rot       b-rot       c-rot\n";
-  print_vectors(sample, body, "displacements", {"local_d", "local_rd"}, text);
-  print_vectors(sample, body, "velocities", {"local_v", "local_rv"}, text);
-  print_vectors(sample, body, "accelerations", {"local_a"}, text);
+  print_vectors(sample, body, "displacements", {LocalDisplacement, LocalRotation}, text);
+  print_vectors(sample, body, "velocities", {LocalVelocity, LocalAngularVelocity}, text);
+  print_vectors(sample, body, "accelerations", {LocalAcceleration}, text);
 }
 
 void print_bodies(const HistoryItems& items, const Sample& sample, std::string& text) {
@@ -121,43 +132,37 @@ class RigidBodyHistory : public SampledHistory {
     for (std::size_t i = 0; i < count(view); ++i) {
       const domain::RigidBody& body = view.domain.rigid_bodies[i];
       const math::Matrix3 axes = math::matrix_of(body.turn);
-      for (std::size_t column = 0; column < 3; ++column) {
-        const Vec3& axis = axes.column[column];
-        const std::array<double, 3> rows{axis.x, axis.y, axis.z};
-        for (std::size_t row = 0; row < 3; ++row)
-          sample.of(fmt::format("dircos_{}{}", row + 1, column + 1)).push_back(rows[row]);
-      }
-      const auto add = [&](std::string_view what, const Vec3& vector) {
-        sample.of(fmt::format("{}x", what)).push_back(vector.x);
-        sample.of(fmt::format("{}y", what)).push_back(vector.y);
-        sample.of(fmt::format("{}z", what)).push_back(vector.z);
-      };
-      const auto add_local = [&](std::string_view what, const Vec3& vector) {
-        add(what, math::transposed_product(axes, vector));
-      };
+      const auto& [a, b, c] = axes.column;
+      sample.add_item({a.x, b.x, c.x, a.y, b.y, c.y, a.z, b.z, c.z}, Cosines);
       const Vec3 moved = body.centre - start_[i].centre;
       const math::Quaternion back{start_[i].turn.w, -start_[i].turn.v};
       const Vec3 turned = rotation_vector(body.turn * back);
-      add("global_d", moved);
-      add("global_rd", turned);
-      add("global_a", body.acceleration);
-      add_local("local_d", moved);
-      add_local("local_rd", turned);
-      add_local("local_v", body.velocity);
-      add_local("local_rv", body.angular_velocity);
-      add_local("local_a", body.acceleration);
+      const auto add = [&](Place place, const Vec3& vector) {
+        sample.add_item({vector.x, vector.y, vector.z}, place);
+      };
+      const auto add_local = [&](Place place, const Vec3& vector) {
+        add(place, math::transposed_product(axes, vector));
+      };
+      add(Displacement, moved);
+      add(Rotation, turned);
+      add(Acceleration, body.acceleration);
+      add_local(LocalDisplacement, moved);
+      add_local(LocalRotation, turned);
+      add_local(LocalVelocity, body.velocity);
+      add_local(LocalAngularVelocity, body.angular_velocity);
+      add_local(LocalAcceleration, body.acceleration);
     }
   }
 
  private:
-  struct Place {
+  struct Position {
     Vec3 centre;            ///< [length]
     math::Quaternion turn;  ///< from the body's axes to the global ones
   };
   // Those of the model come first; the others are welds.
   static std::size_t count(const View& view) { return view.model.rigid_bodies.size(); }
 
-  std::vector<Place> start_;  ///< by body, at time zero
+  std::vector<Position> start_;  ///< by body, at time zero
 };
 
 }  // namespace

@@ -68,6 +68,8 @@ void TextFile::resume() {
 void TextFile::open(const char* mode) {
   file_.reset(std::fopen(path_.c_str(), mode));
   if (!file_) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
+  // Each block is one write: nothing is left over for later if it fails.
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
 }
 
 void TextFile::add(const std::string& title, const HistoryForm& form, const HistoryItems& items,
@@ -75,10 +77,16 @@ void TextFile::add(const std::string& title, const HistoryForm& form, const Hist
   text_.clear();
   if (bytes_ == 0) add_head(title, form, items, text_);
   form.print(items, sample, text_);
-  const bool good = std::fwrite(text_.data(), 1, text_.size(), file_.get()) == text_.size() &&
-                    std::fflush(file_.get()) == 0;
-  if (!good) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
-  bytes_ += text_.size();
+  const bool good = std::fwrite(text_.data(), 1, text_.size(), file_.get()) == text_.size();
+  const int reason = errno;
+  if (good) {
+    bytes_ += text_.size();
+    return;
+  }
+  // Half a block would be read as one.
+  std::error_code ignored;
+  std::filesystem::resize_file(path_, bytes_, ignored);
+  throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(reason)));
 }
 
 }  // namespace crumple::output

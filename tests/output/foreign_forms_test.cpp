@@ -16,9 +16,9 @@ namespace {
 
 using model::HistoryFile;
 
-constexpr std::array all_files{HistoryFile::Glstat, HistoryFile::Matsum, HistoryFile::Rwforc,
-                               HistoryFile::Rcforc, HistoryFile::Nodout, HistoryFile::Rbdout,
-                               HistoryFile::Swforc};
+constexpr std::array all_files{HistoryFile::Sleout, HistoryFile::Glstat, HistoryFile::Matsum,
+                               HistoryFile::Rwforc, HistoryFile::Rcforc, HistoryFile::Nodout,
+                               HistoryFile::Rbdout, HistoryFile::Swforc};
 
 /// Two times of the sample with something of everything; the second one has moved.
 class ForeignFormsTest : public SampleTest {
@@ -69,6 +69,8 @@ class ForeignFormsTest : public SampleTest {
     domain_.walls[0].energy = 1.5;
     domain_.walls[0].impulse = {0, 0, -3};
     domain_.walls[0].normal_impulse = 3;
+    domain_.contacts[0].energy = 0.5;
+    domain_.contacts[1].friction_energy = 0.25;
     domain_.contacts[1].force = {1, -2, 1.0 / 7};
     domain_.contacts[1].mass = {11, 13};
     for (Index node = 0; node < domain_.nodes.count(); ++node) {
@@ -174,6 +176,7 @@ TEST_F(ForeignFormsTest, BinoutHasTheNumbersOfTheTables) {
        {"rwforc.csv", {{"normal", "normal_force"}, {"fx", "x_force"}, {"fy", "y_force"}, {"fz", "z_force"}}}},
       {"/rcforc",
        {"rcforc.csv", {{"fx", "x_force"}, {"fy", "y_force"}, {"fz", "z_force"}, {"mass", "mass"}}}},
+      {"/sleout", {"sleout.csv", {{"friction", "friction_energy"}}}},
       {"/nodout",
        {"nodout.csv",
         {{"uz", "z_displacement"}, {"vy", "y_velocity"}, {"ax", "x_acceleration"}, {"z", "z_coordinate"}}}},
@@ -219,6 +222,9 @@ TEST_F(ForeignFormsTest, EnergiesAddUpAsInLsDyna) {
   const auto last = [&](const char* name) { return binout.reals(std::string("/glstat/d000002/") + name); };
   EXPECT_EQ(last("internal_energy")[0], 24);
   EXPECT_EQ(last("sliding_interface_energy")[0], 0.75);
+  EXPECT_EQ(binout.reals("/sleout/d000002/slave"), (std::vector<double>{0.5, 0.25}));
+  EXPECT_EQ(binout.reals("/sleout/d000002/master"), (std::vector<double>{0}));
+  EXPECT_EQ(binout.reals("/sleout/d000002/total_energy"), last("sliding_interface_energy"));
   EXPECT_EQ(last("stonewall_energy"), (std::vector<double>{1.5, 0}));
   EXPECT_DOUBLE_EQ(last("energy_ratio_wo_eroded")[0], (domain_.energy.total() - 4) / 30);
   EXPECT_DOUBLE_EQ(last("global_x_velocity")[0], 1);
@@ -309,7 +315,10 @@ TEST_F(ForeignFormsTest, TablesOfLsDynaHaveFixedColumns) {
   EXPECT_EQ(parts[5], "        7     first");
   EXPECT_EQ(parts[parts.size() - 9], " time =   5.0000E-01");
   EXPECT_EQ(parts[parts.size() - 8].substr(0, 55), " mat.#=    7             inten=   0.0000E+00     kinen=");
-  EXPECT_EQ(last("matsum").substr(0, 44), "                         hgeng=   0.0000E+00");
+  EXPECT_EQ(parts[parts.size() - 8].substr(68, 28), "     eroded_ie=   0.0000E+00");
+  EXPECT_EQ(last("matsum"), "                         hgeng=   0.0000E+00     +mass=   0.0000E+00");
+  EXPECT_EQ(last("sleout", 9), "         5   2.5000E-01   0.0000E+00");
+  EXPECT_EQ(last("sleout", 5), "           total energy    = 7.5000000E-01");
   const auto bodies = lines(folder_ / "rbdout");
   EXPECT_NE(std::find(bodies.begin(), bodies.end(), " nodal rigid body      10"), bodies.end());
   EXPECT_NE(
@@ -334,7 +343,7 @@ TEST_F(ForeignFormsTest, ALaterRunGoesOnWithItsFiles) {
   std::map<std::string, std::string> whole;
   for (const auto& file : files)
     if (file.extension() == ".csv" || !file.has_extension()) whole[file] = read(file);
-  EXPECT_EQ(whole.size(), 16U);
+  EXPECT_EQ(whole.size(), 18U);
 
   recorder_.emplace(folder_, "run", full_view(), ExtraFiles{.opening = Opening::Continued});
   domain::StateList again;
