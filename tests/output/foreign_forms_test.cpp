@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The histories in LS-DYNA's forms: binout and the text files, against the tables.
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -10,6 +13,7 @@
 #include "output/lsda_reader.hpp"
 #include "output/recorder.hpp"
 #include "output/sample.hpp"
+#include "output/write_error.hpp"
 
 namespace crumple::output {
 namespace {
@@ -374,6 +378,27 @@ TEST_F(ForeignFormsTest, FilesThatAreGoneBeginAnew) {
   EXPECT_EQ(binout.states("/nodout"), 1);
   EXPECT_TRUE(binout.has("/nodout/metadata/ids"));
   EXPECT_EQ(lines(folder_ / "nodout")[0], " a plate");
+}
+
+TEST_F(ForeignFormsTest, AFullDiskLeavesWholeStates) {
+  ask_for_all();
+  record_two();
+  const std::string text = read(folder_ / "rcforc");
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto former = std::signal(SIGXFSZ, SIG_IGN);
+  const std::uintmax_t size = std::filesystem::file_size(folder_ / "binout0000");
+  const rlimit limit{.rlim_cur = size + 100, .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &limit);
+  go_to(1, 80);
+  EXPECT_THROW(recorder_->write_due(full_view()), WriteError);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, former);
+  EXPECT_EQ(LsdaReader(folder_ / "binout0000").states("/rcforc"), 2);
+  go_to(1.5, 90);
+  recorder_->write_due(full_view());
+  EXPECT_EQ(LsdaReader(folder_ / "binout0000").states("/rcforc"), 3);
+  EXPECT_TRUE(read(folder_ / "rcforc").starts_with(text));
 }
 
 }  // namespace
