@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 #include <utility>
 
+#include "base/state_hash.hpp"
 #include "output/text_file.hpp"
 
 namespace crumple::output {
@@ -42,18 +44,21 @@ std::vector<std::int64_t> whole_numbers(const std::vector<double>& values) {
 Binout::Binout(std::filesystem::path path, std::string title, std::vector<std::string> branches,
                Opening opening)
     : file_(std::move(path), opening), title_(std::move(title)) {
-  for (std::string& name : branches) branches_.push_back({std::move(name)});
+  for (std::string& name : branches) branches_.push_back({.name = std::move(name)});
 }
 
 void Binout::declare(domain::StateList& list) {
   file_.declare(list);
   for (Branch& branch : branches_)
-    list.keep("binout_" + branch.name + "_states", "-", domain::Entity::Run, branch.states);
+    list.keep("binout_" + branch.name, "-", domain::Entity::Run, branch.in_file);
 }
 
 void Binout::resume() {
-  if (file_.resume()) return;
-  for (Branch& branch : branches_) branch.states = 0;
+  const bool goes_on = file_.resume();
+  for (Branch& branch : branches_) {
+    if (!goes_on) branch.in_file = {};
+    branch.with_added = branch.in_file;
+  }
 }
 
 void Binout::add_metadata(const HistoryForm& form, const HistoryItems& items) {
@@ -70,9 +75,13 @@ void Binout::add_metadata(const HistoryForm& form, const HistoryItems& items) {
 
 void Binout::add(std::size_t branch, const HistoryForm& form, const HistoryItems& items,
                  const Sample& sample) {
-  const long state = branches_[branch].states + ++branches_[branch].added;
-  if (state == 1) add_metadata(form, items);
-  file_.enter(fmt::format("/{}/d{:06}", form.branch, state));
+  Progress& progress = branches_[branch].with_added;
+  // A deck of a restart may add items behind those that there are.
+  StateHash fingerprint;
+  fingerprint.add(std::as_bytes(std::span(items.ids)));
+  if (progress.items != fingerprint.value()) add_metadata(form, items);
+  progress.items = fingerprint.value();
+  file_.enter(fmt::format("/{}/d{:06}", form.branch, ++progress.states));
   file_.add("time", sample.time());
   file_.add("cycle", std::int64_t{sample.cycle()});
   for (std::size_t i = 0; i < sample.variables().size(); ++i) {
@@ -87,10 +96,11 @@ void Binout::add(std::size_t branch, const HistoryForm& form, const HistoryItems
 
 void Binout::flush() {
   // What does not reach the file does not count.
-  std::vector<long> added;
-  for (Branch& branch : branches_) added.push_back(std::exchange(branch.added, 0));
+  std::vector<Progress> reached;
+  for (Branch& branch : branches_) reached.push_back(std::exchange(branch.with_added, branch.in_file));
   file_.flush();
-  for (std::size_t i = 0; i < added.size(); ++i) branches_[i].states += added[i];
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    branches_[i].in_file = branches_[i].with_added = reached[i];
 }
 
 }  // namespace crumple::output

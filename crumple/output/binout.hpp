@@ -40,10 +40,14 @@ class Binout {
  private:
   void add_metadata(const HistoryForm& form, const HistoryItems& items);
 
+  struct Progress {
+    long states = 0;
+    std::uint64_t items = 0;  ///< fingerprint of those that the metadata name
+  };
   struct Branch {
     std::string name;
-    long states = 0;  ///< in the file
-    long added = 0;   ///< since the last flush
+    Progress in_file{};
+    Progress with_added{};  ///< once it is flushed
   };
   LsdaFile file_;
   std::string title_;

@@ -360,6 +360,26 @@ TEST_F(ForeignFormsTest, ALaterRunGoesOnWithItsFiles) {
   for (const auto& [file, content] : whole) EXPECT_EQ(read(file), content) << file;
 }
 
+TEST_F(ForeignFormsTest, NodesThatARestartAddsAreNamed) {
+  ask_for_all();
+  record_two();
+  domain::StateList list;
+  recorder_->declare(list);
+  const domain::StateSnapshot snapshot(list);
+  model_.output.history_nodes.push_back(3);
+  recorder_.emplace(folder_, "run", full_view(), ExtraFiles{.opening = Opening::Continued});
+  domain::StateList again;
+  recorder_->declare(again);
+  snapshot.put_back_known(again);
+  recorder_->resume(domain_.clock);
+  go_to(1, 80);
+  recorder_->write_due(full_view());
+  const LsdaReader binout(folder_ / "binout0000");
+  EXPECT_EQ(binout.integers("/nodout/metadata/ids"), (std::vector<std::int64_t>{10, 60, 30}));
+  EXPECT_EQ(binout.reals("/nodout/d000002/x_velocity").size(), 2U);
+  EXPECT_EQ(binout.reals("/nodout/d000003/x_velocity").size(), 3U);
+}
+
 TEST_F(ForeignFormsTest, FilesThatAreGoneBeginAnew) {
   ask_for_all();
   record_two();
