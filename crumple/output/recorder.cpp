@@ -32,7 +32,7 @@ void Recorder::ask_for_foreign_forms(const std::filesystem::path& folder, const 
     if (request.ascii) table.text.emplace(folder / form.name, opening);
     if (!request.binary) continue;
     table.branch = branches.size();
-    branches.emplace_back(form.name);
+    branches.emplace_back(form.branch);
   }
   if (!branches.empty())
     binout_.emplace(folder / "binout0000", view.model.title, std::move(branches), opening);
