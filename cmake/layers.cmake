@@ -14,10 +14,11 @@ set(CRUMPLE_LAYERS
   "timeloop: elements materials contact constraints loads domain model math base"
   "deck: model base"
   "output: domain model math base"
-  "report: output base")
+  "report: output base"
+  "compare: report output base")
 # app may include everything; it is built by crumple/app/CMakeLists.txt.
 
-set(CRUMPLE_NON_CORE deck output report)
+set(CRUMPLE_NON_CORE deck output report compare)
 set(CRUMPLE_LAYER_NAMES "")
 foreach(line IN LISTS CRUMPLE_LAYERS)
   string(REGEX REPLACE ":.*" "" name "${line}")
@@ -101,7 +102,7 @@ function(crumple_add_layer layer)
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/output/text_file.cpp PROPERTY COMPILE_DEFINITIONS
       CRUMPLE_VERSION="${PROJECT_VERSION}")
   endif()
-  if(layer MATCHES "^(output|report)$")
+  if(layer MATCHES "^(output|report|compare)$")
     find_package(ZLIB REQUIRED)
     find_package(nlohmann_json REQUIRED)
     target_link_libraries(${target} ${scope} ZLIB::ZLIB nlohmann_json::nlohmann_json)

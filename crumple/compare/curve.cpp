@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "compare/curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crumple::compare {
+
+std::string name_of(const Curve& curve) {
+  std::string name = curve.group + "." + curve.quantity;
+  if (!curve.item.empty()) name += "[" + curve.item + "]";
+  return name;
+}
+
+void append_point(Curve& curve, double time, double value) {
+  if (!std::isfinite(time) || !std::isfinite(value)) return;
+  while (!curve.times.empty() && curve.times.back() >= time) {
+    curve.times.pop_back();
+    curve.values.pop_back();
+  }
+  curve.times.push_back(time);
+  curve.values.push_back(value);
+}
+
+double value_at(const Curve& curve, double time) {
+  const auto after = std::upper_bound(curve.times.begin(), curve.times.end(), time);
+  if (after == curve.times.begin()) return curve.values.front();
+  if (after == curve.times.end()) return curve.values.back();
+  const auto place = static_cast<std::size_t>(after - curve.times.begin());
+  const double start = curve.times[place - 1];
+  const double share = (time - start) / (curve.times[place] - start);
+  return curve.values[place - 1] + share * (curve.values[place] - curve.values[place - 1]);
+}
+
+}  // namespace crumple::compare
