@@ -96,7 +96,7 @@ function(crumple_add_layer layer)
   if(layer STREQUAL "report")
     # Beside what the program looks through by itself: where the viewer's build (tools/build_viewer) puts it.
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/report/page.cpp PROPERTY COMPILE_DEFINITIONS
-      CRUMPLE_BUILT_TEMPLATE="${PROJECT_SOURCE_DIR}/build/viewer/report_template.html")
+      CRUMPLE_BUILT_PAGES="${PROJECT_SOURCE_DIR}/build/viewer")
   endif()
   if(layer STREQUAL "output")
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/output/text_file.cpp PROPERTY COMPILE_DEFINITIONS

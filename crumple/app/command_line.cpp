@@ -48,6 +48,7 @@ constexpr const char* examples = R"(Examples:
   crumple check deck.k                      what is read, ignored, wrong; masses and time steps
   crumple report deck.out                   deck.out/report.html: animation, curves, tables
   crumple report deck.out --png             and pictures of it
+  crumple compare ref.out deck.out          how far two results are apart, curve by curve
   crumple bench -t 2                        how fast this machine is, about a minute
   crumple i=deck.k ncpu=4 memory=200m       as LS-DYNA is called
 
@@ -272,6 +273,9 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
   add_machine_options(*bench, line.options);
   CLI::App* report = program.add_subcommand("report", "Write one HTML file that shows the result of a run");
   add_report_options(*report, line.report);
+  CLI::App* compare =
+      program.add_subcommand("compare", "Rate the histories of two results against each other");
+  add_compare_arguments(*compare, line.compare);
   bool automatic_contact = false;
   add_reading_options(*run, line.options, automatic_contact);
   add_run_options(*run, line.options);
@@ -296,10 +300,11 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     return line;
   }
   line.options.automatic_contact = automatic_contact;
-  line.command = run->parsed()      ? Command::Run
-                 : check->parsed()  ? Command::Check
-                 : report->parsed() ? Command::Report
-                                    : Command::Bench;
+  line.command = run->parsed()       ? Command::Run
+                 : check->parsed()   ? Command::Check
+                 : report->parsed()  ? Command::Report
+                 : compare->parsed() ? Command::Compare
+                                     : Command::Bench;
   return line;
 }
 

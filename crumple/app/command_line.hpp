@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/compare_arguments.hpp"
+
 namespace crumple::app {
 
 /// How often restart files are written besides what the deck says.
@@ -45,7 +47,7 @@ struct Options {
   std::vector<std::string> notes;  ///< on arguments that were accepted without effect
 };
 
-enum class Command { Run, Check, Bench, Report, Help, Mistake };
+enum class Command { Run, Check, Bench, Report, Compare, Help, Mistake };
 
 /// Pictures of a report.
 struct PictureOptions {
@@ -71,6 +73,7 @@ struct CommandLine {
   Command command = Command::Mistake;
   Options options;  ///< for all but Help and Mistake
   ReportOptions report;
+  CompareOptions compare;
   std::string text;  ///< for Help and Mistake: what to tell the user
 };
 

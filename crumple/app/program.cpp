@@ -9,6 +9,7 @@
 #include "app/bench_command.hpp"
 #include "app/check_command.hpp"
 #include "app/command_line.hpp"
+#include "app/compare_command.hpp"
 #include "app/report_command.hpp"
 #include "app/run_command.hpp"
 
@@ -30,6 +31,8 @@ ExitCode run_program(const std::vector<std::string>& arguments, const Console& c
         return bench_machine(line.options, console);
       case Command::Report:
         return report_results(line.report, console);
+      case Command::Compare:
+        return compare_results(line.compare, console);
       case Command::Run:
         return run_deck(line.options, console);
     }

@@ -16,7 +16,6 @@ namespace crumple::report {
 namespace {
 
 constexpr std::string_view mark = "<!-- crumple-data -->";
-constexpr const char* file_name = "report_template.html";
 
 }  // namespace
 
@@ -33,20 +32,24 @@ std::string PageTemplate::with(std::string_view payload) const {
   return page;
 }
 
-std::filesystem::path find_template() {
-  if (const char* named = std::getenv("CRUMPLE_REPORT_TEMPLATE"); named != nullptr && *named != '\0')
-    return named;
+std::filesystem::path find_page(const ViewerPage& page) {
+  if (const char* named = std::getenv(page.variable); named != nullptr && *named != '\0') return named;
   std::error_code ignored;
   const std::filesystem::path program =
       std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-  const std::vector<std::filesystem::path> places = {
-      program / file_name, program.parent_path() / "share" / "crumple" / file_name, CRUMPLE_BUILT_TEMPLATE};
+  const std::vector<std::filesystem::path> places = {program / page.file,
+                                                     program.parent_path() / "share" / "crumple" / page.file,
+                                                     std::filesystem::path(CRUMPLE_BUILT_PAGES) / page.file};
   for (const std::filesystem::path& place : places)
     if (std::filesystem::is_regular_file(place, ignored)) return place;
   throw Error(
-      "The report's template is missing. In the folder of crumple's source, \"make build\" builds it (with "
-      "nodejs "
-      "and npm); CRUMPLE_REPORT_TEMPLATE=FILE or --template FILE names one that lies elsewhere.");
+      fmt::format("The {}'s template is missing. In the folder of crumple's source, \"make build\" builds it "
+                  "(with nodejs and npm); {}=FILE or --template FILE names one that lies elsewhere.",
+                  page.subject, page.variable));
+}
+
+std::filesystem::path find_template() {
+  return find_page({"report_template.html", "CRUMPLE_REPORT_TEMPLATE", "report"});
 }
 
 ReportContent write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,

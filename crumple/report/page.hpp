@@ -23,8 +23,18 @@ class PageTemplate {
   std::size_t place_ = 0;  ///< where the elements go
 };
 
-/// Looks for the template: in the environment variable CRUMPLE_REPORT_TEMPLATE, beside the program, in
-/// share/crumple beside the folder of the program, where it is built. Throws Error that says how to build it.
+/// One of the pages that the viewer's build makes.
+struct ViewerPage {
+  const char* file;      ///< its name
+  const char* variable;  ///< environment variable that names another file
+  const char* subject;   ///< what it shows, for messages: "report"
+};
+
+/// Looks for a page: in its environment variable, beside the program, in share/crumple beside the folder of
+/// the program, where it is built. Throws Error that says how to build it.
+std::filesystem::path find_page(const ViewerPage& page);
+
+/// The page of reports.
 std::filesystem::path find_template();
 
 /// What a report shows.

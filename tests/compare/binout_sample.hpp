@@ -41,9 +41,13 @@ class BinoutSample {
     put(name.size(), 1);
     bytes_ += name;
     for (const double number : numbers) {
-      std::uint64_t bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
-      if (type == R4) bits = std::bit_cast<std::uint32_t>(static_cast<float>(number));
-      if (type == R8) bits = std::bit_cast<std::uint64_t>(number);
+      std::uint64_t bits = 0;
+      if (type == R4)
+        bits = std::bit_cast<std::uint32_t>(static_cast<float>(number));
+      else if (type == R8)
+        bits = std::bit_cast<std::uint64_t>(number);
+      else
+        bits = static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
       put(bits, widths[type]);
     }
   }
