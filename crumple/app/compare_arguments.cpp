@@ -82,7 +82,7 @@ void add_compare_arguments(CLI::App& command, CompareOptions& options) {
       ->check(not_below(0, true));
   command
       .add_option("--floor", options.floor,
-                  "Do not rate curves below this share of the largest of their kind on both sides [0.001]")
+                  "Do not rate curves below this share of the largest of their kind on both sides [0.01]")
       ->check(not_below(0, true));
   command.add_option("--rows", options.rows, "Rows of the table, 0 for all [40]");
   command.add_flag("--list", options.list, "Print the names of the curves of A and B, compare nothing");

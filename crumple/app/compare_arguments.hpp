@@ -26,7 +26,7 @@ struct CompareOptions {
   std::string time_unit;                ///< s, ms or us; empty is that of run.json
   std::optional<double> interval;       ///< between samples [time]
   std::optional<double> tolerance;      ///< of the peak of the reference [-]
-  double floor = 1e-3;                  ///< of the largest curve of a kind [-]
+  double floor = 0.01;                  ///< of the largest curve of a kind [-]
   std::size_t rows = 40;                ///< of the table; 0 is all
   bool list = false;
   bool quiet = false;

@@ -22,7 +22,7 @@ struct ComparisonSettings {
   double seconds_per_unit = 1;     ///< what one unit of time of the curves is, for the filter [s]
   std::optional<double> interval;  ///< between common samples [time]
   /// Curves that stay below this share of the largest of their kind on both sides are not rated [-].
-  double floor = 1e-3;
+  double floor = 0.01;
 };
 
 /// One curve on both sides and how far apart they are. Both have passed the filter, if there is one.

@@ -16,8 +16,12 @@ export async function startBrowser(): Promise<Browser> {
   return chromium.launch({ executablePath, args });
 }
 
+export function resultAddress(file: string): string {
+  return pathToFileURL(join(results, file)).href;
+}
+
 export function reportAddress(name: string): string {
-  return pathToFileURL(join(results, name, "report.html")).href;
+  return resultAddress(join(name, "report.html"));
 }
 
 export interface OpenReport {
@@ -26,8 +30,8 @@ export interface OpenReport {
   faults: string[];
 }
 
-/** Opens the report of a result from its file, without a network. */
-export async function openReport(browser: Browser, name: string, hash = "", size = { width: 1100, height: 700 }): Promise<OpenReport> {
+/** Opens a page from its file, without a network, and waits until it has put `ready` into its window. */
+export async function openPage(browser: Browser, address: string, ready: string, size: { width: number; height: number }): Promise<OpenReport> {
   const context = await browser.newContext({ viewport: size, offline: true, hasTouch: size.width < 500 });
   const page = await context.newPage();
   const faults: string[] = [];
@@ -39,9 +43,14 @@ export async function openReport(browser: Browser, name: string, hash = "", size
   page.on("request", (request) => {
     if (!/^(file|data|blob):/.test(request.url())) faults.push(`asked for ${request.url()}`);
   });
-  await page.goto(reportAddress(name) + hash);
-  await page.waitForFunction(() => "crumple" in window, null, { timeout: 120000 });
+  await page.goto(address);
+  await page.waitForFunction((name) => name in window, ready, { timeout: 120000 });
   return { page, faults };
+}
+
+/** Opens the report of a result. */
+export async function openReport(browser: Browser, name: string, hash = "", size = { width: 1100, height: 700 }): Promise<OpenReport> {
+  return openPage(browser, reportAddress(name) + hash, "crumple", size);
 }
 
 export interface Picture {
