@@ -10,7 +10,7 @@ use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
 
 help:
 	@echo "make demo       build, run the box beam of the paper, draw it, list the files to open"
-	@echo "make build      release programs and the page of crumple report: build/release, build/viewer"
+	@echo "make build      release programs and the pages of crumple report and compare: build/release, build/viewer"
 	@echo "make test       release build and all quick tests"
 	@echo "make test-full  after make test: clang, sanitizers, every instruction set, all checks"
 	@echo "make nightly    long property runs and fuzzing"

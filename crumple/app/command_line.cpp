@@ -11,6 +11,7 @@
 #include <functional>
 #include <sstream>
 
+#include "app/compare_arguments.hpp"
 #include "app/foreign_arguments.hpp"
 #include "base/error.hpp"
 #include "base/isa.hpp"

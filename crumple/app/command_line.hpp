@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/compare_arguments.hpp"
+#include "app/compare_options.hpp"
 
 namespace crumple::app {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/compare_arguments.hpp"
 
-#include <CLI/CLI.hpp>
 #include <cmath>
+#include <string>
 
 namespace crumple::app {
 

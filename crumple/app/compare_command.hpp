@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "app/compare_arguments.hpp"
+#include "app/compare_options.hpp"
 #include "app/console.hpp"
 #include "app/exit_code.hpp"
 

@@ -215,7 +215,7 @@ double LsdaFile::number_at(std::size_t place, int type) const {
   const std::size_t width = width_of(type);
   const std::uint64_t bits = unsigned_at(place, width);
   if (type == 10) return std::bit_cast<double>(bits);
-  if (type == 9) return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+  if (type == 9) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
   if (type >= 5) return static_cast<double>(bits);
   // The sign bit moved to the top and back again.
   const auto free = static_cast<unsigned>(64 - 8 * width);

@@ -39,11 +39,11 @@ SpragueGeers sprague_geers(std::span<const double> reference, std::span<const do
   } else if (curve_peak == 0) {
     errors.magnitude = -1;
   } else {
-    const double I_mm = integral(reference, reference_peak, reference, reference_peak);
-    const double I_cc = integral(curve, curve_peak, curve, curve_peak);
-    const double I_mc = integral(reference, reference_peak, curve, curve_peak);
-    errors.magnitude = curve_peak / reference_peak * std::sqrt(I_cc / I_mm) - 1;
-    const double cosine = I_mc / std::sqrt(I_mm * I_cc);
+    const double reference_square = integral(reference, reference_peak, reference, reference_peak);
+    const double curve_square = integral(curve, curve_peak, curve, curve_peak);
+    const double product = integral(reference, reference_peak, curve, curve_peak);
+    errors.magnitude = curve_peak / reference_peak * std::sqrt(curve_square / reference_square) - 1;
+    const double cosine = product / std::sqrt(reference_square * curve_square);
     errors.phase = std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi;
   }
   errors.combined = std::hypot(errors.magnitude, errors.phase);

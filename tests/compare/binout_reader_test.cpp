@@ -93,7 +93,7 @@ TEST(Binout, NumbersOfEveryType) {
         {Type::I4, {-2147483648.0, 7}}, {Type::I8, {-9007199254740991.0, 1}},
         {Type::U1, {0, 255}},           {Type::U2, {65535, 1}},
         {Type::U4, {4294967295.0, 2}},  {Type::U8, {9007199254740991.0, 3}},
-        {Type::R4, {-0.5, 1e30F}},      {Type::R8, {0.1, -1e300}}};
+        {Type::R4, {-0.5, 1048576.25}}, {Type::R8, {0.1, -1e300}}};
     for (const auto& [type, numbers] : cases) sample.write("v" + std::to_string(type), type, numbers);
     sample.table();
     const LsdaFile file(sample.bytes());

@@ -20,6 +20,7 @@ inline Curve curve_named(const std::vector<Curve>& curves, const std::string& na
 
 inline std::vector<std::string> names_of(const std::vector<Curve>& curves) {
   std::vector<std::string> names;
+  names.reserve(curves.size());
   for (const Curve& curve : curves) names.push_back(name_of(curve));
   return names;
 }
