@@ -44,6 +44,13 @@ double corridor_score(Samples reference, Samples curve) {
   return sum / static_cast<double>(reference.size());
 }
 
+/// Varies by so little that its phase and slope are those of rounding. The inner corridor is 50 times as
+/// wide.
+bool is_flat(Samples values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return *high - *low <= 1e-3 * peak(values);
+}
+
 /// Pearson's coefficient; nothing if one of the two is constant.
 std::optional<double> correlation(Samples first, Samples second) {
   const auto mean = [](Samples values) {
@@ -175,12 +182,13 @@ const char* grade_of(double rating) {
 
 IsoRating iso_rating(std::span<const double> reference, std::span<const double> curve) {
   IsoRating rating;
-  rating.shift = find_shift(reference, curve);
+  const bool flat = is_flat(reference) && is_flat(curve);
+  rating.shift = flat ? 0 : find_shift(reference, curve);
   const Aligned pair = aligned(reference, curve, rating.shift);
   rating.corridor = corridor_score(reference, curve);
   rating.phase = phase_score(reference.size(), rating.shift);
   rating.magnitude = magnitude_score(pair);
-  rating.slope = slope_score(pair);
+  rating.slope = flat ? 1 : slope_score(pair);
   rating.rating = 0.4 * rating.corridor + 0.2 * (rating.phase + rating.magnitude + rating.slope);
   return rating;
 }

@@ -50,6 +50,16 @@ TEST(IsoRating, ScoresOfConstants) {
   EXPECT_NEAR(rating.rating, 0.4 * 4.0 / 9.0 + 0.2 * 2.6, 1e-12);
 }
 
+// An energy that is conserved, and the same with six digits: noise has no phase and no slope.
+TEST(IsoRating, RoundingOfAConstantIsNoDifference) {
+  const auto exact = samples(300, [](double t) { return 43835.67 + 0.02 * std::sin(50 * t); });
+  const auto rounded = samples(300, [](double t) { return 43835.7 + 0.05 * std::cos(333 * t); });
+  const IsoRating rating = iso_rating(exact, rounded);
+  EXPECT_EQ(rating.shift, 0);
+  EXPECT_EQ(rating.slope, 1);
+  EXPECT_GT(rating.rating, 0.9999);
+}
+
 TEST(IsoRating, CorridorsAreFiveAndFiftyPercentOfThePeak) {
   const std::vector<double> reference(100, -2.0);
   const auto corridor = [&](double distance) {
