@@ -279,6 +279,17 @@ KineticChange TiedNodes::share(Domain& domain) {
   return change;
 }
 
+TiedNodes::Share TiedNodes::share_of(Index node) const {
+  Share share;
+  const auto found = std::lower_bound(members_.begin(), members_.end(), node);
+  if (found == members_.end() || *found != node) return share;
+  const auto m = static_cast<std::size_t>(found - members_.begin());
+  const Index link = tied_by_[m];
+  if (link == no_index) share.momentum = momentum_[m];
+  if (link == no_index || !links_[link].rotates) share.moment = moment_[m];
+  return share;
+}
+
 void TiedNodes::follow(Domain& domain, double interval) {
   copy_velocities(domain);
   NodeFields& nodes = domain.nodes;

@@ -51,6 +51,13 @@ class TiedNodes {
   /// masses of the tied ones; of the remembered velocities times the present ones [energy].
   KineticChange carried_energy(const domain::Domain& domain) const;
 
+  /// What tied nodes and the node itself received in this step, where the node follows none; else zero.
+  struct Share {
+    math::Vec3 momentum;  ///< [mass * length/time]
+    math::Vec3 moment;    ///< [mass * length^2/time]
+  };
+  Share share_of(Index node) const;
+
   void declare(domain::StateList& list);
 
  private:

@@ -42,6 +42,8 @@ const ItemWords& words(Item item) {
       {"orientation", "*DEFINE_SD_ORIENTATION", "*DEFINE_SD_ORIENTATION_", ""},
       {"equation of state", "*EOS_GRUNEISEN or *EOS_LINEAR_POLYNOMIAL", "*EOS_", ""},
       {"coordinate system", "*DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR", "*DEFINE_COORDINATE_", ""},
+      {"beam set", "*SET_BEAM", "*SET_BEAM_", ""},
+      {"discrete set", "*SET_DISCRETE", "*SET_DISCRETE_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }

@@ -41,6 +41,8 @@ enum class Item {
   Orientation,
   EquationOfState,
   CoordinateSystem,
+  BeamSet,
+  DiscreteSet,
   Count,  ///< how many there are
 };
 
@@ -59,9 +61,12 @@ class Build {
   const RawDeck& deck;
   Report& report;
   model::Model model;
-  std::vector<std::int32_t> shells_of_part;  ///< number of shells, by index of the part
-  std::vector<std::int32_t> solids_of_part;  ///< number of solids, by index of the part
-  std::vector<std::int32_t> lines_of_part;   ///< number of beams or discrete elements, by index of the part
+  std::vector<std::vector<Index>> solid_sets;     ///< members by set, as in RawDeck::solid_sets
+  std::vector<std::vector<Index>> beam_sets;      ///< likewise
+  std::vector<std::vector<Index>> discrete_sets;  ///< likewise
+  std::vector<std::int32_t> shells_of_part;       ///< number of shells, by index of the part
+  std::vector<std::int32_t> solids_of_part;       ///< number of solids, by index of the part
+  std::vector<std::int32_t> lines_of_part;  ///< number of beams or discrete elements, by index of the part
 
   /// Enters the id of an item that gets this index. An id that is there already is reported.
   void enter(Item item, const Reference& reference, std::size_t index);

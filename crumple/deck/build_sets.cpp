@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes, and sets of nodes, parts, shells, solids and segments.
+// Boxes, and sets of nodes, parts, elements and segments.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -333,6 +333,19 @@ void build_segment_sets(Build& build, SetTable& solid_sets) {
   }
 }
 
+/// Members of the sets of beams or of discrete elements.
+template <class Elements>
+std::vector<std::vector<Index>> line_sets(Build& build, Item set, Item element,
+                                          const std::vector<RawSet>& raws, const Elements& elements) {
+  const std::vector<UserId> ids = ids_of(elements);
+  SetTable table(build, set, raws, [&](const RawMember& member) {
+    return select_elements(member, element, elements, ids, build);
+  });
+  std::vector<std::vector<Index>> members;
+  for (std::size_t i = 0; i < raws.size(); ++i) members.push_back(table.members(i));
+  return members;
+}
+
 }  // namespace
 
 bool is_inside(const RawBox& box, const std::array<double, 3>& point) {
@@ -366,8 +379,10 @@ void build_sets(Build& build) {
   SetTable solids(build, Item::SolidSet, deck.solid_sets, [&](const RawMember& member) {
     return select_elements(member, Item::Solid, model.solids, solid_ids, build);
   });
-  // Nothing but segments uses them; their faults are reported all the same.
-  for (std::size_t i = 0; i < deck.solid_sets.size(); ++i) solids.members(i);
+  for (std::size_t i = 0; i < deck.solid_sets.size(); ++i) build.solid_sets.push_back(solids.members(i));
+  build.beam_sets = line_sets(build, Item::BeamSet, Item::Beam, deck.beam_sets, model.beams);
+  build.discrete_sets =
+      line_sets(build, Item::DiscreteSet, Item::Discrete, deck.discrete_sets, model.discretes);
 
   SetTable nodes(build, Item::NodeSet, deck.node_sets,
                  [&](const RawMember& member) { return select_nodes(member, build); });

@@ -96,6 +96,16 @@ void read_set_solid_list_generate(Cards& cards, RawDeck& deck);
 void read_set_solid_list_generate_increment(Cards& cards, RawDeck& deck);
 void read_set_solid_general(Cards& cards, RawDeck& deck);
 void read_set_solid_add(Cards& cards, RawDeck& deck);
+void read_set_beam_list(Cards& cards, RawDeck& deck);
+void read_set_beam_list_generate(Cards& cards, RawDeck& deck);
+void read_set_beam_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_beam_general(Cards& cards, RawDeck& deck);
+void read_set_beam_add(Cards& cards, RawDeck& deck);
+void read_set_discrete_list(Cards& cards, RawDeck& deck);
+void read_set_discrete_list_generate(Cards& cards, RawDeck& deck);
+void read_set_discrete_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_discrete_general(Cards& cards, RawDeck& deck);
+void read_set_discrete_add(Cards& cards, RawDeck& deck);
 void read_set_segment(Cards& cards, RawDeck& deck);
 void read_set_segment_general(Cards& cards, RawDeck& deck);
 void read_set_segment_add(Cards& cards, RawDeck& deck);
@@ -121,9 +131,21 @@ template <model::HistoryFile WhichFile>
 void read_database(Cards& cards, RawDeck& deck) {
   read_database_history_file(cards, deck, WhichFile);
 }
-void read_database_history_node(Cards& cards, RawDeck& deck);
-void read_database_history_node_id(Cards& cards, RawDeck& deck);
-void read_database_history_node_set(Cards& cards, RawDeck& deck);
+void read_database_history_ids(Cards& cards, RawDeck& deck, HistoryItem item);
+void read_database_history_named(Cards& cards, RawDeck& deck, HistoryItem item);
+void read_database_history_sets(Cards& cards, RawDeck& deck, HistoryItem item);
+template <HistoryItem item>
+void read_history(Cards& cards, RawDeck& deck) {
+  read_database_history_ids(cards, deck, item);
+}
+template <HistoryItem item>
+void read_named_history(Cards& cards, RawDeck& deck) {
+  read_database_history_named(cards, deck, item);
+}
+template <HistoryItem item>
+void read_history_set(Cards& cards, RawDeck& deck) {
+  read_database_history_sets(cards, deck, item);
+}
 void read_database_binary_d3plot(Cards& cards, RawDeck& deck);
 void read_database_binary_d3dump(Cards& cards, RawDeck& deck);
 void read_database_binary_runrsf(Cards& cards, RawDeck& deck);

@@ -417,6 +417,8 @@ struct RawDeck {
   std::vector<RawSet> part_sets;
   std::vector<RawSet> shell_sets;
   std::vector<RawSet> solid_sets;
+  std::vector<RawSet> beam_sets;
+  std::vector<RawSet> discrete_sets;
   std::vector<RawSet> segment_sets;
   std::vector<RawBox> boxes;
   std::vector<RawCoordinateSystem> coordinate_systems;

@@ -40,12 +40,12 @@ constexpr Field history_card[] = {reference("ID1"), reference("ID2"), reference(
 
 constexpr Field named_history_card[] = {id("ID"), text("HEADING", 70)};
 
-void read_histories(Cards& cards, RawDeck& deck, bool is_set) {
+void read_histories(Cards& cards, RawDeck& deck, HistoryItem item, bool is_set) {
   while (cards.more()) {
     const Card card = cards.next_filled(history_card);
     for (std::size_t i = 0; i < std::size(history_card); ++i)
       if (card.good(i) && card.integer(i) > 0)
-        deck.histories.push_back({card.integer(i), is_set, card.where()});
+        deck.histories.push_back({card.integer(i), is_set, card.where(), item});
   }
 }
 
@@ -61,18 +61,18 @@ void read_database_history_file(Cards& cards, RawDeck& deck, model::HistoryFile 
   request.binary = form != 1;
 }
 
-void read_database_history_node(Cards& cards, RawDeck& deck) {
-  read_histories(cards, deck, false);
+void read_database_history_ids(Cards& cards, RawDeck& deck, HistoryItem item) {
+  read_histories(cards, deck, item, false);
 }
 
-void read_database_history_node_set(Cards& cards, RawDeck& deck) {
-  read_histories(cards, deck, true);
+void read_database_history_sets(Cards& cards, RawDeck& deck, HistoryItem item) {
+  read_histories(cards, deck, item, true);
 }
 
-void read_database_history_node_id(Cards& cards, RawDeck& deck) {
+void read_database_history_named(Cards& cards, RawDeck& deck, HistoryItem item) {
   while (cards.more()) {
     const Card card = cards.next_filled(named_history_card);
-    if (card.good("ID")) deck.histories.push_back({card.integer("ID"), false, card.where()});
+    if (card.good("ID")) deck.histories.push_back({card.integer("ID"), false, card.where(), item});
   }
 }
 

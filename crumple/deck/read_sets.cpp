@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *SET_NODE, *SET_PART, *SET_SHELL, *SET_SOLID, *SET_SEGMENT, *DEFINE_BOX.
+// *SET_NODE, *SET_PART, *SET_SHELL, *SET_SOLID, *SET_BEAM, *SET_DISCRETE, *SET_SEGMENT, *DEFINE_BOX.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -364,6 +364,46 @@ void read_set_solid_general(Cards& cards, RawDeck& deck) {
 
 void read_set_solid_add(Cards& cards, RawDeck& deck) {
   read_add(cards, deck.solid_sets);
+}
+
+void read_set_beam_list(Cards& cards, RawDeck& deck) {
+  read_list(cards, deck.beam_sets, Members::Single);
+}
+
+void read_set_beam_list_generate(Cards& cards, RawDeck& deck) {
+  read_list(cards, deck.beam_sets, Members::Ranges);
+}
+
+void read_set_beam_list_generate_increment(Cards& cards, RawDeck& deck) {
+  read_list(cards, deck.beam_sets, Members::Increments);
+}
+
+void read_set_beam_general(Cards& cards, RawDeck& deck) {
+  read_general(cards, deck.beam_sets, element_options);
+}
+
+void read_set_beam_add(Cards& cards, RawDeck& deck) {
+  read_add(cards, deck.beam_sets);
+}
+
+void read_set_discrete_list(Cards& cards, RawDeck& deck) {
+  read_list(cards, deck.discrete_sets, Members::Single);
+}
+
+void read_set_discrete_list_generate(Cards& cards, RawDeck& deck) {
+  read_list(cards, deck.discrete_sets, Members::Ranges);
+}
+
+void read_set_discrete_list_generate_increment(Cards& cards, RawDeck& deck) {
+  read_list(cards, deck.discrete_sets, Members::Increments);
+}
+
+void read_set_discrete_general(Cards& cards, RawDeck& deck) {
+  read_general(cards, deck.discrete_sets, element_options);
+}
+
+void read_set_discrete_add(Cards& cards, RawDeck& deck) {
+  read_add(cards, deck.discrete_sets);
 }
 
 }  // namespace crumple::deck

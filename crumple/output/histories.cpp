@@ -18,6 +18,27 @@ double interval_or_glstat(const model::OutputRequests& asked, model::HistoryFile
   return asked.of(asked.of(file).asked ? file : model::HistoryFile::Glstat).interval;
 }
 
+/// Those that are only written where the deck has their card.
+void add_asked(const View& view, std::vector<HistoryEntry>& entries) {
+  using File = model::HistoryFile;
+  const model::OutputRequests& asked = view.model.output;
+  const auto add = [&](File file, bool has_content, std::string_view name, std::string_view header,
+                       const auto& make) {
+    if (asked.of(file).asked && has_content)
+      entries.push_back({name, header, asked.of(file).interval, make(view)});
+  };
+  add(File::Deforc, !view.model.discretes.empty(), "deforc.csv",
+      "time,element,resultant,fx,fy,fz,displacement", make_discrete_history);
+  add(File::Elout, !asked.history_shells.empty(), "elout_shells.csv",
+      "time,element,plane,point,xx,yy,zz,xy,yz,zx,plastic_strain", make_shell_history);
+  add(File::Elout, !asked.history_solids.empty(), "elout_solids.csv",
+      "time,element,point,xx,yy,zz,xy,yz,zx,plastic_strain", make_solid_history);
+  add(File::Elout, !asked.history_beams.empty(), "elout_beams.csv",
+      "time,element,axial,shear_s,shear_t,moment_s,moment_t,torsion,plastic_strain", make_beam_history);
+  add(File::Spcforc, !view.domain.supports.empty(), "spcforc.csv", "time,node,fx,fy,fz,mx,my,mz",
+      [](const View&) { return make_support_history(); });
+}
+
 }  // namespace
 
 std::vector<HistoryEntry> histories_of(const View& view) {
@@ -60,6 +81,7 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   if (!asked.history_nodes.empty())
     entries.push_back({"nodout.csv", "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z",
                        asked.of(model::HistoryFile::Nodout).interval, make_node_history()});
+  add_asked(view, entries);
   return entries;
 }
 

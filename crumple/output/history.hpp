@@ -66,6 +66,19 @@ std::unique_ptr<History> make_weld_history();
 /// Nodes that are still tied, and the resultant force of the tied contacts on them.
 std::unique_ptr<History> make_tie_history();
 
+/// Forces of springs and dampers: of those of *DATABASE_HISTORY_DISCRETE, or of all.
+std::unique_ptr<History> make_discrete_history(const View& view);
+
+/// Stress and plastic strain at every point of the shells of *DATABASE_HISTORY_SHELL, in global axes.
+std::unique_ptr<History> make_shell_history(const View& view);
+/// The same of the solids of *DATABASE_HISTORY_SOLID.
+std::unique_ptr<History> make_solid_history(const View& view);
+/// Forces and moments in the beams of *DATABASE_HISTORY_BEAM, in their own axes.
+std::unique_ptr<History> make_beam_history(const View& view);
+
+/// What holds the nodes of *BOUNDARY_SPC, and the sum of it.
+std::unique_ptr<History> make_support_history();
+
 /// Every history that has something to show in this model.
 std::vector<HistoryEntry> histories_of(const View& view);
 

@@ -43,6 +43,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       node_sets_(model, domain_),
       rivets_(model, domain_),
       prescribed_motions_(model, domain_),
+      supports_(model, domain_),
       nodal_loads_(model, domain_),
       pressure_loads_(model, domain_),
       body_loads_(model),

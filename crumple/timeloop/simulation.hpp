@@ -23,6 +23,7 @@
 #include "loads/pressure_loads.hpp"
 #include "model/model.hpp"
 #include "timeloop/node_kernels.hpp"
+#include "timeloop/supports.hpp"
 
 namespace crumple::timeloop {
 
@@ -84,7 +85,7 @@ class Simulation {
   void kick(double interval);
   void accelerate_free_nodes(double interval);
   bool changes_velocities() const;
-  void join_nodes();
+  void join_nodes(double interval);
   void impose_motions(double interval);
   void stop_at_walls(double interval);
   void sum_kinetic_energy();
@@ -104,6 +105,7 @@ class Simulation {
   constraints::Rivets rivets_;
   constraints::PrescribedMotions prescribed_motions_;
   std::vector<constraints::RigidWall> walls_;
+  Supports supports_;
   loads::NodalLoads nodal_loads_;
   loads::PressureLoads pressure_loads_;
   loads::BodyLoads body_loads_;

@@ -119,11 +119,12 @@ void Simulation::kick(double interval) {
     spot_welds_.break_overloaded(domain_);
     tied_nodes_.release(domain_);
     tied_nodes_.remember(domain_);
+    supports_.measure(domain_);
     rigid_bodies_.kick(domain_, interval);
   }
   accelerate_free_nodes(interval);
   const StageTimer timer(domain_.times.constraints);
-  join_nodes();
+  join_nodes(interval);
   impose_motions(interval);
   stop_at_walls(interval);
   tied_nodes_.follow(domain_, interval);
@@ -149,8 +150,9 @@ bool Simulation::changes_velocities() const {
   return !walls_.empty() || !rivets_.empty() || !node_sets_.empty() || !tied_nodes_.empty();
 }
 
-void Simulation::join_nodes() {
+void Simulation::join_nodes(double interval) {
   kick_energy_.rotational += tied_nodes_.share(domain_).rotational;
+  supports_.add_ties(domain_, tied_nodes_, interval);
   node_sets_.constrain(domain_);
   rivets_.constrain(domain_, next_step_);
 }

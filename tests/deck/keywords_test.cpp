@@ -417,6 +417,21 @@ TEST(Database, RigidBodiesAndWeldsAreAskedForInTheFormOfTheCard) {
   EXPECT_EQ(welds.interval, 0.02);
 }
 
+TEST(Database, HistoriesOfElements) {
+  const model::Model model = read_with(
+      "*DATABASE_ELOUT\n0.5,2\n*DATABASE_HISTORY_SHELL_SET\n4\n*SET_SHELL_LIST\n4\n12,11\n"
+      "*DATABASE_HISTORY_SHELL_ID\n11,first\n*DATABASE_HISTORY_NODE\n2\n");
+  const model::HistoryRequest& asked = model.output.of(model::HistoryFile::Elout);
+  EXPECT_TRUE(asked.asked);
+  EXPECT_EQ(asked.interval, 0.5);
+  EXPECT_FALSE(asked.ascii);
+  EXPECT_TRUE(asked.binary);
+  EXPECT_EQ(model.output.history_shells, (std::vector<Index>{1, 0}));
+  EXPECT_EQ(model.output.history_nodes, (std::vector<Index>{1}));
+  EXPECT_TRUE(model.output.history_solids.empty());
+  EXPECT_FALSE(model.output.of(model::HistoryFile::Deforc).asked);
+}
+
 TEST(Database, NumberOfStatesOverTheRun) {
   EXPECT_EQ(
       read_with("*DATABASE_BINARY_D3PLOT\n       0.0         0         0        50\n").output.state_interval,
@@ -449,11 +464,11 @@ TEST(Settings, MethodMustBeOneOfThose) {
 
 TEST(Unsupported, HarmlessKeywordsAreListed) {
   SmallDeck deck;
-  deck.more = "*DATABASE_SPCFORC\n0.1\n*CONTROL_OUTPUT\n1,1\n*DATABASE_SPCFORC\n0.2\n";
+  deck.more = "*DATABASE_SPHOUT\n0.1\n*CONTROL_OUTPUT\n1,1\n*DATABASE_SPHOUT\n0.2\n";
   const ReadResult result = read_deck_text(deck.text());
   EXPECT_TRUE(result.model);
   ASSERT_EQ(result.ignored_keywords.size(), 2U);
-  EXPECT_EQ(result.ignored_keywords[0].keyword, "*DATABASE_SPCFORC");
+  EXPECT_EQ(result.ignored_keywords[0].keyword, "*DATABASE_SPHOUT");
   EXPECT_EQ(result.ignored_keywords[0].line, 22);
   EXPECT_EQ(result.ignored_keywords[0].count, 2);
   EXPECT_FALSE(result.ignored_keywords[0].changes_physics);
