@@ -155,6 +155,8 @@ output::View RunSession::view() const {
     return elements::controlling_element(simulation_.model(), simulation_.domain());
   };
   if (options_.trace_energy) view.energy_trace = [this] { return simulation_.energy_trace(); };
+  view.contact_node_forces = [this] { return simulation_.contact_node_forces(); };
+  view.sections = simulation_.sections();
   return view;
 }
 

@@ -32,6 +32,10 @@ class Forces {
   /// Touches of the last call whose stiffness the stability limit cut.
   Index limited() const { return limited_; }
 
+  /// Places with a force after the last call, ascending, and the force there [force].
+  const std::vector<Index>& places() const { return previous_active_; }
+  Vec3 force_at(Index place) const { return previous_normal_[place] + previous_friction_[place]; }
+
   /// Declares the nodal forces of the last call.
   void declare(domain::StateList& list);
 

@@ -362,6 +362,13 @@ double Interface::stored_energy() const {
   return sum;
 }
 
+void Interface::append_node_forces(std::vector<domain::ContactNodeForce>& forces) const {
+  const Implementation& own = *implementation_;
+  for (const Index place : own.forces.places())
+    forces.push_back(
+        {own.report, own.surface.nodes[place], own.surface.node_side[place], own.forces.force_at(place)});
+}
+
 const Surface& Interface::surface() const {
   return implementation_->surface;
 }

@@ -3,10 +3,12 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "contact/statistics.hpp"
 #include "contact/surface.hpp"
 #include "contact/touch.hpp"
+#include "domain/contact_node_force.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
 
@@ -58,6 +60,8 @@ class Interface {
   std::span<const Touch> touches() const;
   /// What the penalties hold now, as springs of their mean stiffness [energy].
   double stored_energy() const;
+  /// Appends the forces on the nodes at time n, in the order of the domain.
+  void append_node_forces(std::vector<domain::ContactNodeForce>& forces) const;
   /// The segments and nodes of this contact.
   const Surface& surface() const;
 

@@ -44,6 +44,7 @@ const ItemWords& words(Item item) {
       {"coordinate system", "*DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR", "*DEFINE_COORDINATE_", ""},
       {"beam set", "*SET_BEAM", "*SET_BEAM_", ""},
       {"discrete set", "*SET_DISCRETE", "*SET_DISCRETE_", ""},
+      {"cross-section", "*DATABASE_CROSS_SECTION_PLANE_ID", "*DATABASE_CROSS_SECTION_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -138,6 +139,7 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_contacts(build, automatic_contact);
   build_tied_contacts(build);
   build_output(build);
+  build_cross_sections(build);
   return std::move(build.model);
 }
 

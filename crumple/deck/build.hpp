@@ -43,6 +43,7 @@ enum class Item {
   CoordinateSystem,
   BeamSet,
   DiscreteSet,
+  CrossSection,
   Count,  ///< how many there are
 };
 
@@ -160,6 +161,8 @@ UserId unnamed_contact_id(const Build& build, std::size_t place);
 bool add_contact_side(Build& build, const RawContactSide& raw, const Where& where, model::ContactSide& side);
 // build_tied_contact.cpp
 void build_tied_contacts(Build& build);
+// build_cross_sections.cpp
+void build_cross_sections(Build& build);
 // build_output.cpp
 void build_output(Build& build);
 

@@ -149,6 +149,11 @@ void read_history_set(Cards& cards, RawDeck& deck) {
 void read_database_binary_d3plot(Cards& cards, RawDeck& deck);
 void read_database_binary_d3dump(Cards& cards, RawDeck& deck);
 void read_database_binary_runrsf(Cards& cards, RawDeck& deck);
+void read_database_extent_binary(Cards& cards, RawDeck& deck);
+
+// read_cross_sections.cpp
+void read_database_cross_section_set(Cards& cards, RawDeck& deck);
+void read_database_cross_section_plane(Cards& cards, RawDeck& deck);
 
 // read_conditions.cpp
 void read_boundary_spc_node(Cards& cards, RawDeck& deck);

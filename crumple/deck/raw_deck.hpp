@@ -383,6 +383,31 @@ struct RawHistory {
   HistoryItem item = HistoryItem::Node;
 };
 
+/// A plane through the elements of some parts.
+struct RawCutPlane {
+  UserId part_set = 0;             ///< 0: all parts
+  std::array<double, 3> point{};   ///< the tail of the normal; where the edges begin
+  std::array<double, 3> normal{};  ///< not yet of length one
+  double radius = 0;               ///< of a circle around the point; 0: it is none
+  std::array<double, 3> edge{};    ///< direction of the first edge
+  double length = 0;               ///< of the first edge; 0: without end
+  double width = 0;                ///< of the second one, along normal x edge
+  Where edge_where;
+};
+
+/// A cut whose force is to be written: sets, or a plane.
+struct RawCrossSection {
+  UserId id = 0;
+  std::string title;
+  UserId nodes = 0;  ///< sets; 0 is none
+  UserId shells = 0;
+  UserId solids = 0;
+  UserId beams = 0;
+  UserId discretes = 0;
+  std::optional<RawCutPlane> plane{};
+  Where where;
+};
+
 /// The id that a keyword would define if it were supported: a missing reference then names the true cause.
 struct UnsupportedDefinition {
   UserId id = 0;
@@ -440,6 +465,7 @@ struct RawDeck {
   int contact_thickness_option = 0;  ///< SHLTHK of *CONTROL_CONTACT
   std::vector<RawTiedContact> tied_contacts;
   std::vector<RawHistory> histories;
+  std::vector<RawCrossSection> cross_sections;
   std::vector<UnsupportedDefinition> unsupported;
   model::Control control;
   model::OutputRequests output;

@@ -35,6 +35,30 @@ constexpr Field running_card[] = {
     integer_or_default("NR", 1, not_negative),
 };
 
+constexpr std::string_view not_written = "the states hold no such values";
+
+constexpr Field extent_card_1[] = {
+    integer("NEIPH", 0, not_negative),
+    integer("NEIPS", 0, not_negative),
+    integer_or_default("MAXINT", 3),
+    harmless("STRFLG", {0}, not_written),
+    harmless("SIGFLG", {1, 0}, "the states always hold stresses"),
+    harmless("EPSFLG", {1, 0}, "the states always hold plastic strains"),
+    harmless("RLTFLG", {1, 0}, "the states always hold resultants"),
+    harmless("ENGFLG", {1, 0}, "the states always hold energies"),
+};
+
+constexpr Field extent_card_2[] = {
+    harmless("CMPFLG", {0}, "stresses are along global axes"),
+    harmless("IEVERP", {0}, "files hold as many states as fit"),
+    harmless("BEAMIP", {0}, not_written),
+    unused("DCOMP"),
+    unused("SHGE"),
+    unused("STSSZ"),
+    unused("N3THDT"),
+    unused("IALEMAT"),
+};
+
 constexpr Field history_card[] = {reference("ID1"), reference("ID2"), reference("ID3"), reference("ID4"),
                                   reference("ID5"), reference("ID6"), reference("ID7"), reference("ID8")};
 
@@ -92,6 +116,16 @@ void read_database_binary_runrsf(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(running_card);
   if (card.good("CYCL")) deck.output.restart.running_cycles = card.integer("CYCL");
   if (card.good("NR")) deck.output.restart.running_files = static_cast<int>(card.integer("NR"));
+}
+
+void read_database_extent_binary(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(extent_card_1);
+  model::StateExtent& extent = deck.output.extent;
+  if (card.good("NEIPH")) extent.solid_history = static_cast<int>(card.integer("NEIPH"));
+  if (card.good("NEIPS")) extent.shell_history = static_cast<int>(card.integer("NEIPS"));
+  if (card.good("MAXINT")) extent.shell_points = static_cast<int>(card.integer("MAXINT"));
+  if (cards.more()) cards.next(extent_card_2);
+  cards.skip_rest();  // further cards are about kinds of elements and values that the states do not have
 }
 
 }  // namespace crumple::deck

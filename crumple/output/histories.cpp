@@ -35,6 +35,10 @@ void add_asked(const View& view, std::vector<HistoryEntry>& entries) {
       "time,element,point,xx,yy,zz,xy,yz,zx,plastic_strain", make_solid_history);
   add(File::Elout, !asked.history_beams.empty(), "elout_beams.csv",
       "time,element,axial,shear_s,shear_t,moment_s,moment_t,torsion,plastic_strain", make_beam_history);
+  add(File::Secforc, !view.sections.empty(), "secforc.csv", "time,section,fx,fy,fz,mx,my,mz,force,x,y,z",
+      [](const View&) { return make_section_history(); });
+  add(File::Ncforc, !view.domain.contacts.empty() && view.contact_node_forces, "ncforc.csv",
+      "time,interface,side,node,fx,fy,fz", [](const View&) { return make_contact_node_history(); });
   add(File::Spcforc, !view.domain.supports.empty(), "spcforc.csv", "time,node,fx,fy,fz,mx,my,mz",
       [](const View&) { return make_support_history(); });
 }

@@ -76,6 +76,11 @@ std::unique_ptr<History> make_solid_history(const View& view);
 /// Forces and moments in the beams of *DATABASE_HISTORY_BEAM, in their own axes.
 std::unique_ptr<History> make_beam_history(const View& view);
 
+/// Forces and moments in the cross-sections of *DATABASE_CROSS_SECTION.
+std::unique_ptr<History> make_section_history();
+/// What contacts put on the nodes that they touch.
+std::unique_ptr<History> make_contact_node_history();
+
 /// What holds the nodes of *BOUNDARY_SPC, and the sum of it.
 std::unique_ptr<History> make_support_history();
 

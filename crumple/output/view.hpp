@@ -2,9 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <span>
+#include <vector>
 
+#include "domain/contact_node_force.hpp"
 #include "domain/domain.hpp"
 #include "domain/energy_residual.hpp"
+#include "domain/section_report.hpp"
 #include "math/vec3.hpp"
 #include "model/model.hpp"
 
@@ -19,6 +23,10 @@ struct View {
   std::function<domain::ControllingElement()> controlling = {};
   /// Tells where energy goes wrong; absent if it is not traced.
   std::function<domain::EnergyTraceReport()> energy_trace = {};
+  /// The forces of contacts on nodes; may be absent.
+  std::function<std::vector<domain::ContactNodeForce>()> contact_node_forces = {};
+  /// Forces in the cross-sections of the model, in its order; none if the deck does not ask for them.
+  std::span<const domain::SectionReport> sections = {};
 };
 
 }  // namespace crumple::output

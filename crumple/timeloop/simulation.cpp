@@ -37,6 +37,7 @@ domain::Domain prepared_domain(const model::Model& model, const domain::Executio
 Simulation::Simulation(const model::Model& model, const domain::Execution& execution)
     : model_(&model),
       domain_(prepared_domain(model, execution)),
+      sections_(model, domain_),
       rigid_bodies_(model, domain_),
       spot_welds_(model, domain_),
       tied_nodes_(model, domain_),
@@ -100,6 +101,12 @@ void Simulation::resume() {
   std::fill(domain_.nodes.force.begin(), domain_.nodes.force.end(), domain::NodeForce{});
   for (domain::RigidBody& body : domain_.rigid_bodies) body.force = body.moment = math::Vec3{};
   for (contact::Interface& contact : contacts_) contact.resume(domain_);
+}
+
+std::vector<domain::ContactNodeForce> Simulation::contact_node_forces() const {
+  std::vector<domain::ContactNodeForce> forces;
+  for (const contact::Interface& contact : contacts_) contact.append_node_forces(forces);
+  return forces;
 }
 
 void Simulation::inspect_contacts() {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "constraints/node_sets.hpp"
@@ -18,6 +19,7 @@
 #include "domain/domain.hpp"
 #include "domain/energy_residual.hpp"
 #include "elements/energy_trace.hpp"
+#include "elements/section_forces.hpp"
 #include "loads/body_loads.hpp"
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
@@ -72,6 +74,12 @@ class Simulation {
   /// Has NodeFields::acceleration written in every step, also if the deck asks for no nodes' motion.
   void keep_accelerations();
 
+  /// What each contact puts on each node at time n, in the order of the contacts.
+  std::vector<domain::ContactNodeForce> contact_node_forces() const;
+
+  /// Forces in the cross-sections at time n, if the deck asks for them.
+  std::span<const domain::SectionReport> sections() const { return sections_.reports(); }
+
   const model::Model& model() const { return *model_; }
   domain::Domain& domain() { return domain_; }
   const domain::Domain& domain() const { return domain_; }
@@ -94,6 +102,7 @@ class Simulation {
 
   const model::Model* model_;
   domain::Domain domain_;
+  elements::SectionForces sections_;
   std::vector<contact::Interface> contacts_;
   bool has_multipliers_ = false;
   std::vector<contact::ForceTransducer> transducers_;

@@ -80,6 +80,7 @@ void Simulation::drift() {
 void Simulation::compute_forces() {
   {
     const StageTimer timer(domain_.times.elements);
+    sections_.measure(domain_);
     elements::add_element_forces(domain_, energy_trace_ ? &*energy_trace_ : nullptr);
   }
   if (!contacts_.empty()) std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
