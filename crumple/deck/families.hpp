@@ -134,17 +134,17 @@ void read_database(Cards& cards, RawDeck& deck) {
 void read_database_history_ids(Cards& cards, RawDeck& deck, HistoryItem item);
 void read_database_history_named(Cards& cards, RawDeck& deck, HistoryItem item);
 void read_database_history_sets(Cards& cards, RawDeck& deck, HistoryItem item);
-template <HistoryItem item>
+template <HistoryItem Kind>
 void read_history(Cards& cards, RawDeck& deck) {
-  read_database_history_ids(cards, deck, item);
+  read_database_history_ids(cards, deck, Kind);
 }
-template <HistoryItem item>
+template <HistoryItem Kind>
 void read_named_history(Cards& cards, RawDeck& deck) {
-  read_database_history_named(cards, deck, item);
+  read_database_history_named(cards, deck, Kind);
 }
-template <HistoryItem item>
+template <HistoryItem Kind>
 void read_history_set(Cards& cards, RawDeck& deck) {
-  read_database_history_sets(cards, deck, item);
+  read_database_history_sets(cards, deck, Kind);
 }
 void read_database_binary_d3plot(Cards& cards, RawDeck& deck);
 void read_database_binary_d3dump(Cards& cards, RawDeck& deck);

@@ -35,17 +35,14 @@ constexpr Field running_card[] = {
     integer_or_default("NR", 1, not_negative),
 };
 
+constexpr std::string_view written = "the values are written";
 constexpr std::string_view not_written = "the states hold no such values";
 
 constexpr Field extent_card_1[] = {
-    integer("NEIPH", 0, not_negative),
-    integer("NEIPS", 0, not_negative),
-    integer_or_default("MAXINT", 3),
-    harmless("STRFLG", {0}, not_written),
-    harmless("SIGFLG", {1, 0}, "the states always hold stresses"),
-    harmless("EPSFLG", {1, 0}, "the states always hold plastic strains"),
-    harmless("RLTFLG", {1, 0}, "the states always hold resultants"),
-    harmless("ENGFLG", {1, 0}, "the states always hold energies"),
+    integer("NEIPH", 0, not_negative),      integer("NEIPS", 0, not_negative),
+    integer_or_default("MAXINT", 3),        harmless("STRFLG", {0}, not_written),
+    harmless("SIGFLG", {1, 0, 2}, written), harmless("EPSFLG", {1, 0, 2}, written),
+    harmless("RLTFLG", {1, 0, 2}, written), harmless("ENGFLG", {1, 0, 2}, written),
 };
 
 constexpr Field extent_card_2[] = {
@@ -119,11 +116,23 @@ void read_database_binary_runrsf(Cards& cards, RawDeck& deck) {
 }
 
 void read_database_extent_binary(Cards& cards, RawDeck& deck) {
+  constexpr int default_points = 3;
+  constexpr double off = 2;
   const Card card = cards.next(extent_card_1);
   model::StateExtent& extent = deck.output.extent;
   if (card.good("NEIPH")) extent.solid_history = static_cast<int>(card.integer("NEIPH"));
   if (card.good("NEIPS")) extent.shell_history = static_cast<int>(card.integer("NEIPS"));
   if (card.good("MAXINT")) extent.shell_points = static_cast<int>(card.integer("MAXINT"));
+  if (extent.shell_points < default_points) {
+    cards.report().field_warning(
+        card.where(), {"MAXINT", std::string(card.text("MAXINT")), "3 or more",
+                       "the states hold the middle, the inner and the outer surface of shells", "value"});
+    extent.shell_points = default_points;
+  }
+  extent.stresses = card.real("SIGFLG") != off;
+  extent.plastic_strain = card.real("EPSFLG") != off;
+  extent.resultants = card.real("RLTFLG") != off;
+  extent.energy = card.real("ENGFLG") != off;
   if (cards.more()) cards.next(extent_card_2);
   cards.skip_rest();  // further cards are about kinds of elements and values that the states do not have
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "output/d3plot_layout.hpp"
 #include "output/write_error.hpp"
 
 namespace crumple::output {
@@ -28,9 +29,9 @@ constexpr int file_is_d3plot = 1;
 constexpr int three_dimensions_unpacked = 4;
 constexpr int code_of_ls_dyna = 6;
 constexpr int deletion_table = 10000;
-constexpr int written = 1000;  ///< of the switches for the contents of shells
-/// Readers count thick shells that are not there by it.
-constexpr int thick_shell_values = d3plot_shell_layers * 7;
+// Switches for the contents of shells.
+constexpr int written = 1000;
+constexpr int left_out = 999;
 
 constexpr int heading_follows = 90000;
 constexpr int part_titles_follow = 90001;
@@ -63,6 +64,8 @@ void integers(D3plotWords& words, std::initializer_list<std::int64_t> values) {
 
 void add_control_block(D3plotWords& words, const View& view, std::int64_t run_time) {
   const Counts count(view.model);
+  const D3plotLayout layout(view.model.output.extent);
+  const auto choice = [](bool chosen) { return chosen ? written : left_out; };
   words.text(view.model.title, title_words);
   integers(words, {run_time, file_is_d3plot, 0});
   words.text("R11 ", 1);
@@ -70,13 +73,15 @@ void add_control_block(D3plotWords& words, const View& view, std::int64_t run_ti
   const std::int64_t global_values = 6 + 7 * count.parts + d3plot_wall_values * std::ssize(view.domain.walls);
   integers(words, {three_dimensions_unpacked, count.nodes, code_of_ls_dyna, global_values});
   integers(words, {0, 1, 1, 1});  // no temperatures; coordinates, velocities, accelerations
-  integers(words, {count.solids, count.solid_parts, 0, 0, d3plot_solid_values});
-  integers(words, {count.beams, count.beam_parts, d3plot_beam_values});
-  integers(words, {count.shells, count.shell_parts, d3plot_shell_values});
-  integers(words, {0, 0, -(deletion_table + d3plot_shell_layers)});  // no more variables at the points
-  integers(words, {0, 0, count.numbering_words()});                  // no particles
-  integers(words, {0, 0, thick_shell_values});                       // no thick shells
-  integers(words, {written, written, written, written});
+  integers(words, {count.solids, count.solid_parts, 0, 0, layout.solid_values()});
+  integers(words, {count.beams, count.beam_parts, D3plotLayout::beam_values});
+  integers(words, {count.shells, count.shell_parts, layout.shell_values()});
+  integers(words, {layout.solid_history, layout.shell_history, -(deletion_table + layout.layers)});
+  integers(words, {0, 0, count.numbering_words()});  // no particles
+  // There are no thick shells, but readers work out their size.
+  integers(words, {0, 0, layout.layers * (7 + layout.shell_history)});
+  integers(words, {choice(layout.stresses), choice(layout.plastic_strain), choice(layout.resultants),
+                   choice(layout.energy)});
   integers(words, {0, 0, 0, 0, count.parts, 0, 1});
   words.zeros(10);  // the word of a longer block among them, which makes ParaView 5.11 crash
 }

@@ -8,12 +8,6 @@
 
 namespace crumple::output {
 
-// Numbers per element in a d3plot state.
-inline constexpr int d3plot_solid_values = 7;  ///< stress, plastic strain
-inline constexpr int d3plot_beam_values = 6;   ///< resultants
-inline constexpr int d3plot_shell_layers = 3;  ///< middle, inner and outer surface
-inline constexpr int d3plot_shell_values =
-    33;  ///< 7 for each layer, 8 resultants, thickness, 2 spare, energy
 /// Numbers per state and rigid wall: force and place.
 inline constexpr int d3plot_wall_values = 4;
 

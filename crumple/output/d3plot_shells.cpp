@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/d3plot_shells.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "output/part_masses.hpp"
@@ -37,6 +38,8 @@ D3plotShells::D3plotShells(const View& view, const domain::ShellBlock& block)
       block_(&block),
       section_(&view.model.shell_sections[view.model.parts[block.part].section]),
       results_(view.model, block),
+      history_(block),
+      layout_(view.model.output.extent),
       stress_(block.find("stress")),
       plastic_strain_(block.find("plastic_strain")),
       energy_(block.find("energy")) {
@@ -65,10 +68,24 @@ double D3plotShells::plastic_strain(Index place, Index layer) const {
   return mean;
 }
 
-void D3plotShells::add_layer(D3plotWords& words, const ShellAxes& axes, const Local& local,
-                             double plastic_strain) const {
-  for (const double component : in_global_axes(axes, local)) words.real(component);
-  words.real(plastic_strain);
+double D3plotShells::history(Index place, Index layer, int variable) const {
+  double mean = 0;
+  const Index planes = block_->plane_points;
+  for (Index plane = 0; plane < planes; ++plane)
+    mean += history_.value(place, plane * layers_ + layer, variable) / planes;
+  return mean;
+}
+
+void D3plotShells::add_layer(D3plotWords& words, const ShellAxes& axes, Index place, Index below,
+                             Index above) const {
+  Local local = stress(place, below);
+  const Local other = stress(place, above);
+  for (std::size_t c = 0; c < local.size(); ++c) local[c] = 0.5 * (local[c] + other[c]);
+  if (layout_.stresses)
+    for (const double component : in_global_axes(axes, local)) words.real(component);
+  if (layout_.plastic_strain) words.real(0.5 * (plastic_strain(place, below) + plastic_strain(place, above)));
+  for (int i = 0; i < layout_.shell_history; ++i)
+    words.real(0.5 * (history(place, below, i) + history(place, above, i)));
 }
 
 /// From the first node of the deck to the next that is not the same.
@@ -118,15 +135,16 @@ double D3plotShells::energy_density(Index place) const {
 
 void D3plotShells::add_shell(D3plotWords& words, Index place) const {
   const ShellAxes axes = shell_axes(*block_, view_->domain.nodes, place);
-  const Index below = (layers_ - 1) / 2;
-  const Index above = layers_ / 2;
-  Local middle = stress(place, below);
-  const Local other = stress(place, above);
-  for (std::size_t c = 0; c < middle.size(); ++c) middle[c] = 0.5 * (middle[c] + other[c]);
-  add_layer(words, axes, middle, 0.5 * (plastic_strain(place, below) + plastic_strain(place, above)));
-  for (const Index layer : {0, layers_ - 1})
-    add_layer(words, axes, stress(place, layer), plastic_strain(place, layer));
-  add_resultants(words, axes, place);
+  if (layout_.layers == D3plotLayout::surfaces) {
+    add_layer(words, axes, place, (layers_ - 1) / 2, layers_ / 2);
+    for (const Index layer : {0, layers_ - 1}) add_layer(words, axes, place, layer, layer);
+  } else {
+    const int present = std::min(layout_.layers, static_cast<int>(layers_));
+    for (Index layer = 0; layer < present; ++layer) add_layer(words, axes, place, layer, layer);
+    words.zeros((layout_.layers - present) * layout_.layer_values());
+  }
+  if (layout_.resultants) add_resultants(words, axes, place);
+  if (!layout_.energy) return;
   words.real(results_.thickness(place));
   words.zeros(2);
   words.real(energy_density(place));

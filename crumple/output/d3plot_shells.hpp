@@ -4,6 +4,7 @@
 #include <array>
 
 #include "math/quadrature.hpp"
+#include "output/d3plot_layout.hpp"
 #include "output/d3plot_words.hpp"
 #include "output/shell_axes.hpp"
 #include "output/shell_results.hpp"
@@ -16,8 +17,9 @@ class D3plotShells {
  public:
   D3plotShells(const View& view, const domain::ShellBlock& block);
 
-  /// Adds the numbers of one shell: for the middle, the inner and the outer point through the thickness, each
-  /// averaged over the points in plane, six stresses in global axes and the plastic strain; moments Mx, My,
+  /// Adds the numbers of one shell, as far as the layout has them: for the middle, the inner and the outer
+  /// point through the thickness, or for the first ones, each averaged over the points in plane, six stresses
+  /// in global axes, the plastic strain and further variables; moments Mx, My,
   /// Mxy, shears Qx, Qy and forces Nx, Ny, Nxy per length, x along the side from the first to the second
   /// node; thickness, two zeros, and internal energy per volume at time zero if the material can fail, else
   /// zero.
@@ -29,7 +31,9 @@ class D3plotShells {
   using Local = std::array<double, 5>;
   Local stress(Index place, Index layer) const;
   double plastic_strain(Index place, Index layer) const;
-  void add_layer(D3plotWords& words, const ShellAxes& axes, const Local& local, double plastic_strain) const;
+  double history(Index place, Index layer, int variable) const;
+  /// The mean of two layers, which may be the same.
+  void add_layer(D3plotWords& words, const ShellAxes& axes, Index place, Index below, Index above) const;
   void add_resultants(D3plotWords& words, const ShellAxes& axes, Index place) const;
   math::Vec3 first_side(Index place) const;
   double energy_density(Index place) const;
@@ -38,6 +42,8 @@ class D3plotShells {
   const domain::ShellBlock* block_;
   const model::ShellSection* section_;
   ShellResults results_;
+  PointHistory history_;
+  D3plotLayout layout_;
   math::Quadrature rule_;
   const domain::StateItem* stress_;
   const domain::StateItem* plastic_strain_;

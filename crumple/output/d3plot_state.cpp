@@ -2,6 +2,7 @@
 #include "output/d3plot_state.hpp"
 
 #include "output/d3plot_geometry.hpp"
+#include "output/d3plot_layout.hpp"
 #include "output/d3plot_shells.hpp"
 #include "output/line_results.hpp"
 #include "output/solid_results.hpp"
@@ -46,10 +47,13 @@ void add_deletions(D3plotWords& words, const Elements& elements, const char* ali
 
 std::size_t state_words(const View& view) {
   const model::Model& model = view.model;
+  const D3plotLayout layout(model.output.extent);
   const std::size_t lines = model.beams.size() + model.discretes.size();
   return 8 + 7 * model.parts.size() + d3plot_wall_values * view.domain.walls.size() +
-         9 * model.nodes.id.size() + (d3plot_solid_values + 1) * model.solids.size() +
-         (d3plot_beam_values + 1) * lines + (d3plot_shell_values + 1) * model.shells.size();
+         9 * model.nodes.id.size() +
+         static_cast<std::size_t>(layout.solid_values() + 1) * model.solids.size() +
+         (D3plotLayout::beam_values + 1) * lines +
+         static_cast<std::size_t>(layout.shell_values() + 1) * model.shells.size();
 }
 
 }  // namespace
@@ -100,10 +104,19 @@ void D3plotState::add_walls(D3plotWords& words, const View& view) {
 
 void D3plotState::add_solids(D3plotWords& words, const View& view) {
   const std::vector<SolidResults> results(view.domain.solids.begin(), view.domain.solids.end());
+  const std::vector<PointHistory> histories(view.domain.solids.begin(), view.domain.solids.end());
+  const D3plotLayout layout(view.model.output.extent);
   solid_alive_.clear();
   for (const auto& [block, place] : solid_place_) {
     for (const double component : results[block].mean_stress(place)) words.real(component);
     words.real(results[block].mean_plastic_strain(place));
+    const Index points = view.domain.solids[block].points;
+    for (int variable = 0; variable < layout.solid_history; ++variable) {
+      double mean = 0;
+      for (Index point = 0; point < points; ++point)
+        mean += histories[block].value(place, point, variable) / points;
+      words.real(mean);
+    }
     solid_alive_.push_back(results[block].alive(place) ? 1 : 0);
   }
 }

@@ -80,5 +80,25 @@ TEST(CrossSections, AxesOfTheirOwnAreLeftOutWithAWarning) {
   EXPECT_NE(messages[0].find("forces are along global axes"), std::string::npos) << messages[0];
 }
 
+TEST(StateExtent, IsReadAsTheCardSays) {
+  const model::StateExtent extent =
+      read_with("*DATABASE_EXTENT_BINARY\n3,2,5,0,2,1,2,0\n0,0,0,1\n").output.extent;
+  EXPECT_EQ(extent.solid_history, 3);
+  EXPECT_EQ(extent.shell_history, 2);
+  EXPECT_EQ(extent.shell_points, 5);
+  EXPECT_FALSE(extent.stresses);
+  EXPECT_TRUE(extent.plastic_strain);
+  EXPECT_FALSE(extent.resultants);
+  EXPECT_TRUE(extent.energy);
+}
+
+TEST(StateExtent, WhatCannotBeFollowedHasAWarning) {
+  const auto messages = messages_with("*DATABASE_EXTENT_BINARY\n0,0,-4,1\n1\n");
+  ASSERT_EQ(messages.size(), 3U);
+  EXPECT_NE(messages[0].find("STRFLG"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[1].find("MAXINT: read \"-4\", expected 3 or more"), std::string::npos) << messages[1];
+  EXPECT_NE(messages[2].find("CMPFLG"), std::string::npos) << messages[2];
+}
+
 }  // namespace
 }  // namespace crumple::deck::test

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/lines.hpp"
+#include "support/ties.hpp"
 
 namespace crumple {
 namespace {
@@ -69,6 +70,21 @@ TEST(Supports, BearWhatIsHeldThroughASetOfNodes) {
   // The free node of the clamped side and one beside it go with two that are held along y.
   model.constrained_node_sets.push_back({.nodes = {0, 9, 18, 19}, .direction = {false, true, false}});
   EXPECT_LT(worst_balance(model, {2.5, -0.05, 0.1}), 2e-14);
+}
+
+TEST(Supports, BearWhatIsTiedToTheirNodes) {
+  // The second block hangs with its nodes at x = 10 on the face of the first one, half of which is held.
+  model::Model model = test::two_blocks(1, 2, 2);
+  const Index nodes_of_first = 3 * 2 * 2;
+  for (Index node = 0; node < model.nodes.count(); ++node) {
+    const auto& x = model.nodes.position[node];
+    if (node < nodes_of_first && x[0] == 10 && x[1] == 0) hold(model, node, {true, true, true});
+    if (x[0] == 20) model.nodal_loads.push_back({.node = node, .force = {0.1, 0.02, 0}});
+  }
+  model.control.end_time = 0.05;
+  ask(model);
+  ASSERT_EQ(model.fixed_nodes.size(), 2U);
+  EXPECT_LT(worst_balance(model, {0.9, 0.18, 0}), 2e-14);
 }
 
 TEST(Supports, AreMeasuredAtTimeZero) {
