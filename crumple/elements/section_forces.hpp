@@ -27,6 +27,12 @@ class SectionForces {
   /// Of the last measurement, in the order of the model.
   std::span<const domain::SectionReport> reports() const { return reports_; }
 
+  /// Declares the reports, which show time n until the next step.
+  void declare(domain::StateList& list) {
+    if (!reports_.empty())
+      list.keep_list("sections", "force, force * length, length", domain::Entity::Run, 1, reports_);
+  }
+
  private:
   /// The elements of one section, with their nodes, as a domain of their own.
   struct Section {

@@ -91,6 +91,8 @@ domain::StateList Simulation::state() {
   pressure_loads_.declare(list);
   body_loads_.declare(list);
   rigid_body_loads_.declare(list);
+  Supports::declare(domain_, list);
+  sections_.declare(list);
   if (energy_trace_) energy_trace_->declare(list);
   return list;
 }

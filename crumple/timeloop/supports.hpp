@@ -25,6 +25,12 @@ class Supports {
   /// interval [time].
   void add_ties(domain::Domain& domain, const constraints::TiedNodes& ties, double interval) const;
 
+  /// Declares domain.supports, which show time n until the next step.
+  static void declare(domain::Domain& domain, domain::StateList& list) {
+    if (!domain.supports.empty())
+      list.keep_list("supports", "force, force * length", domain::Entity::Run, 1, domain.supports);
+  }
+
  private:
   /// Nodes that keep one velocity along some axes: one that is fixed holds all.
   struct Set {

@@ -92,6 +92,26 @@ TEST_F(ContactNodeHistoryRun, IsWrittenOnlyWhenItsCardAsks) {
   EXPECT_FALSE(exists("out/secforc.csv"));
 }
 
+TEST_F(ContactNodeHistoryRun, ARunThatIsTakenUpWritesTheSameRows) {
+  const std::string deck = write(
+      "plates.k", plates("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0,0,5\n0.2,0.2\n1.\n*DATABASE_NCFORC\n0.001\n"
+                         "*DATABASE_SECFORC\n0.001\n*DATABASE_SPCFORC\n0.001\n*DATABASE_ELOUT\n0.001\n"
+                         "*DATABASE_HISTORY_SHELL\n2,102\n*BOUNDARY_SPC_NODE\n101,0,1,1,1,1,1,1\n"
+                         "*DATABASE_CROSS_SECTION_PLANE\n0,5.,0.,0.,6.,0.,0.\n0.\n"));
+  const auto run_whole = [&](const char* folder) {
+    return run({"run", deck, "-o", path(folder), "-q", "--restart-every", "100"}).code;
+  };
+  ASSERT_EQ(run_whole("whole"), ExitCode::Normal);
+  ASSERT_EQ(run_whole("out"), ExitCode::Normal);
+  const Result result = run({"run", "--restart", path("out/restart/previous.restart"), "-q"});
+  ASSERT_EQ(result.code, ExitCode::Normal) << result.err;
+  for (const char* name : {"ncforc.csv", "secforc.csv", "spcforc.csv", "elout_shells.csv"}) {
+    const std::string whole = read(std::string("whole/") + name);
+    EXPECT_GT(whole.size(), 1000U) << name;
+    EXPECT_EQ(whole, read(std::string("out/") + name)) << name;
+  }
+}
+
 TEST_F(ContactNodeHistoryRun, SectionsOfPlanesAndOfTheSameSetsAreEqual) {
   run_deck(
       plates("*DATABASE_SECFORC\n0.1\n"
