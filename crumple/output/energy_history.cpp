@@ -154,7 +154,8 @@ class EnergyHistory : public SampledHistory {
     sample.of("internal_energy") = {energy.internal + energy.eroded};
     sample.of("sliding_interface_energy") = {energy.contact + energy.friction};
     for (const domain::WallReport& wall : view.domain.walls)
-      sample.of("stonewall_energy").push_back(wall.energy);
+      // The first kick comes before the first row, whose energies are those of time zero.
+      sample.of("stonewall_energy").push_back(view.domain.clock.cycle == 0 ? 0 : wall.energy);
     double springs = 0;
     for (const domain::DiscreteBlock& block : view.domain.discretes) springs += block.internal_energy;
     sample.of("spring_and_damper_energy") = {springs};
