@@ -35,6 +35,24 @@ export interface PlaneWall {
   normal: number[];
 }
 
+/** Neighbouring elements that have gained or lost energy without motion. */
+export interface WorstElements {
+  part: number;
+  kind: string;
+  first: number;
+  last: number;
+  elements: number;
+  residual: number | null;
+  fastest_node: number;
+  speed: number | null;
+  place: (number | null)[];
+}
+
+/** What --trace-energy leaves in run.json, as far as the page shows it. */
+export interface EnergyTrace {
+  worst_elements: WorstElements[];
+}
+
 /** run.json; a name may be missing in results of an older program. */
 export interface RunRecord {
   version?: string;
@@ -57,6 +75,7 @@ export interface RunRecord {
   peak_memory_bytes?: number;
   energy?: Record<string, number | null>;
   added_mass?: number;
+  energy_trace?: EnergyTrace | null;
   state_hash?: string;
   timings?: Record<string, number>;
   contact?: Record<string, unknown>[];

@@ -52,6 +52,8 @@ export class Curves {
     if (glstat) this.addColumns("Added mass", glstat, ["added_mass"]);
     const matsum = run.history("matsum.csv");
     if (matsum) this.addParts(matsum);
+    const residuals = run.history("energy_residual.csv");
+    if (residuals) this.addResiduals(residuals);
     const controls = wall.length + contact.length > 0 ? this.filterControls([...wall, ...contact]) : null;
     this.element.append(h("h2", {}, "Curves"), ...(controls ? [controls] : []), this.grid);
     if (!this.grid.hasChildNodes()) this.grid.append(h("p", { class: "muted" }, "The run has no histories."));
@@ -123,6 +125,18 @@ export class Curves {
     const curves = largest.map(({ id, rows }): Curve => ({ label: `part ${id}`, values: rows.number["internal"] }));
     const heading = parts.size > largest.length ? `Internal energy of the ${largest.length} parts with the most` : "Internal energy by part";
     this.addChart(heading).show({ xLabel: "time", x: largest[0].rows.number["time"], curves });
+  }
+
+  /** Of parts and contacts, those with the largest. */
+  private addResiduals(residuals: History): void {
+    const most = (rows: History) => rows.number["residual"].reduce((a, b) => Math.max(a, Math.abs(b)), 0);
+    const items = [...splitBy(residuals, ["kind", "id"])].sort((a, b) => most(b[1]) - most(a[1])).slice(0, 8);
+    if (items.length === 0) return;
+    const curves = items.map(([item, rows]): Curve => {
+      const [kind, id] = item.split(" ");
+      return { label: kind === "rest" ? "rest" : `${kind} ${id}`, values: rows.number["residual"] };
+    });
+    this.addChart("Energy residuals by part and contact").show({ xLabel: "time", x: items[0][1].number["time"], curves });
   }
 
   private filtering(): Filtering {

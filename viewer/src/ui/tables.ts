@@ -126,6 +126,21 @@ function contacts(run: Run): HTMLElement | null {
   return block("Contacts", table(names.map((name) => name.replace(/_/g, " ")), rows), true);
 }
 
+function worstElements(run: Run): HTMLElement | null {
+  const list = run.meta.run?.energy_trace?.worst_elements;
+  if (!list || list.length === 0) return null;
+  const rows = list.map((group): Cell[] => [
+    String(group.part),
+    `${group.elements} ${group.kind}s from ${group.first} to ${group.last}`,
+    group.residual,
+    String(group.fastest_node),
+    group.speed,
+    group.place.map((value) => short(value ?? NaN)).join(", "),
+  ]);
+  const heads = ["part", "neighbouring elements", "residual", "fastest node", "its speed", "where it is"];
+  return block("Where energy goes wrong", table(heads, rows), true);
+}
+
 function warnings(run: Run): HTMLElement | null {
   const list = run.meta.run?.warnings;
   if (!list || list.length === 0) return null;
@@ -133,7 +148,7 @@ function warnings(run: Run): HTMLElement | null {
 }
 
 export function tables(run: Run): HTMLElement {
-  const blocks = [checks, warnings, parts, contacts, facts, energies, timings].map((make) => make(run));
+  const blocks = [checks, warnings, parts, contacts, worstElements, facts, energies, timings].map((make) => make(run));
   const data = run.meta;
   const exactness = Math.max(...run.axes.map((axis) => axis.step)) / 2;
   const coarse = data.fields.filter((field) => field.bits === 8).length > 0;
