@@ -19,6 +19,9 @@ void GoodState::observe(timeloop::Simulation& simulation) {
   if (!copy_.empty() && since_copy_.seconds() < std::max(least_seconds, least_share * copy_seconds_)) return;
   const Stopwatch copying;
   copy_.take(simulation.state());
+  domain::StateList reports;
+  simulation.declare_reports(reports);
+  reports_.take(reports);
   copy_seconds_ = copying.seconds();
   since_copy_.restart();
 }
@@ -27,6 +30,9 @@ bool GoodState::return_before(long cycle, timeloop::Simulation& simulation) cons
   if (copy_.empty()) return false;
   try {
     copy_.put_back(simulation.state());
+    domain::StateList reports;
+    simulation.declare_reports(reports);
+    reports_.put_back_known(reports);
     simulation.resume();
     while (simulation.domain().clock.cycle < cycle - 1) simulation.step();
   } catch (const Error&) {

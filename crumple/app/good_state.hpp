@@ -21,6 +21,7 @@ class GoodState {
 
  private:
   domain::StateSnapshot copy_;
+  domain::StateSnapshot reports_;
   Stopwatch since_copy_;
   double copy_seconds_ = 0;  ///< that the last copy took [s]
 };

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cctype>
 #include <nlohmann/json.hpp>
 
@@ -27,8 +26,7 @@ void take(const Json& json, const char* name, std::optional<T>& value) {
 }
 
 Json json_of(const Options& options) {
-  return {{"deck", options.deck.string()},
-          {"threads", optional(options.threads)},
+  return {{"threads", optional(options.threads)},
           {"precision", optional(options.precision)},
           {"isa", optional(options.isa)},
           {"search", optional(options.search)},
@@ -41,12 +39,13 @@ Json json_of(const Options& options) {
           {"trace_energy", options.trace_energy},
           {"move_apart", options.move_apart},
           {"perturbation", options.perturbation},
-          {"seed", options.seed}};
+          {"seed", options.seed},
+          {"restart_cycles", options.restart_every.cycles},
+          {"restart_seconds", options.restart_every.seconds}};
 }
 
 Options options_of(const Json& json) {
   Options options;
-  options.deck = json.at("deck").get<std::string>();
   take(json, "threads", options.threads);
   take(json, "precision", options.precision);
   take(json, "isa", options.isa);
@@ -61,6 +60,7 @@ Options options_of(const Json& json) {
   options.move_apart = json.at("move_apart");
   options.perturbation = json.at("perturbation");
   options.seed = json.at("seed");
+  options.restart_every = {json.at("restart_cycles"), json.at("restart_seconds")};
   return options;
 }
 
@@ -69,22 +69,46 @@ RestartSettings settings_of(const output::RestartRecord& record) {
   const Json json = Json::parse(record.settings);
   settings.options = options_of(json.at("options"));
   settings.warnings = json.at("warnings").get<std::vector<std::string>>();
-  const Json& names = json.at("texts");
-  if (names.size() != record.texts.size()) throw Error("The restart file is damaged: it lacks texts.");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto [including, asked, name, identity] = names[i].get<std::array<std::string, 4>>();
-    settings.texts.push_back({including, asked, name, identity, record.texts[i]});
-  }
+  constexpr std::size_t each = 5;
+  const std::vector<std::string>& texts = record.texts;
+  if (texts.size() % each != 1) throw Error("The restart file is damaged: it lacks texts.");
+  settings.options.deck = texts[0];
+  for (std::size_t i = 1; i < texts.size(); i += each)
+    settings.texts.push_back({texts[i], texts[i + 1], texts[i + 2], texts[i + 3], texts[i + 4]});
   return settings;
 }
 
-/// Where restart files may be, the newest first.
-std::vector<std::filesystem::path> places_to_look(const std::filesystem::path& place) {
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(place, ignored)) return {place};
-  std::filesystem::path folder = place;
-  if (std::filesystem::is_directory(place / restart_folder, ignored)) folder = place / restart_folder;
-  return {folder / newest_restart, folder / earlier_restart(1)};
+Restart read_one(const std::filesystem::path& path) {
+  try {
+    Restart restart{path, output::read_restart_file(path), {}, {}};
+    const std::string& version = restart.content.record.version;
+    if (version != program_version())
+      throw Error(path.string() + " was written by " + version + ": take up the run with that version.");
+    restart.settings = settings_of(restart.content.record);
+    return restart;
+  } catch (const Json::exception&) {
+    throw Error(path.string() + " is damaged: its settings cannot be read.");
+  }
+}
+
+/// The file of the latest cycle that can be read. The state before an error is for whoever names it.
+Restart read_newest(const std::filesystem::path& folder) {
+  std::optional<Restart> newest;
+  bool damaged = false;
+  std::string fault = "There is no restart file in " + folder.string() + ".";
+  for (const std::filesystem::path& path : restart_files(folder)) {
+    if (path.filename().string().starts_with("last_good")) continue;
+    try {
+      Restart found = read_one(path);
+      if (!newest || found.content.record.cycle > newest->content.record.cycle) newest = std::move(found);
+    } catch (const Error& error) {
+      fault = error.what();
+      damaged = true;
+    }
+  }
+  if (!newest) throw Error(fault);
+  if (damaged) newest->note = fault + " " + newest->file.string() + " is taken instead.";
+  return std::move(*newest);
 }
 
 /// Whether a deck of changes says when the run ends: that goes before what an earlier command line said.
@@ -100,38 +124,42 @@ bool changes_end_time(const std::filesystem::path& changes) {
 output::RestartRecord make_restart_record(const RestartSettings& settings) {
   output::RestartRecord record;
   record.version = program_version();
-  Json names = Json::array();
-  for (const deck::RecordedText& text : settings.texts) {
-    names.push_back(std::array<std::string, 4>{text.including, text.asked, text.name, text.identity});
-    record.texts.push_back(text.text);
-  }
-  const Json json = {
-      {"options", json_of(settings.options)}, {"warnings", settings.warnings}, {"texts", names}};
+  // Names of files may be in any encoding, which JSON does not allow.
+  record.texts.push_back(settings.options.deck.string());
+  for (const deck::RecordedText& text : settings.texts)
+    for (const std::string* part : {&text.including, &text.asked, &text.name, &text.identity, &text.text})
+      record.texts.push_back(*part);
+  const Json json = {{"options", json_of(settings.options)}, {"warnings", settings.warnings}};
   record.settings = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   return record;
 }
 
 Restart read_restart(const std::filesystem::path& place) {
-  std::string fault;
-  for (const std::filesystem::path& path : places_to_look(place)) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(place, ignored)) return read_one(place);
+  const bool results = std::filesystem::is_directory(place / restart_folder, ignored);
+  return read_newest(results ? place / restart_folder : place);
+}
+
+void set_restart_files_aside(const std::filesystem::path& results, const Restart& restart) {
+  std::error_code ignored;
+  for (const std::filesystem::path& path : restart_files(results / restart_folder)) {
+    std::filesystem::path other = path;
     try {
-      Restart restart{path, output::read_restart_file(path), {}, {}};
-      restart.settings = settings_of(restart.content.record);
-      if (!fault.empty()) restart.note = fmt::format("{} {} is taken instead.", fault, path.string());
-      return restart;
-    } catch (const Json::exception&) {
-      fault = path.string() + " is damaged: its settings cannot be read.";
-    } catch (const Error& error) {
-      if (fault.empty()) fault = error.what();
+      if (output::read_restart_file(path).record.cycle <= restart.content.record.cycle) continue;
+      other += abandoned_ending;
+    } catch (const Error&) {
+      other += damaged_ending;
     }
+    std::filesystem::rename(path, other, ignored);
   }
-  throw Error(fault);
 }
 
 Options continued_options(const Options& asked, const Restart& restart) {
   Options options = restart.settings.options;
   options.restart = asked.restart;
-  options.restart_every = asked.restart_every;
+  if (asked.restart_every.cycles > 0 || asked.restart_every.seconds > 0)
+    options.restart_every = asked.restart_every;
   options.folder = asked.folder.empty() ? continued_folder(restart) : asked.folder;
   options.quiet = asked.quiet;
   options.report = asked.report;
@@ -146,10 +174,15 @@ Options continued_options(const Options& asked, const Restart& restart) {
 }
 
 std::filesystem::path continued_folder(const Restart& restart) {
-  const std::filesystem::path folder = restart.file.parent_path();
-  if (folder.filename() == restart_folder) return folder.has_parent_path() ? folder.parent_path() : ".";
-  std::filesystem::path results = restart.settings.options.deck.stem();
-  return results += ".out";
+  std::error_code ignored;
+  const std::filesystem::path file = std::filesystem::weakly_canonical(restart.file, ignored);
+  if (file.parent_path().filename() == restart_folder) {
+    const std::filesystem::path results = restart.file.parent_path().parent_path();
+    const bool is_named = restart.file.has_parent_path() && !results.empty();
+    return is_named ? results : file.parent_path().parent_path();
+  }
+  throw Error(restart.file.string() +
+              " does not lie in the folder of its results: name one for the new results with -o.");
 }
 
 }  // namespace crumple::app

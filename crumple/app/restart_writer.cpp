@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <system_error>
 
 #include "output/atomic_file.hpp"
@@ -14,6 +16,16 @@ namespace crumple::app {
 namespace {
 
 constexpr const char* extension = ".restart";
+
+/// latest.restart, previous2.restart, dump03.restart, last_good.restart, latest.restart.new.
+bool is_our_name(std::string name) {
+  constexpr std::string_view fresh = ".new";
+  if (name.ends_with(fresh)) name.resize(name.size() - fresh.size());
+  if (!name.ends_with(extension)) return false;
+  name.resize(name.size() - std::string_view(extension).size());
+  while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) != 0) name.pop_back();
+  return name == "latest" || name == "previous" || name == "dump" || name == "last_good";
+}
 
 bool is_multiple(long cycle, long interval) {
   return interval > 0 && cycle % interval == 0;
@@ -28,6 +40,10 @@ std::string earlier_restart(int age) {
 RestartWriter::RestartWriter(std::filesystem::path folder, const model::RestartRequests& deck,
                              const RestartInterval& asked, const domain::Clock& clock)
     : folder_(std::move(folder)), deck_(deck), asked_(asked), first_cycle_(clock.cycle) {}
+
+void RestartWriter::goes_on_from(const std::filesystem::path& file, const domain::Clock& clock) {
+  if (file.filename() == newest_restart) newest_cycle_ = clock.cycle;
+}
 
 bool RestartWriter::running_due(const domain::Clock& clock) const {
   return is_multiple(clock.cycle, deck_.running_cycles) || is_multiple(clock.cycle, asked_.cycles) ||
@@ -90,10 +106,15 @@ void RestartWriter::keep_earlier() const {
 }
 
 std::vector<std::filesystem::path> RestartWriter::files() const {
+  return restart_files(folder_);
+}
+
+std::vector<std::filesystem::path> restart_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> found;
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_, ignored))
-    if (entry.path().extension() == extension) found.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (is_our_name(entry.path().filename().string()) && entry.is_regular_file(ignored))
+      found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -101,10 +122,12 @@ std::vector<std::filesystem::path> RestartWriter::files() const {
 void remove_restart_files(const std::filesystem::path& results) {
   std::error_code ignored;
   const std::filesystem::path folder = results / restart_folder;
+  if (!std::filesystem::is_directory(std::filesystem::symlink_status(folder, ignored))) return;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.path().extension() == extension || name.ends_with(".restart.new") || name.ends_with(".tmp"))
-      std::filesystem::remove(entry.path(), ignored);
+    std::string name = entry.path().filename().string();
+    for (const std::string_view ending : {".tmp", damaged_ending, abandoned_ending})
+      if (name.ends_with(ending)) name.resize(name.size() - ending.size());
+    if (is_our_name(name)) std::filesystem::remove(entry.path(), ignored);
   }
   std::filesystem::remove(folder, ignored);
 }

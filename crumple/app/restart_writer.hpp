@@ -16,6 +16,9 @@ namespace crumple::app {
 /// Folder of the restart files in that of the results, and the newest file in it.
 inline constexpr const char* restart_folder = "restart";
 inline constexpr const char* newest_restart = "latest.restart";
+/// Behind the names of files that have been set aside.
+inline constexpr const char* damaged_ending = ".damaged";
+inline constexpr const char* abandoned_ending = ".abandoned";
 /// The file before the newest (1), the one before that (2), ...
 std::string earlier_restart(int age);
 
@@ -39,6 +42,9 @@ class RestartWriter {
  public:
   RestartWriter(std::filesystem::path folder, const model::RestartRequests& deck,
                 const RestartInterval& asked, const domain::Clock& clock);
+
+  /// The run was taken up from this file of the same folder.
+  void goes_on_from(const std::filesystem::path& file, const domain::Clock& clock);
 
   /// Whether a file is due after this cycle.
   bool due(const domain::Clock& clock) const;
@@ -67,7 +73,10 @@ class RestartWriter {
   long newest_cycle_ = -1;  ///< of the newest file
 };
 
-/// Removes the restart files of an earlier run from a folder of results.
+/// The restart files in a folder, also one that has not got its name yet; in alphabetical order.
+std::vector<std::filesystem::path> restart_files(const std::filesystem::path& folder);
+
+/// Removes the restart files of an earlier run from a folder of results; only our own.
 void remove_restart_files(const std::filesystem::path& results);
 
 }  // namespace crumple::app

@@ -10,6 +10,7 @@
 #include "app/preparation.hpp"
 #include "app/report_command.hpp"
 #include "app/run_session.hpp"
+#include "app/stop_signals.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "output/write_error.hpp"
@@ -100,6 +101,7 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
 }  // namespace
 
 ExitCode run_deck(const Options& options, const Console& console) {
+  const IgnoredUserSignal until_the_loop;
   if (options.restart.empty()) return run_with(options, {}, nullptr, console);
   try {
     const Restart restart = read_restart(options.restart);

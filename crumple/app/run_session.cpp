@@ -18,6 +18,7 @@
 #include "output/atomic_file.hpp"
 #include "output/earlier_results.hpp"
 #include "output/run_record.hpp"
+#include "output/set_aside.hpp"
 #include "output/write_error.hpp"
 
 namespace crumple::app {
@@ -33,9 +34,10 @@ std::uint64_t peak_memory_bytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-bool is_same_folder(const std::filesystem::path& a, const std::filesystem::path& b) {
+bool lies_in(const std::filesystem::path& file, const std::filesystem::path& folder) {
   std::error_code fault;
-  return std::filesystem::equivalent(a, b, fault) && !fault;
+  const std::filesystem::path parent = file.has_parent_path() ? file.parent_path() : ".";
+  return std::filesystem::equivalent(parent, folder, fault) && !fault;
 }
 
 bool positions_are_finite(const domain::NodeFields& nodes) {
@@ -75,6 +77,8 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   open_files(restart);
   restart_writer_ = std::make_unique<RestartWriter>(folder_ / restart_folder, deck.model->output.restart,
                                                     options.restart_every, domain.clock);
+  if (restart != nullptr && lies_in(restart->file, folder_ / restart_folder))
+    restart_writer_->goes_on_from(restart->file, domain.clock);
   monitor_ = std::make_unique<Monitor>(simulation_, console, options.quiet, loop_seconds_);
 }
 
@@ -97,16 +101,16 @@ void RunSession::take_up(const Restart& restart) {
 
 /// A run that is taken up goes on in the files of its folder, and begins new ones in another.
 void RunSession::open_files(const Restart* restart) {
-  const bool goes_on = restart != nullptr && is_same_folder(folder_, continued_folder(*restart));
+  const bool goes_on = restart != nullptr && lies_in(restart->file, folder_ / restart_folder);
   output::ExtraFiles extra{.d3plot = options_.d3plot};
   if (goes_on) extra.opening = output::Opening::Continued;
   // Whoever finds run.json knows that it belongs to the results beside it.
   if (goes_on) {
     output::remove_ending(folder_);
+    set_restart_files_aside(folder_, *restart);
   } else {
     output::remove_earlier_results(folder_);
-    if (restart == nullptr || !is_same_folder(folder_ / restart_folder, restart->file.parent_path()))
-      remove_restart_files(folder_);
+    remove_restart_files(folder_);
   }
   recorder_ = std::make_unique<output::Recorder>(folder_, restart_settings_.options.deck.stem().string(),
                                                  view(), extra);
@@ -114,7 +118,13 @@ void RunSession::open_files(const Restart* restart) {
   domain::StateList list;
   recorder_->declare(list);
   restart->content.files.put_back_known(list);
-  recorder_->resume(simulation_.domain().clock);
+  for (std::string& note : output::set_short_files_aside(folder_, list)) warn(std::move(note));
+  for (std::string& note : recorder_->resume(simulation_.domain().clock)) warn(std::move(note));
+}
+
+void RunSession::warn(std::string text) {
+  fmt::print(console_.err, "warning: {}\n", text);
+  warnings_.push_back(std::move(text));
 }
 
 /// What the session remembers of the run so far, beside the simulation.
@@ -124,6 +134,7 @@ domain::StateList RunSession::own_state() {
   list.keep("first_step", "time", domain::Entity::Run, first_step_);
   list.keep("total_mass", "mass", domain::Entity::Run, total_mass_);
   list.keep("loop_seconds", "s", domain::Entity::Run, loop_seconds_);
+  simulation_.declare_reports(list);
   return list;
 }
 
@@ -291,10 +302,7 @@ ExitCode RunSession::run() {
   if (!options_.quiet && ending.code != ExitCode::Output) monitor_->print_last_line();
   for (const deck::Diagnostic& diagnostic : deck_.diagnostics)
     if (diagnostic.severity == deck::Severity::Warning) warnings_.push_back(deck::to_string(diagnostic));
-  for (std::string& warning : output::energy_warnings(view())) {
-    fmt::print(console_.err, "warning: {}\n", warning);
-    warnings_.push_back(std::move(warning));
-  }
+  for (std::string& warning : output::energy_warnings(view())) warn(std::move(warning));
   finish(ending);
   if (!options_.quiet) {
     print_summary(console_.out, view(), loop_seconds_);

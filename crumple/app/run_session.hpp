@@ -50,6 +50,7 @@ class RunSession {
   void begin();
   void take_up(const Restart& restart);
   void open_files(const Restart* restart);
+  void warn(std::string text);
   domain::StateList own_state();
   void write_restart(RestartKind kind);
   void save_for_restart(Ending& ending);

@@ -46,6 +46,17 @@ StopSignals::~StopSignals() {
   sigaction(SIGXFSZ, &earlier_file_size_, nullptr);
 }
 
+IgnoredUserSignal::IgnoredUserSignal() {
+  struct sigaction action {};
+  action.sa_handler = SIG_IGN;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGUSR1, &action, &earlier_);
+}
+
+IgnoredUserSignal::~IgnoredUserSignal() {
+  sigaction(SIGUSR1, &earlier_, nullptr);
+}
+
 bool StopSignals::asked_for_restart() {
   const bool asked = restart_asked_for != 0;
   if (asked) restart_asked_for = 0;

@@ -27,4 +27,16 @@ class StopSignals {
   struct sigaction earlier_file_size_ {};
 };
 
+/// While it lives, a SIGUSR1 that comes when no run goes on yet, or any more, does nothing.
+class IgnoredUserSignal {
+ public:
+  IgnoredUserSignal();
+  ~IgnoredUserSignal();
+  IgnoredUserSignal(const IgnoredUserSignal&) = delete;
+  IgnoredUserSignal& operator=(const IgnoredUserSignal&) = delete;
+
+ private:
+  struct sigaction earlier_ {};
+};
+
 }  // namespace crumple::app

@@ -213,9 +213,6 @@ struct Interface::Implementation {
   }
 
   void write_report(domain::ContactReport& entry) {
-    entry.id = contact.id;
-    entry.method = method;
-    entry.segments = surface.segments();
     entry.searches = search.statistics().searches + edges.search().searches();
     entry.candidates = search.statistics().candidates + edges.search().candidates();
     if (pinballs) {
@@ -230,8 +227,10 @@ struct Interface::Implementation {
       entry.worst_penetration = found.depth;
       entry.worst_node = found.node;
     }
-    entry.two_sided = contact.kind != model::ContactKind::SingleSurface;
     if (entry.two_sided) entry.force = force_on_first_side();
+    stored_energy = 0;
+    for (const Touch& touch : touches)
+      stored_energy += 0.5 * norm(touch.normal_force) * std::max(0.0, touch.penetration);
     statistics.search = search.statistics();
     statistics.limited_pairs = forces.limited();
     statistics.most_limited_pairs = std::max(statistics.most_limited_pairs, forces.limited());
@@ -253,6 +252,7 @@ struct Interface::Implementation {
   std::string method;
   Index report;
   long verify_cycles = 0;
+  double stored_energy = 0;  ///< by the penalties now, as springs of their mean stiffness [energy]
   std::int64_t started = 0;  ///< 1 once the penetrations at the start are known
   std::vector<Touch> touches;
   std::vector<RememberedPair> remembered;
@@ -300,6 +300,14 @@ void Interface::add_multipliers(domain::Domain& domain, double interval, double 
   own.write_report(report);
 }
 
+void Interface::describe(domain::ContactReport& report) const {
+  const Implementation& own = *implementation_;
+  report.id = own.contact.id;
+  report.method = own.method;
+  report.segments = own.surface.segments();
+  report.two_sided = own.contact.kind != model::ContactKind::SingleSurface;
+}
+
 void Interface::declare(domain::StateList& list) {
   Implementation& own = *implementation_;
   list.add("contact_started", "-", domain::Entity::Contact, 1, std::span(&own.started, 1));
@@ -307,6 +315,7 @@ void Interface::declare(domain::StateList& list) {
   own.forces.declare(list);
   list.add_list("contact_pairs", "by item", domain::Entity::Contact, 1, own.remembered);
   list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
+  list.keep("contact_stored_energy", "energy", domain::Entity::Contact, own.stored_energy);
   list.keep("contact_statistics", "by item", domain::Entity::Contact, own.statistics);
   own.edges.declare(list);
   if (own.pinballs) own.pinballs->declare(list);
@@ -356,10 +365,7 @@ std::span<const Touch> Interface::touches() const {
 }
 
 double Interface::stored_energy() const {
-  double sum = 0;
-  for (const Touch& touch : implementation_->touches)
-    sum += 0.5 * norm(touch.normal_force) * std::max(0.0, touch.penetration);
-  return sum;
+  return implementation_->stored_energy;
 }
 
 void Interface::append_node_forces(std::vector<domain::ContactNodeForce>& forces) const {

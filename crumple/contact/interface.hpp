@@ -37,6 +37,9 @@ class Interface {
   /// `next_step` leads to n+1, `interval` is what velocities will be advanced by.
   void add_multipliers(domain::Domain& domain, double interval, double next_step);
 
+  /// Fills what never changes: id, method, number of segments, whether there are two sides.
+  void describe(domain::ContactReport& report) const;
+
   /// Declares what the contact remembers from step to step.
   void declare(domain::StateList& list);
 

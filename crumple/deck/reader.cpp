@@ -31,6 +31,7 @@ class Reading {
         scanner_(
             options.keep_texts ? recorder_ : source, report_, [this](const Block& block) { take(block); },
             [this](std::string_view text, const Where& where) {
+              if (!may_set(where)) return;
               read_settings(text, where, options_.search_methods, deck_, report_);
             }) {
     for (const auto& [name, value] : options.parameters) parameters_.preset(name, value);
@@ -44,7 +45,11 @@ class Reading {
   void note_definition(const Block& block);
   void check_whole(const model::Model& model);
 
+  bool is_change(const Where& where) const {
+    return !changes_.empty() && report_.file_name(where.file) == changes_;
+  }
   bool may_change(const Block& block);
+  bool may_set(const Where& where);
 
   const ReadOptions& options_;
   std::string changes_;
@@ -61,13 +66,19 @@ class Reading {
 
 /// Whether a keyword may stand where it does: a small restart changes neither the model nor the step.
 bool Reading::may_change(const Block& block) {
-  if (changes_.empty() || report_.file_name(block.where.file) != changes_) return true;
+  if (!is_change(block.where)) return true;
   if (block.name == "TITLE" || block.name == "CONTROL_TERMINATION" || block.name.starts_with("DATABASE_"))
     return true;
   report_.error(
       block.where, "restart",
       "cannot change at a restart; *CONTROL_TERMINATION and *DATABASE can, anything else needs a new "
       "run");
+  return false;
+}
+
+bool Reading::may_set(const Where& where) {
+  if (!is_change(where)) return true;
+  report_.error(where, "restart", "$crumple settings cannot change at a restart");
   return false;
 }
 
@@ -191,6 +202,9 @@ ReadResult read_recorded_deck(const std::vector<RecordedText>& texts, const Read
                               const std::optional<std::filesystem::path>& changes) {
   std::optional<LoadedText> loaded;
   if (changes) loaded = load_text(*changes);
+  const auto is_taken = [&](const RecordedText& text) { return loaded && text.name == loaded->name; };
+  // The deck may have been overwritten by its changes.
+  while (std::any_of(texts.begin(), texts.end(), is_taken)) loaded->name.insert(0, "./");
   const std::string name = loaded ? loaded->name : std::string();
   ReplaySource source(texts, std::move(loaded));
   return Reading(source, options, name).run();

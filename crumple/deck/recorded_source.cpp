@@ -40,6 +40,7 @@ void RecordingSource::keep(const std::string& including, const std::string& aske
 
 ReplaySource::ReplaySource(const std::vector<RecordedText>& texts, std::optional<LoadedText> changes)
     : texts_(&texts), changes_(std::move(changes)) {
+  if (changes_) changes_->identity = change;
   // The texts may come from a run that was taken up with changes itself.
   const auto joints = std::count_if(texts.begin(), texts.end(), [](const RecordedText& text) {
     return text.asked == original && text.including.starts_with(joint);
@@ -61,7 +62,13 @@ LoadedText ReplaySource::include(const std::string& name, const LoadedText& incl
 LoadedText ReplaySource::find(const std::string& including, const std::string& name) const {
   for (const RecordedText& text : *texts_)
     if (text.including == including && text.asked == name) return loaded(text);
-  return {name, name, {}, std::nullopt, "the restart file does not hold this file"};
+  const bool by_changes = changes_ && including == changes_->identity;
+  return {
+      name,
+      name,
+      {},
+      std::nullopt,
+      by_changes ? "a deck of changes cannot include others" : "the restart file does not hold this file"};
 }
 
 LoadedText load_text(const std::filesystem::path& path) {

@@ -145,7 +145,6 @@ void Domain::declare(StateList& list) {
   }
   for (WeldReport& weld : welds) list.keep("weld_report", "by item", Entity::Run, weld);
   list.keep_list("transducers", "by item", Entity::Contact, 1, transducers);
-  list.keep_list("supports", "by item", Entity::Node, 1, supports);
   list.keep("energy_ledger", "energy", Entity::Run, energy);
   list.keep("added_mass", "mass", Entity::Run, added_mass);
   list.keep("stage_times", "s", Entity::Run, times);

@@ -30,7 +30,7 @@ class SectionForces {
   /// Declares the reports, which show time n until the next step.
   void declare(domain::StateList& list) {
     if (!reports_.empty())
-      list.keep_list("sections", "force, force * length, length", domain::Entity::Run, 1, reports_);
+      list.add("sections", "force, force * length, length", domain::Entity::Run, 1, std::span(reports_));
   }
 
  private:

@@ -23,6 +23,8 @@ class D3plotFamily {
 
   /// Declares how many files and states there are, for a restart.
   void declare(domain::StateList& list);
+  /// Whether the files hold the states that were declared; true if there are none to hold.
+  bool states_are_there() const { return files_ == 0 || is_whole(); }
   /// To be called after a restart has filled what was declared: states behind those are removed. Begins a new
   /// family where files are missing. Throws WriteError.
   void resume();

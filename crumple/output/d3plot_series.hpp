@@ -23,6 +23,8 @@ class D3plotSeries {
     family_.declare(list);
     state_.declare(list);
   }
+  /// Whether the files hold the states that were declared; true if there are none to hold.
+  bool is_whole() const { return family_.states_are_there(); }
   /// To be called after a restart has filled what was declared. Throws WriteError.
   void resume() { family_.resume(); }
 

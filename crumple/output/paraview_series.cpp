@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <iterator>
 #include <limits>
 #include <system_error>
@@ -111,14 +112,28 @@ void ParaviewSeries::declare(domain::StateList& list) {
   list.keep_list("frame_times", "time", domain::Entity::Run, 1, times_);
 }
 
+void ParaviewSeries::resume() {
+  std::error_code ignored;
+  while (!times_.empty() && !std::filesystem::exists(folder_ / frame_name(frames() - 1), ignored))
+    times_.pop_back();
+  remove_frames_from(frames());
+  if (!times_.empty()) write_atomically(collection(), collection_text());
+}
+
 void ParaviewSeries::remove_earlier_frames() const {
   std::error_code ignored;
   std::filesystem::remove(collection(), ignored);
+  remove_frames_from(0);
+}
+
+void ParaviewSeries::remove_frames_from(int first) const {
+  std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "vtu", ignored)) {
-    const std::string file = entry.path().filename().string();
-    const std::string frame = file.substr(0, file.find_last_of('_'));
-    if ((frame == name_ || frame == name_ + "_walls") && entry.path().extension() == ".vtu")
-      std::filesystem::remove(entry.path(), ignored);
+    const std::string file = entry.path().stem().string();
+    const std::size_t end = file.find_last_of('_');
+    const std::string frame = file.substr(0, end);
+    if ((frame != name_ && frame != name_ + "_walls") || entry.path().extension() != ".vtu") continue;
+    if (std::atoi(file.c_str() + end + 1) >= first) std::filesystem::remove(entry.path(), ignored);
   }
 }
 

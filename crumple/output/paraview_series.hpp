@@ -26,6 +26,9 @@ class ParaviewSeries {
 
   /// Declares the frames so far, for a restart.
   void declare(domain::StateList& list);
+  /// To be called after a restart has filled what was declared: frames behind those, and those that are not
+  /// there any more, are dropped. Throws WriteError.
+  void resume();
 
   /// Adds the present state as the next frame. Throws WriteError.
   void write_frame(const View& view);
@@ -35,6 +38,7 @@ class ParaviewSeries {
 
  private:
   void remove_earlier_frames() const;
+  void remove_frames_from(int first) const;
   void pack_constant_arrays(const View& view);
   std::vector<VtuArray> point_fields(const View& view);
   std::vector<VtuArray> cell_fields(const View& view);

@@ -2,12 +2,14 @@
 #include "output/recorder.hpp"
 
 #include "output/initial_overlaps.hpp"
+#include "output/set_aside.hpp"
 
 namespace crumple::output {
 
 Recorder::Recorder(const std::filesystem::path& folder, const std::string& name, const View& view,
                    const ExtraFiles& extra)
-    : series_(folder, name, view, extra.opening),
+    : folder_(folder),
+      series_(folder, name, view, extra.opening),
       frame_schedule_(view.model.output.state_interval, default_frames, view.model.control) {
   if (extra.d3plot) d3plot_.emplace(folder, view, D3plotFamily::default_file_words, extra.opening);
   for (HistoryEntry& entry : histories_of(view))
@@ -51,7 +53,11 @@ void Recorder::declare(domain::StateList& list) {
   }
 }
 
-void Recorder::resume(const domain::Clock& clock) {
+std::vector<std::string> Recorder::resume(const domain::Clock& clock) {
+  std::vector<std::string> notes;
+  series_.resume();
+  if (d3plot_ && !d3plot_->is_whole())
+    for (std::string& note : set_family_aside(folder_)) notes.push_back(std::move(note));
   if (d3plot_) d3plot_->resume();
   if (binout_) binout_->resume();
   frame_schedule_.resume(clock);
@@ -60,6 +66,7 @@ void Recorder::resume(const domain::Clock& clock) {
     if (table.text) table.text->resume();
     table.schedule.resume(clock);
   }
+  return notes;
 }
 
 void Recorder::write_rows(Table& table, const View& view) {

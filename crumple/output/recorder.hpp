@@ -37,9 +37,10 @@ class Recorder {
 
   /// Declares how far all files have come, for a restart.
   void declare(domain::StateList& list);
-  /// To be called after a restart has filled what was declared: what the files hold beyond it is cut off.
-  /// Throws WriteError.
-  void resume(const domain::Clock& clock);
+  /// To be called after a restart has filled what was declared: what the files hold beyond it is cut off. A
+  /// d3plot family that holds less is set aside under other names, and begins anew, which the sentences say;
+  /// for the other files see set_short_files_aside(). Throws WriteError.
+  std::vector<std::string> resume(const domain::Clock& clock);
 
   /// Writes what is due at this time. To be called once at time zero and after every step. Throws WriteError.
   void write_due(const View& view);
@@ -64,6 +65,7 @@ class Recorder {
   void write_rows(Table& table, const View& view);
   void flush_binout();
 
+  std::filesystem::path folder_;
   ParaviewSeries series_;
   std::optional<D3plotSeries> d3plot_;
   Schedule frame_schedule_;

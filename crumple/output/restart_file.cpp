@@ -12,10 +12,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <system_error>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/state_hash.hpp"
@@ -50,9 +50,8 @@ class NewFile {
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
   ~NewFile() {
-    if (file_ < 0) return;
-    ::close(file_);
-    ::unlink(temporary_.c_str());
+    if (file_ >= 0) ::close(file_);
+    if (!in_place_) ::unlink(temporary_.c_str());
   }
 
   void write(std::span<const std::byte> bytes) {
@@ -64,9 +63,11 @@ class NewFile {
   void finish() {
     const std::uint64_t sum = hash_.value();
     write_all(std::as_bytes(std::span(&sum, 1)));
-    if (::fsync(file_) != 0 || ::close(file_) != 0) fail();
+    // The results that the file counts on must not be older than itself after a loss of power.
+    if (::syncfs(file_) != 0) fail();
+    if (::close(std::exchange(file_, -1)) != 0) fail();
     if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail();
-    file_ = -1;
+    in_place_ = true;
   }
 
  private:
@@ -85,6 +86,7 @@ class NewFile {
   std::filesystem::path path_;
   std::filesystem::path temporary_;
   int file_ = -1;
+  bool in_place_ = false;
   StateHash hash_;
 };
 
@@ -126,9 +128,12 @@ class Pieces {
 std::string read_whole(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw Error("There is no restart file " + path.string() + ".");
+  const std::uintmax_t bytes = std::filesystem::file_size(path, ignored);
+  if (ignored) throw Error(path.string() + " is no restart file of crumple.");
   std::ifstream stream(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream.good() && !stream.eof()) throw Error(path.string() + " cannot be read.");
+  std::string text(bytes, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(bytes));
+  if (!stream) throw Error(path.string() + " cannot be read.");
   return text;
 }
 
@@ -190,6 +195,7 @@ RestartContent read_restart_file(const std::filesystem::path& path) {
   } catch (const Json::exception&) {
     throw Error(name + " is damaged: its header cannot be read.");
   }
+  if (content.record.cycle < 0) throw Error(name + " is damaged: its cycle is negative.");
   const std::uint64_t expected = pieces.hash();
   std::uint64_t found = 0;
   std::memcpy(&found, pieces.take(sizeof(found)).data(), sizeof(found));

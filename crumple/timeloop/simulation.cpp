@@ -55,8 +55,9 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
   }
   for (const model::Contact& contact : model.contacts) {
     has_multipliers_ = has_multipliers_ || contact.enforcement == model::Enforcement::Multipliers;
-    domain_.contacts.push_back({.id = contact.id, .method = model.search.method});
+    domain_.contacts.push_back({.id = contact.id});
     contacts_.emplace_back(model, domain_, contact, static_cast<Index>(domain_.contacts.size()) - 1);
+    contacts_.back().describe(domain_.contacts.back());
   }
   for (const model::ForceTransducer& transducer : model.force_transducers) {
     domain_.transducers.push_back({.id = transducer.id});
@@ -91,10 +92,13 @@ domain::StateList Simulation::state() {
   pressure_loads_.declare(list);
   body_loads_.declare(list);
   rigid_body_loads_.declare(list);
-  Supports::declare(domain_, list);
-  sections_.declare(list);
   if (energy_trace_) energy_trace_->declare(list);
   return list;
+}
+
+void Simulation::declare_reports(domain::StateList& list) {
+  Supports::declare(domain_, list);
+  sections_.declare(list);
 }
 
 void Simulation::resume() {

@@ -41,6 +41,10 @@ class Simulation {
   /// changes. Holds until the next step.
   domain::StateList state();
 
+  /// What output shows of time n and the next step makes anew. A restart may lack it, if the deck has not
+  /// asked before.
+  void declare_reports(domain::StateList& list);
+
   /// Instead of start(), or to go back: the arrays of state() have been filled with those of an earlier time,
   /// or of another simulation of the same model. The steps that follow are bitwise the same as there, with
   /// any number of threads.

@@ -28,7 +28,7 @@ class Supports {
   /// Declares domain.supports, which show time n until the next step.
   static void declare(domain::Domain& domain, domain::StateList& list) {
     if (!domain.supports.empty())
-      list.keep_list("supports", "force, force * length", domain::Entity::Run, 1, domain.supports);
+      list.add("supports", "force, force * length", domain::Entity::Run, 1, std::span(domain.supports));
   }
 
  private:

@@ -94,6 +94,12 @@ TEST_F(RestartTest, TheModelCannotChange) {
   EXPECT_EQ(result.code, ExitCode::Input);
   EXPECT_NE(result.err.find("more.k:4: error: *MAT_ELASTIC"), std::string::npos) << result.err;
   EXPECT_EQ(run({"run", "--restart", path("out"), "--precision", "mixed"}).code, ExitCode::Usage);
+  write("more.k", "*KEYWORD\n$crumple method=brute-force\n*CONTROL_TERMINATION\n1.5\n*END\n");
+  EXPECT_EQ(run({"run", path("more.k"), "--restart", path("out")}).code, ExitCode::Input);
+  // A deck that lies where the first one lay is one of changes all the same.
+  write("plate.k", "*KEYWORD\n*CONTROL_TERMINATION\n1.5\n*END\n");
+  const Result same = run({"run", path("plate.k"), "--restart", path("out")});
+  EXPECT_EQ(same.code, ExitCode::Normal) << same.err;
 }
 
 TEST_F(RestartTest, TheDeckIsInTheFile) {
@@ -118,6 +124,92 @@ TEST_F(RestartTest, AnotherFolderBeginsWithTheStateOfTheFile) {
   EXPECT_EQ(record("branch")["state_hash"], record("out")["state_hash"]);
   EXPECT_GT(std::stod(table("branch/glstat.csv")[1][0]), 0.1);
   EXPECT_EQ(read("out/glstat.csv"), before);
+}
+
+TEST_F(RestartTest, TwoSidedContactsAreKnownBeforeTheFirstStep) {
+  // Segments and sides are those of the model, not of the steps so far.
+  std::string text = falling_plate(control);
+  text.replace(text.find("*END"), 4,
+               "*SET_PART_LIST\n1\n1\n*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n5\n1,1,2,2\n0.1\n\n*END");
+  write("plate.k", text);
+  ASSERT_EQ(run_whole("out").code, ExitCode::Normal);
+  ASSERT_EQ(run({"run", "--restart", path("out/restart/previous.restart"), "-o", path("branch")}).code,
+            ExitCode::Normal);
+  const auto whole = table("out/rcforc.csv");
+  const auto branch = table("branch/rcforc.csv");
+  EXPECT_EQ(branch.back(), whole.back());
+  EXPECT_EQ(branch[1][2], "first");
+}
+
+TEST_F(RestartTest, ATableThatLostItsEndIsSetAside) {
+  ASSERT_EQ(run_whole("out").code, ExitCode::Normal);
+  const std::string before = read("out/glstat.csv");
+  std::filesystem::resize_file(path("out/glstat.csv"), 300);
+  const Result result = run({"run", "--restart", path("out/restart/previous.restart")});
+  EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+  EXPECT_NE(result.err.find("glstat.csv holds less"), std::string::npos) << result.err;
+  EXPECT_EQ(read("out/before_restart_glstat.csv"), before.substr(0, 300));
+  EXPECT_GT(table("out/glstat.csv").size(), 2U);
+}
+
+TEST_F(RestartTest, WhoGoesBackLeavesTheLaterFilesAside) {
+  ASSERT_EQ(run_whole("out").code, ExitCode::Normal);
+  const long last = record("out")["cycles"];
+  ASSERT_EQ(run({"run", "--restart", path("out/restart/previous.restart"), "--end", "0.95"}).code,
+            ExitCode::Normal);
+  EXPECT_TRUE(exists("out/restart/latest.restart.abandoned"));
+  const Result result = run({"run", "--restart", path("out")});
+  EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+  EXPECT_LT(cycle_of(result), last);
+  EXPECT_EQ(result.err.find("holds less"), std::string::npos) << result.err;
+  // No frame is left of the run that was longer.
+  const std::string collection = read("out/plate.pvd");
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out/vtu"))
+    EXPECT_NE(collection.find(entry.path().filename().string()), std::string::npos) << entry.path();
+}
+
+TEST_F(RestartTest, AFileElsewhereNeedsAFolderForItsResults) {
+  ASSERT_EQ(run_whole("out").code, ExitCode::Normal);
+  std::filesystem::copy_file(path("out/restart/latest.restart"), path("mine.restart"));
+  const Result result = run({"run", "--restart", path("mine.restart")});
+  EXPECT_EQ(result.code, ExitCode::Input);
+  EXPECT_NE(result.err.find("-o"), std::string::npos) << result.err;
+  EXPECT_EQ(run({"run", "--restart", path("mine.restart"), "-o", path("new")}).code, ExitCode::Normal);
+}
+
+TEST_F(RestartTest, OutputAskedForLaterBeginsThen) {
+  std::string text = falling_plate(control);
+  text.replace(text.find("*END"), 4, "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n*END");
+  write("plate.k", text);
+  ASSERT_EQ(run_whole("out").code, ExitCode::Normal);
+  write("more.k", "*KEYWORD\n*CONTROL_TERMINATION\n1.2\n*DATABASE_SPCFORC\n0.01\n*END\n");
+  const Result result = run({"run", path("more.k"), "--restart", path("out")});
+  EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+  EXPECT_GT(table("out/spcforc.csv").size(), 10U);
+}
+
+TEST_F(RestartTest, OnlyDumpsAreEnough) {
+  write("plate.k", falling_plate(control + "*DATABASE_BINARY_D3DUMP\n       150\n"));
+  ASSERT_EQ(run({"run", path("plate.k"), "-o", path("out")}).code, ExitCode::Normal);
+  std::filesystem::remove(path("out/restart/latest.restart"));
+  EXPECT_GE(cycle_of(run({"run", "--restart", path("out")})), 300);
+}
+
+TEST_F(RestartTest, NamesInAnyEncoding) {
+  write("m\xe4sh.k", falling_plate(""));
+  write("split.k", "*KEYWORD\n" + control + "*INCLUDE\nm\xe4sh.k\n*END\n");
+  ASSERT_EQ(run({"run", path("split.k"), "-o", path("out"), "--restart-every", "100"}).code,
+            ExitCode::Normal);
+  const Result result = run({"run", "--restart", path("out")});
+  EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+}
+
+TEST_F(RestartTest, ANewRunRemovesOnlyItsOwn) {
+  ASSERT_EQ(run_whole("out").code, ExitCode::Normal);
+  write("out/restart/lammps.restart", "another program's");
+  ASSERT_EQ(run({"run", path("plate.k"), "-o", path("out"), "-q"}).code, ExitCode::Normal);
+  EXPECT_TRUE(exists("out/restart/lammps.restart"));
+  EXPECT_FALSE(exists("out/restart/latest.restart"));
 }
 
 TEST_F(RestartTest, TheDeckAsksForFiles) {
