@@ -68,7 +68,7 @@ void Binout::add_metadata(const HistoryForm& form, const HistoryItems& items) {
   file_.add("revision", of_width("crumple", 10));
   file_.add("date", today());
   add_legend(file_, items);
-  file_.add("ids", items.ids);
+  if (!items.own_ids) file_.add("ids", items.ids);
   for (const auto& [name, values] : items.marks) file_.add(name, values);
   for (const auto& [name, text] : items.texts) file_.add(name, text);
 }

@@ -24,8 +24,9 @@ constexpr std::string_view names[] = {"run.json",         "report.html",        
                                       "ncforc.csv"};
 
 /// LS-DYNA writes files of the same names: of these only our own are removed. All start with whose they are.
-constexpr std::array<std::string_view, 8> shared_names{"glstat", "matsum", "rwforc", "rcforc",
-                                                       "nodout", "rbdout", "swforc", "sleout"};
+constexpr std::array<std::string_view, 13> shared_names{"glstat",  "matsum", "rwforc", "rcforc", "nodout",
+                                                        "rbdout",  "swforc", "sleout", "deforc", "secforc",
+                                                        "spcforc", "elout",  "ncforc"};
 constexpr std::string_view binout_name = "binout0000";
 
 bool mentions(const std::filesystem::path& path, std::string_view mark) {

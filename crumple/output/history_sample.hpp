@@ -26,6 +26,7 @@ struct HistoryItems {
   std::vector<UserId> ids;         ///< one row a time for each
   std::vector<std::string> words;  ///< beside the ids in our table; may be empty
   std::vector<std::string> titles;
+  bool own_ids = false;  ///< binout has the ids among the marks or the variables instead
   /// What else binout says of them.
   std::vector<std::pair<std::string_view, std::vector<std::int64_t>>> marks;
   std::vector<std::pair<std::string_view, std::string>> texts;
