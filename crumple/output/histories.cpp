@@ -38,7 +38,7 @@ void add_asked(const View& view, std::vector<HistoryEntry>& entries) {
   add(File::Secforc, !view.sections.empty(), "secforc.csv", "time,section,fx,fy,fz,mx,my,mz,force,x,y,z",
       [](const View&) { return make_section_history(); });
   add(File::Ncforc, !view.domain.contacts.empty() && view.contact_node_forces, "ncforc.csv",
-      "time,interface,side,node,fx,fy,fz", [](const View&) { return make_contact_node_history(); });
+      "time,interface,side,node,fx,fy,fz", make_contact_node_history);
   add(File::Spcforc, !view.domain.supports.empty(), "spcforc.csv", "time,node,fx,fy,fz,mx,my,mz",
       [](const View&) { return make_support_history(); });
 }

@@ -23,8 +23,9 @@ class History {
   virtual void add_rows(const View& view, CsvFile& table) = 0;
   /// Declares what it remembers from row to row, for a restart.
   virtual void declare(domain::StateList& /*list*/) {}
-  /// Itself, if LS-DYNA has the history, too (sampled_history.hpp).
-  virtual SampledHistory* sampled() { return nullptr; }
+  /// What LS-DYNA has of it: mostly itself, or nothing, or a part for each branch of binout
+  /// (sampled_history.hpp).
+  virtual std::vector<SampledHistory*> sampled() { return {}; }
 };
 
 /// A history of a run: its file, its columns, and the interval that the deck asks for.
@@ -79,7 +80,7 @@ std::unique_ptr<History> make_beam_history(const View& view);
 /// Forces and moments in the cross-sections of *DATABASE_CROSS_SECTION.
 std::unique_ptr<History> make_section_history();
 /// What contacts put on the nodes that they touch.
-std::unique_ptr<History> make_contact_node_history();
+std::unique_ptr<History> make_contact_node_history(const View& view);
 
 /// What holds the nodes of *BOUNDARY_SPC, and the sum of it.
 std::unique_ptr<History> make_support_history();

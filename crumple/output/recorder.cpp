@@ -16,7 +16,6 @@ Recorder::Recorder(const std::filesystem::path& folder, const std::string& name,
     tables_.push_back({CsvFile(folder / entry.file, entry.header, extra.opening),
                        Schedule(entry.interval, entry.points, view.model.control),
                        std::move(entry.history),
-                       {},
                        {}});
   ask_for_foreign_forms(folder, view, extra.opening);
   if (const auto path = write_initial_overlaps(folder, view)) start_files_.push_back(*path);
@@ -24,30 +23,37 @@ Recorder::Recorder(const std::filesystem::path& folder, const std::string& name,
 
 void Recorder::ask_for_foreign_forms(const std::filesystem::path& folder, const View& view, Opening opening) {
   std::vector<std::string> branches;
-  for (Table& table : tables_) {
-    SampledHistory* const sampled = table.history->sampled();
-    if (sampled == nullptr) continue;
-    const HistoryForm& form = sampled->form();
-    const model::HistoryRequest& request = view.model.output.of(form.file);
-    if (!request.asked) continue;
-    sampled->complete();
-    if (request.ascii) table.text.emplace(folder / form.name, opening);
-    if (!request.binary) continue;
-    table.branch = branches.size();
-    branches.emplace_back(form.branch);
-  }
+  for (Table& table : tables_)
+    for (SampledHistory* const sampled : table.history->sampled()) {
+      const HistoryForm& form = sampled->form();
+      const model::HistoryRequest& request = view.model.output.of(form.file);
+      if (!request.asked) continue;
+      sampled->complete();
+      ForeignForm& foreign = table.foreign.emplace_back(ForeignForm{sampled, {}, {}});
+      if (request.ascii) foreign.text = text_of(folder / form.name, opening);
+      if (!request.binary) continue;
+      foreign.branch = branches.size();
+      branches.emplace_back(form.branch);
+    }
   if (!branches.empty())
     binout_.emplace(folder / "binout0000", view.model.title, std::move(branches), opening);
+}
+
+std::size_t Recorder::text_of(const std::filesystem::path& path, Opening opening) {
+  for (std::size_t i = 0; i < texts_.size(); ++i)
+    if (texts_[i].path() == path) return i;
+  texts_.emplace_back(path, opening);
+  return texts_.size() - 1;
 }
 
 void Recorder::declare(domain::StateList& list) {
   series_.declare(list);
   if (d3plot_) d3plot_->declare(list);
   if (binout_) binout_->declare(list);
+  for (TextFile& text : texts_) text.declare(list);
   frame_schedule_.declare("frames", list);
   for (Table& table : tables_) {
     table.file.declare(list);
-    if (table.text) table.text->declare(list);
     table.schedule.declare(table.file.path().filename().string(), list);
     table.history->declare(list);
   }
@@ -60,10 +66,10 @@ std::vector<std::string> Recorder::resume(const domain::Clock& clock) {
     for (std::string& note : set_family_aside(folder_)) notes.push_back(std::move(note));
   if (d3plot_) d3plot_->resume();
   if (binout_) binout_->resume();
+  for (TextFile& text : texts_) text.resume();
   frame_schedule_.resume(clock);
   for (Table& table : tables_) {
     table.file.resume();
-    if (table.text) table.text->resume();
     table.schedule.resume(clock);
   }
   return notes;
@@ -72,9 +78,11 @@ std::vector<std::string> Recorder::resume(const domain::Clock& clock) {
 void Recorder::write_rows(Table& table, const View& view) {
   table.history->add_rows(view, table.file);
   table.file.flush();
-  if (const SampledHistory* const sampled = table.history->sampled()) {
-    if (table.text) table.text->add(view.model.title, sampled->form(), sampled->items(), sampled->sample());
-    if (table.branch) binout_->add(*table.branch, sampled->form(), sampled->items(), sampled->sample());
+  for (const ForeignForm& foreign : table.foreign) {
+    const SampledHistory& sampled = *foreign.history;
+    if (foreign.text)
+      texts_[*foreign.text].add(view.model.title, sampled.form(), sampled.items(), sampled.sample());
+    if (foreign.branch) binout_->add(*foreign.branch, sampled.form(), sampled.items(), sampled.sample());
   }
   table.schedule.mark_written(view.domain.clock);
 }
@@ -109,8 +117,7 @@ std::vector<std::filesystem::path> Recorder::files() const {
   if (d3plot_) paths.push_back(d3plot_->first_file());
   for (const Table& table : tables_) paths.push_back(table.file.path());
   if (binout_) paths.push_back(binout_->path());
-  for (const Table& table : tables_)
-    if (table.text) paths.push_back(table.text->path());
+  for (const TextFile& text : texts_) paths.push_back(text.path());
   paths.insert(paths.end(), start_files_.begin(), start_files_.end());
   return paths;
 }

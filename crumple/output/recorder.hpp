@@ -54,14 +54,20 @@ class Recorder {
   std::vector<std::filesystem::path> files() const;
 
  private:
+  /// Where LS-DYNA's forms of a history go, if the deck asks for them.
+  struct ForeignForm {
+    SampledHistory* history;
+    std::optional<std::size_t> text;    ///< in texts_; several may share one
+    std::optional<std::size_t> branch;  ///< of binout
+  };
   struct Table {
     CsvFile file;
     Schedule schedule;
     std::unique_ptr<History> history;
-    std::optional<TextFile> text;       ///< LS-DYNA's, if the deck asks for it
-    std::optional<std::size_t> branch;  ///< of binout, likewise
+    std::vector<ForeignForm> foreign;
   };
   void ask_for_foreign_forms(const std::filesystem::path& folder, const View& view, Opening opening);
+  std::size_t text_of(const std::filesystem::path& path, Opening opening);
   void write_rows(Table& table, const View& view);
   void flush_binout();
 
@@ -70,6 +76,7 @@ class Recorder {
   std::optional<D3plotSeries> d3plot_;
   Schedule frame_schedule_;
   std::vector<Table> tables_;
+  std::vector<TextFile> texts_;
   std::optional<Binout> binout_;
   std::vector<std::filesystem::path> start_files_;  ///< written once
 };

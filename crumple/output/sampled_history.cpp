@@ -5,10 +5,19 @@ namespace crumple::output {
 
 void SampledHistory::take_rest(const View&, Sample&) {}
 
-void SampledHistory::add_rows(const View& view, CsvFile& table) {
+void SampledHistory::take_columns(const View& view) {
   if (!items_) items_ = find_items(view);
   sample_.start(view.domain.clock.time, view.domain.clock.cycle);
   take(view, sample_);
+}
+
+void SampledHistory::measure(const View& view) {
+  take_columns(view);
+  if (is_complete_) take_rest(view, sample_);
+}
+
+void SampledHistory::add_rows(const View& view, CsvFile& table) {
+  take_columns(view);
   std::string row;
   const std::size_t rows = items_->of_model ? 1 : items_->ids.size();
   for (std::size_t item = 0; item < rows; ++item) {

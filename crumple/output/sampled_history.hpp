@@ -17,13 +17,16 @@ class SampledHistory : public History {
       : form_(form), sample_(variables) {}
 
   void add_rows(const View& view, CsvFile& table) final;
-  SampledHistory* sampled() final { return this; }
+  /// Takes a sample without a table.
+  void measure(const View& view);
+  std::vector<SampledHistory*> sampled() final { return {this}; }
 
   /// LS-DYNA's files are asked for: what only they show has to be found from now on.
   void complete() { is_complete_ = true; }
+  bool is_complete() const { return is_complete_; }
 
   const HistoryForm& form() const { return form_; }
-  /// What add_rows() was called for last.
+  /// What add_rows() or measure() was called for last.
   const HistoryItems& items() const { return *items_; }
   const Sample& sample() const { return sample_; }
 
@@ -35,7 +38,9 @@ class SampledHistory : public History {
   virtual void take_rest(const View& view, Sample& sample);
 
  private:
-  const HistoryForm& form_;
+  void take_columns(const View& view);
+
+  HistoryForm form_;
   std::optional<HistoryItems> items_;
   Sample sample_;
   bool is_complete_ = false;

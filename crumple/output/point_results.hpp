@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+#include "domain/element_block.hpp"
+#include "model/model.hpp"
+
+namespace crumple::output {
+
+/// Effective plastic strain of a point [-]; zero of a law without.
+inline double plastic_strain_of(const domain::ElementBlock& block, Index place, Index point) {
+  const domain::StateItem* const item = block.find("plastic_strain");
+  return item == nullptr || point >= item->count ? 0.0 : block.state(place, item->first + point);
+}
+
+/// The components of a point as they are kept [stress]; zero where none are.
+template <std::size_t Count>
+std::array<double, Count> stress_of(const domain::ElementBlock& block, Index place, Index point) {
+  std::array<double, Count> stress{};
+  if (const domain::StateItem* const item = block.find("stress"))
+    for (std::size_t c = 0; c < Count; ++c)
+      stress[c] = block.state(place, item->first + point * static_cast<Index>(Count) + static_cast<Index>(c));
+  return stress;
+}
+
+/// How binout calls the states of elout, and which is which, counted from one.
+inline constexpr const char* stress_states = "elastic,plastic";
+constexpr double stress_state_of(double plastic_strain) {
+  return plastic_strain > 0 ? 2 : 1;
+}
+
+/// The word of the text file for it.
+constexpr const char* stress_state_name(double state) {
+  return state > 1 ? "plastic" : "elastic";
+}
+
+/// What LS-DYNA calls the material of an element: its part's id.
+template <class Element>
+double part_id_of(const model::Model& model, const Element& element) {
+  return static_cast<double>(model.parts[element.part].id);
+}
+
+}  // namespace crumple::output
