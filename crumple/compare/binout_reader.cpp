@@ -137,6 +137,8 @@ std::vector<Curve> read_binout(const std::vector<LsdaFile>& files) {
     std::string group = path.substr(1);
     if (group == "rwforc/forces") group = "rwforc";
     std::replace(group.begin(), group.end(), '/', '_');
+    // One row for each beam there as in our table; of shells and solids ours has the single points.
+    if (group == "elout_beam") group = "elout_beams";
     const Items items(group, base);
     CurveCollector collector(group);
     for (const auto& [number, state] : base.states)

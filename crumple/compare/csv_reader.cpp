@@ -15,8 +15,9 @@ namespace crumple::compare {
 namespace {
 
 /// Columns of our histories that are no quantity but say what a row belongs to.
-constexpr std::array<std::string_view, 9> item_columns = {"part", "wall", "interface", "side",   "node",
-                                                          "body", "weld", "kind",      "element"};
+constexpr std::array<std::string_view, 12> item_columns = {"part",    "wall",    "interface", "side",
+                                                           "node",    "body",    "weld",      "kind",
+                                                           "element", "section", "plane",     "point"};
 
 using Pair = std::pair<std::string_view, std::string_view>;
 

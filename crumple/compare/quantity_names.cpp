@@ -63,18 +63,26 @@ constexpr std::array matsum_names = {
 };
 
 constexpr std::array common_names = {
-    Names{"normal_force", "normal"}, Names{"x_force", "fx"},        Names{"y_force", "fy"},
-    Names{"z_force", "fz"},          Names{"x_displacement", "ux"}, Names{"y_displacement", "uy"},
-    Names{"z_displacement", "uz"},   Names{"x_velocity", "vx"},     Names{"y_velocity", "vy"},
-    Names{"z_velocity", "vz"},       Names{"x_acceleration", "ax"}, Names{"y_acceleration", "ay"},
-    Names{"z_acceleration", "az"},   Names{"x_coordinate", "x"},    Names{"y_coordinate", "y"},
-    Names{"z_coordinate", "z"},      Names{"global_x", "x"},        Names{"global_y", "y"},
-    Names{"global_z", "z"},          Names{"global_vx", "vx"},      Names{"global_vy", "vy"},
-    Names{"global_vz", "vz"},        Names{"global_rvx", "wx"},     Names{"global_rvy", "wy"},
-    Names{"global_rvz", "wz"},
+    Names{"normal_force", "normal"}, Names{"x_force", "fx"},
+    Names{"y_force", "fy"},          Names{"z_force", "fz"},
+    Names{"x_displacement", "ux"},   Names{"y_displacement", "uy"},
+    Names{"z_displacement", "uz"},   Names{"x_velocity", "vx"},
+    Names{"y_velocity", "vy"},       Names{"z_velocity", "vz"},
+    Names{"x_acceleration", "ax"},   Names{"y_acceleration", "ay"},
+    Names{"z_acceleration", "az"},   Names{"x_coordinate", "x"},
+    Names{"y_coordinate", "y"},      Names{"z_coordinate", "z"},
+    Names{"global_x", "x"},          Names{"global_y", "y"},
+    Names{"global_z", "z"},          Names{"global_vx", "vx"},
+    Names{"global_vy", "vy"},        Names{"global_vz", "vz"},
+    Names{"global_rvx", "wx"},       Names{"global_rvy", "wy"},
+    Names{"global_rvz", "wz"},       Names{"resultant_force", "resultant"},
+    Names{"total_force", "force"},   Names{"x_moment", "mx"},
+    Names{"y_moment", "my"},         Names{"z_moment", "mz"},
+    Names{"x_centroid", "x"},        Names{"y_centroid", "y"},
+    Names{"z_centroid", "z"},
 };
 
-constexpr std::array<std::string_view, 13> no_histories = {"time",
+constexpr std::array<std::string_view, 17> no_histories = {"time",
                                                            "cycle",
                                                            "nzc",
                                                            "ts_element",
@@ -86,6 +94,10 @@ constexpr std::array<std::string_view, 13> no_histories = {"time",
                                                            "ids",
                                                            "brick_id",
                                                            "shell_id",
+                                                           "mat",
+                                                           "mtype",
+                                                           "nip",
+                                                           "iop",
                                                            "reached_the_minimum_time_step"};
 
 template <std::size_t Count>

@@ -78,6 +78,30 @@ TEST(Binout, ReadsWhatWasWritten) {
   expect_sample(read_binout({file}));
 }
 
+TEST(Binout, ForcesHaveTheNamesOfOurTables) {
+  BinoutSample sample(8, true);
+  sample.folder("/secforc/metadata");
+  sample.write("ids", Type::I4, {17});
+  sample.folder("/secforc/d000001");
+  for (const char* name : {"time", "x_force", "total_force", "y_moment", "z_centroid"})
+    sample.write(name, Type::R8, {5});
+  sample.folder("/deforc/metadata");
+  sample.write("ids", Type::I4, {71});
+  sample.folder("/deforc/d000001");
+  for (const char* name : {"time", "resultant_force", "displacement"}) sample.write(name, Type::R8, {6});
+  sample.folder("/elout/beam/d000001");
+  for (const char* name : {"ids", "mat", "nip"}) sample.write(name, Type::I4, {7});
+  for (const char* name : {"time", "axial"}) sample.write(name, Type::R8, {8});
+  sample.table();
+  const std::vector<Curve> curves = read(sample.bytes());
+  for (const char* name : {"secforc.fx[17]", "secforc.force[17]", "secforc.my[17]", "secforc.z[17]"})
+    EXPECT_EQ(curve_named(curves, name).values, (Numbers{5})) << name;
+  for (const char* name : {"deforc.resultant[71]", "deforc.displacement[71]"})
+    EXPECT_EQ(curve_named(curves, name).values, (Numbers{6})) << name;
+  EXPECT_EQ(curve_named(curves, "elout_beams.axial[7]").values, (Numbers{8}));
+  EXPECT_EQ(curves.size(), 7U) << "parts and numbers of points are no curves";
+}
+
 TEST(Binout, FieldsOfAnyWidthAndOrder) {
   expect_sample(read(sample_bytes(4, true)));
   expect_sample(read(sample_bytes(8, false)));

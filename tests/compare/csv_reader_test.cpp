@@ -27,6 +27,14 @@ TEST(ReadCsv, ItemsHaveCurvesOfTheirOwn) {
   EXPECT_EQ(curves[1].values, (Numbers{-1, -2}));
 }
 
+TEST(ReadCsv, SectionsAndPointsHaveCurvesOfTheirOwn) {
+  const auto sections = read_csv("time,section,fx\n0,17,1\n0,18,2\n1,17,3\n1,18,4\n", "secforc");
+  EXPECT_EQ(names_of(sections), (Names{"secforc.fx[17]", "secforc.fx[18]"}));
+  EXPECT_EQ(sections[1].values, (Numbers{2, 4}));
+  const auto points = read_csv("time,element,plane,point,xx\n0,5,1,1,7\n0,5,1,2,8\n", "elout_shells");
+  EXPECT_EQ(names_of(points), (Names{"elout_shells.xx[5 1 1]", "elout_shells.xx[5 1 2]"}));
+}
+
 TEST(ReadCsv, ARowThatIsCutOffIsLeftOut) {
   const auto curves = read_csv("time,part,kinetic,internal\r\n0,1,5,6\r\n1,1,7,\r\n2,1,8", "matsum");
   EXPECT_EQ(curve_named(curves, "matsum.kinetic[1]").values, (Numbers{5, 7}));
