@@ -47,6 +47,7 @@ std::vector<std::string> set_family_aside(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
     if (entry.path().filename().string().starts_with("d3plot")) found.push_back(entry.path());
+  notes.reserve(found.size());
   for (const std::filesystem::path& path : found) notes.push_back(set_aside(path));
   return notes;
 }
