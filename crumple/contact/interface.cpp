@@ -212,7 +212,15 @@ struct Interface::Implementation {
           entry.mass[side] += nodes.mass[surface.nodes[i]];
   }
 
+  void describe(domain::ContactReport& entry) const {
+    entry.id = contact.id;
+    entry.method = method;
+    entry.segments = surface.segments();
+    entry.two_sided = contact.kind != model::ContactKind::SingleSurface;
+  }
+
   void write_report(domain::ContactReport& entry) {
+    describe(entry);
     entry.searches = search.statistics().searches + edges.search().searches();
     entry.candidates = search.statistics().candidates + edges.search().candidates();
     if (pinballs) {
@@ -301,11 +309,7 @@ void Interface::add_multipliers(domain::Domain& domain, double interval, double 
 }
 
 void Interface::describe(domain::ContactReport& report) const {
-  const Implementation& own = *implementation_;
-  report.id = own.contact.id;
-  report.method = own.method;
-  report.segments = own.surface.segments();
-  report.two_sided = own.contact.kind != model::ContactKind::SingleSurface;
+  implementation_->describe(report);
 }
 
 void Interface::declare(domain::StateList& list) {

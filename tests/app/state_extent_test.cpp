@@ -72,7 +72,9 @@ TEST_F(StateExtentRun, FurtherVariablesAreTheMaterials) {
   const auto file = run_deck("*DATABASE_EXTENT_BINARY\n7,5,3\n");
   EXPECT_EQ(file.root.integer(27), 7 + 7);
   EXPECT_EQ(file.root.integer(33), 3 * (7 + 5) + 8 + 4);
-  const auto at = [](const std::vector<float>& values, std::size_t i) { return double{values.at(i)}; };
+  const auto at = [](const std::vector<float>& values, std::size_t i) {
+    return static_cast<double>(values.at(i));
+  };
   const std::vector<float>& shell = file.states.back().shells;
   // With kinematic hardening the stress lies as far from the back stress as it has always done. The back
   // stress has xx, yy, xy, yz, zx of the element, whose axes here are the global ones, and zz = 0 for shells.
