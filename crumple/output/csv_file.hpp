@@ -3,20 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <string_view>
 
-#include "domain/state_list.hpp"
+#include "output/growing_file.hpp"
 
 namespace crumple::output {
-
-/// Whether a file of results is made anew or goes on from what lies there.
-enum class Opening { New, Continued };
 
 /// A table of comma-separated values with a header line, written in whole rows. Numbers have as many digits
 /// as it takes to read the same double back.
@@ -26,7 +20,7 @@ class CsvFile {
   CsvFile(std::filesystem::path path, std::string_view header, Opening opening = Opening::New);
 
   /// Declares the length of the file, for a restart.
-  void declare(domain::StateList& list);
+  void declare(domain::StateList& list) { file_.declare(list); }
   /// To be called after a restart has filled what was declared: rows behind that length, which the run wrote
   /// after the restart file, are cut off. A file that is not there begins anew. Throws WriteError.
   void resume();
@@ -42,19 +36,12 @@ class CsvFile {
   /// Hands all rows to the operating system, so that they outlive the program. Throws WriteError.
   void flush();
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return file_.path(); }
 
  private:
-  struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  void open(const char* mode);
-
-  std::filesystem::path path_;
-  std::string header_;
-  std::unique_ptr<std::FILE, Closer> file_;
+  GrowingFile file_;
+  std::string header_;  ///< with the end of its line
   std::string rows_;
-  std::uint64_t bytes_ = 0;  ///< in the file
 };
 
 }  // namespace crumple::output

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 
 #include "model/model.hpp"
-#include "output/csv_file.hpp"
+#include "output/growing_file.hpp"
 #include "output/history_sample.hpp"
 
 namespace crumple::output {
@@ -29,27 +26,20 @@ class TextFile {
   explicit TextFile(std::filesystem::path path, Opening opening = Opening::New);
 
   /// Declares the length of the file, for a restart.
-  void declare(domain::StateList& list);
+  void declare(domain::StateList& list) { file_.declare(list); }
   /// To be called after a restart has filled what was declared: blocks behind that length are cut off. A file
   /// that is not there begins anew. Throws WriteError.
-  void resume();
+  void resume() { file_.resume(); }
 
   /// Adds the block of a time, before the first one the head, and hands it to the operating system, so that
   /// it outlives the program. Throws WriteError.
   void add(const std::string& title, const HistoryForm& form, const HistoryItems& items,
            const Sample& sample);
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return file_.path(); }
 
  private:
-  struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  void open(const char* mode);
-
-  std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Closer> file_;
-  std::uint64_t bytes_ = 0;  ///< in the file
+  GrowingFile file_;
   std::string text_;
 };
 
