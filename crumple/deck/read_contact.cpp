@@ -26,7 +26,7 @@ constexpr Field card_1_single[] = {
     unused("MSTYP"),
     reference("SBOXID"),
     unused("MBOXID"),
-    unused("SPR"),  // output
+    integer("SPR"),
     unused("MPR"),
 };
 
@@ -37,8 +37,8 @@ constexpr Field card_1_surfaces[] = {
     only("MSTYP", {0, 1, 2, 3, 5, 6}, of_surfaces),
     reference("SBOXID"),
     reference("MBOXID"),
-    unused("SPR"),
-    unused("MPR"),
+    integer("SPR"),
+    integer("MPR"),
 };
 
 constexpr Field card_1_nodes[] = {
@@ -48,8 +48,8 @@ constexpr Field card_1_nodes[] = {
     only("MSTYP", {0, 1, 2, 3, 5, 6}, of_surfaces),
     reference("SBOXID"),
     reference("MBOXID"),
-    unused("SPR"),
-    unused("MPR"),
+    integer("SPR"),
+    integer("MPR"),
 };
 
 /// In LS-DYNA some values other than coefficients have meanings of their own.
@@ -158,10 +158,11 @@ struct SideFields {
   std::string_view id;
   std::string_view type;
   std::string_view box;
+  std::string_view node_forces;
 };
 
-constexpr SideFields first_fields{"SSID", "SSTYP", "SBOXID"};
-constexpr SideFields second_fields{"MSID", "MSTYP", "MBOXID"};
+constexpr SideFields first_fields{"SSID", "SSTYP", "SBOXID", "SPR"};
+constexpr SideFields second_fields{"MSID", "MSTYP", "MBOXID", "MPR"};
 
 RawContactSide side_of(const Card& card, const SideFields& fields) {
   RawContactSide side;
@@ -260,6 +261,7 @@ void read(Cards& cards, RawDeck& deck, const Form& form) {
   raw.only_measures = form.only_measures;
   raw.where = first.where();
   raw.side[0] = side_of(first, first_fields);
+  raw.contact.side[0].node_forces = first.integer(first_fields.node_forces) > 0;
   read_forces(cards, form, raw.contact);
   if (form.eroding) cards.next(contact_card_4);
   if (form.constrains) {
@@ -273,6 +275,7 @@ void read(Cards& cards, RawDeck& deck, const Form& form) {
     if (raw.side[0].id == 0) raw.side[0].target = Target::All;
   } else {
     raw.side[1] = side_of(first, second_fields);
+    raw.contact.side[1].node_forces = first.integer(second_fields.node_forces) > 0;
     good = has_side(first, first_fields, cards);
     if (!form.only_measures) good = has_side(first, second_fields, cards) && good;
   }

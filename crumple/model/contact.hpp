@@ -23,6 +23,8 @@ struct ContactSide {
   double contact_thickness =
       0;  ///< SST or MST: thickness of shells instead of the true one [length]; 0 is none
 
+  bool node_forces = false;  ///< SPR or MPR: LS-DYNA's files show the forces on its nodes
+
   bool empty() const { return parts.empty() && shells.empty() && segments.empty() && nodes.empty(); }
 };
 

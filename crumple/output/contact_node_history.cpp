@@ -107,14 +107,23 @@ class SideHistory : private BranchName, public SampledHistory {
   std::vector<Index> nodes_;  ///< of the model, ascending
 };
 
+/// Whether contacts name the sides that LS-DYNA's files show; if none does, they show all.
+bool sides_are_named(const model::Model& model) {
+  return std::any_of(model.contacts.begin(), model.contacts.end(), [](const model::Contact& contact) {
+    return contact.side[0].node_forces || contact.side[1].node_forces;
+  });
+}
+
 /// The nodes that a contact touches, in our table; for LS-DYNA all, by side.
 class ContactNodeHistory : public History {
  public:
   explicit ContactNodeHistory(const View& view) {
+    const bool named = sides_are_named(view.model);
     for (std::size_t i = 0; i < view.model.contacts.size() && i < view.domain.contacts.size(); ++i) {
       const bool two_sided = view.model.contacts[i].kind != model::ContactKind::SingleSurface;
       for (std::size_t side = 0; side < (two_sided ? 2U : 1U); ++side)
-        sides_.push_back(std::make_unique<SideHistory>(view, i, side, forces_));
+        if (!named || view.model.contacts[i].side[side].node_forces)
+          sides_.push_back(std::make_unique<SideHistory>(view, i, side, forces_));
     }
   }
 

@@ -271,6 +271,20 @@ TEST_F(ForceForms, OfContactsHaveAllNodesOfASide) {
   EXPECT_EQ(binout.reals("/ncforc/slave_50/d000001/z"), std::vector<double>(4, 22.05));
 }
 
+TEST_F(ForceForms, SprAndMprChooseTheSidesOfContacts) {
+  std::string text = deck(2);
+  const std::string without = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n50,falls\n5,6,3,3\n";
+  ASSERT_NE(text.find(without), std::string::npos);
+  text.replace(text.find(without), without.size(),
+               "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n50,falls\n5,6,3,3,0,0,0,1\n");
+  ASSERT_EQ(run({"run", write("sides.k", text), "-o", path("sides"), "-q"}).code, ExitCode::Normal);
+  const LsdaReader binout(path("sides/binout0000"));
+  EXPECT_EQ(binout.below("/ncforc/"), (std::set<std::string>{"master_50"}));
+  run_deck(2);
+  EXPECT_EQ(binout.reals("/ncforc/master_50/d000002/z_force"),
+            LsdaReader(path("out/binout0000")).reals("/ncforc/master_50/d000002/z_force"));
+}
+
 TEST_F(ForceForms, CardsChooseTheForm) {
   run_deck(1);
   EXPECT_FALSE(exists("out/binout0000"));
