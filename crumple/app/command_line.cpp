@@ -160,8 +160,10 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_flag(
       "--move-apart", options.move_apart,
       "Move nodes that overlap other surfaces at the start; otherwise their contact begins where they are");
-  run.add_flag("--trace-energy", options.trace_energy,
-               "Follow the energy balance by part and contact: energy_residual.csv, run.json");
+  run.add_flag("--trace-energy{512}", options.trace_energy,
+               "Follow the energy balance by part and contact: energy_residual.csv, run.json; with =16\n"
+               "(32, 64 ... 512) by groups of so many elements, in a run whose last digits differ")
+      ->check(CLI::IsMember({16, 32, 64, 128, 256, 512}));
   run.add_option("--verify-search", options.verify_search,
                  "Compare the contact search with brute force every so many cycles; stop on a difference")
       ->check(CLI::NonNegativeNumber);

@@ -39,7 +39,7 @@ struct Options {
   bool quiet = false;
   bool report = false;             ///< write a report at the end of the run
   bool d3plot = false;             ///< write d3plot files beside ParaView's
-  bool trace_energy = false;       ///< follow the energy balance by part and contact
+  int trace_energy = 0;            ///< follow the energy balance by groups of so many elements; 0: not
   bool move_apart = false;         ///< move nodes that overlap at the start
   long verify_search = 0;          ///< cycles between comparisons with brute force; 0 is never
   double perturbation = 0;         ///< of the coordinates, relative to the model's size [-]

@@ -8,6 +8,7 @@
 
 #include "app/perturbation.hpp"
 #include "base/error.hpp"
+#include "base/pack.hpp"
 
 namespace crumple::app {
 
@@ -70,6 +71,7 @@ domain::Execution choose_execution(const Options& options, const model::Model& m
   // Not all cores: threads that wait for each other every cycle are slower than one where the machine has
   // other work too, so whoever has it for himself says so.
   execution.threads = options.threads.value_or(1);
+  if (options.trace_energy > 0) execution.groups_per_chunk = options.trace_energy / lanes;
   return execution;
 }
 

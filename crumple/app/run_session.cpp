@@ -59,7 +59,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
       switches_({std::filesystem::path("."), folder_}) {
   simulation_.verify_search_every(options.verify_search);
   if (options.d3plot) simulation_.keep_accelerations();
-  if (options.trace_energy) simulation_.trace_energy();
+  if (options.trace_energy > 0) simulation_.trace_energy();
   if (restart == nullptr)
     begin();
   else
@@ -165,7 +165,7 @@ output::View RunSession::view() const {
   view.controlling = [this] {
     return elements::controlling_element(simulation_.model(), simulation_.domain());
   };
-  if (options_.trace_energy) view.energy_trace = [this] { return simulation_.energy_trace(); };
+  if (options_.trace_energy > 0) view.energy_trace = [this] { return simulation_.energy_trace(); };
   view.contact_node_forces = [this] { return simulation_.contact_node_forces(); };
   view.sections = simulation_.sections();
   return view;

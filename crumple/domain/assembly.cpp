@@ -27,13 +27,13 @@ void for_each_entry(const std::vector<ElementBlock*>& blocks, const Chunk& chunk
 
 }  // namespace
 
-void Assembly::build(const std::vector<ElementBlock*>& blocks, Index nodes) {
+void Assembly::build(const std::vector<ElementBlock*>& blocks, Index nodes, Index groups) {
   nodes_ = nodes;
   chunks_.clear();
   for (Index b = 0; b < static_cast<Index>(blocks.size()); ++b) {
     if (blocks[b]->rigid) continue;
-    for (Index g = 0; g < blocks[b]->groups(); g += groups_per_chunk)
-      chunks_.push_back({b, g, std::min(g + groups_per_chunk, blocks[b]->groups())});
+    for (Index g = 0; g < blocks[b]->groups(); g += groups)
+      chunks_.push_back({b, g, std::min(g + groups, blocks[b]->groups())});
   }
 
   std::vector<Touch> touch(nodes);

@@ -17,7 +17,7 @@ struct Chunk {
 };
 
 /// Groups per chunk: 512 elements, enough to keep the share of interface nodes low, few enough to balance.
-inline constexpr Index groups_per_chunk = 32;
+inline constexpr Index default_groups_per_chunk = 32;
 
 /// How element forces reach the nodes with the same bits for any number of threads. A node that only one
 /// chunk touches is added to directly. A node between chunks has one slot per chunk behind the nodes in
@@ -25,9 +25,9 @@ inline constexpr Index groups_per_chunk = 32;
 /// block at the very end takes the forces of its fill.
 class Assembly {
  public:
-  /// Cuts the blocks into chunks, but the rigid ones, and writes their `target` arrays. `nodes` is the number
-  /// of nodes.
-  void build(const std::vector<ElementBlock*>& blocks, Index nodes);
+  /// Cuts the blocks into chunks of so many groups, but the rigid ones, and writes their `target` arrays.
+  /// `nodes` is the number of nodes.
+  void build(const std::vector<ElementBlock*>& blocks, Index nodes, Index groups = default_groups_per_chunk);
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
   /// Entries that NodeFields::force needs beyond the nodes.

@@ -176,7 +176,7 @@ Domain build(const model::Model& model, const Execution& execution) {
     if (const auto& discretes = numbering.discretes_by_part[part]; !discretes.empty())
       domain.discretes.push_back(make_discrete_block(model, domain.nodes, part, discretes));
   }
-  domain.assembly.build(domain.blocks(), domain.nodes.count());
+  domain.assembly.build(domain.blocks(), domain.nodes.count(), execution.groups_per_chunk);
   domain.nodes.force.resize(static_cast<std::size_t>(domain.nodes.count()) + domain.assembly.slots());
   domain.nodes.publish_all();
   return domain;

@@ -24,6 +24,8 @@ struct Execution {
   Precision precision = Precision::Double;
   Isa isa = Isa::Baseline;
   int threads = 1;
+  /// Groups of elements that a thread works off at a time. Results depend on it in their last digits.
+  Index groups_per_chunk = default_groups_per_chunk;
 };
 
 /// Time and step. Positions are at `time`, velocities half a step earlier.

@@ -92,5 +92,23 @@ TEST(EnergyTrace, NamesThePartAndTheElementsWhereEnergyComesFrom) {
   EXPECT_EQ(worst.last, model.shells[block.element[block.elements - 1]].id);
 }
 
+TEST(EnergyTrace, FewerElementsAtATimeFindTheFaultMoreClosely) {
+  const model::Model model = two_plates();
+  domain::Execution execution = test::execution();
+  execution.groups_per_chunk = 1;
+  timeloop::Simulation simulation(model, execution);
+  simulation.trace_energy();
+  simulation.start();
+  for (int cycle = 0; cycle < 200; ++cycle) simulation.step();
+  domain::ShellBlock& block = simulation.domain().shells[1];
+  constexpr Index broken = 500;
+  relax(block, broken);
+  for (int cycle = 0; cycle < 20; ++cycle) simulation.step();
+  const domain::ElementResidual worst = simulation.energy_trace().worst.front();
+  EXPECT_EQ(worst.part, 7);
+  EXPECT_EQ(worst.elements, lanes);
+  EXPECT_EQ(worst.first, model.shells[block.element[broken / lanes * lanes]].id);
+}
+
 }  // namespace
 }  // namespace crumple
