@@ -104,6 +104,22 @@ class ForeignFormsTest : public SampleTest {
     recorder_->write_due(seen);
   }
 
+  /// What a restart file would hold of the histories.
+  domain::StateSnapshot progress() {
+    domain::StateList list;
+    recorder_->declare(list);
+    return domain::StateSnapshot(list);
+  }
+
+  /// Another recorder goes on with the files from there.
+  void take_up(const domain::StateSnapshot& snapshot) {
+    recorder_.emplace(folder_, "run", full_view(), ExtraFiles{.opening = Opening::Continued});
+    domain::StateList list;
+    recorder_->declare(list);
+    snapshot.put_back_known(list);
+    recorder_->resume(domain_.clock);
+  }
+
   /// A column of one of our tables.
   std::vector<double> column(const std::string& file, const std::string& name) const {
     const std::vector<std::string> rows = lines(folder_ / file);
@@ -334,9 +350,7 @@ TEST_F(ForeignFormsTest, TablesOfLsDynaHaveFixedColumns) {
 TEST_F(ForeignFormsTest, ALaterRunGoesOnWithItsFiles) {
   ask_for_all();
   record_two();
-  domain::StateList list;
-  recorder_->declare(list);
-  const domain::StateSnapshot snapshot(list);
+  const domain::StateSnapshot snapshot = progress();
   const auto files = recorder_->files();
   const auto record_third = [&](Recorder& recorder) {
     domain_.rigid_bodies[0].centre = {5, 5, 5};
@@ -349,12 +363,8 @@ TEST_F(ForeignFormsTest, ALaterRunGoesOnWithItsFiles) {
     if (file.extension() == ".csv" || !file.has_extension()) whole[file] = read(file);
   EXPECT_EQ(whole.size(), 18U);
 
-  recorder_.emplace(folder_, "run", full_view(), ExtraFiles{.opening = Opening::Continued});
-  domain::StateList again;
-  recorder_->declare(again);
-  snapshot.put_back_known(again);
   go_to(0.5, 40);
-  recorder_->resume(domain_.clock);
+  take_up(snapshot);
   EXPECT_EQ(LsdaReader(folder_ / "binout0000").states("/rbdout"), 2);
   record_third(*recorder_);
   for (const auto& [file, content] : whole) EXPECT_EQ(read(file), content) << file;
@@ -363,15 +373,9 @@ TEST_F(ForeignFormsTest, ALaterRunGoesOnWithItsFiles) {
 TEST_F(ForeignFormsTest, NodesThatARestartAddsAreNamed) {
   ask_for_all();
   record_two();
-  domain::StateList list;
-  recorder_->declare(list);
-  const domain::StateSnapshot snapshot(list);
+  const domain::StateSnapshot snapshot = progress();
   model_.output.history_nodes.push_back(3);
-  recorder_.emplace(folder_, "run", full_view(), ExtraFiles{.opening = Opening::Continued});
-  domain::StateList again;
-  recorder_->declare(again);
-  snapshot.put_back_known(again);
-  recorder_->resume(domain_.clock);
+  take_up(snapshot);
   go_to(1, 80);
   recorder_->write_due(full_view());
   const LsdaReader binout(folder_ / "binout0000");
@@ -383,15 +387,9 @@ TEST_F(ForeignFormsTest, NodesThatARestartAddsAreNamed) {
 TEST_F(ForeignFormsTest, FilesThatAreGoneBeginAnew) {
   ask_for_all();
   record_two();
-  domain::StateList list;
-  recorder_->declare(list);
-  const domain::StateSnapshot snapshot(list);
+  const domain::StateSnapshot snapshot = progress();
   for (const char* name : {"binout0000", "nodout"}) std::filesystem::remove(folder_ / name);
-  recorder_.emplace(folder_, "run", full_view(), ExtraFiles{.opening = Opening::Continued});
-  domain::StateList again;
-  recorder_->declare(again);
-  snapshot.put_back_known(again);
-  recorder_->resume(domain_.clock);
+  take_up(snapshot);
   go_to(1, 80);
   recorder_->write_due(full_view());
   const LsdaReader binout(folder_ / "binout0000");
