@@ -144,7 +144,9 @@ void RigidWall::stop_node(Impact& impact, Index node, const WallLimit& limit) co
   Sums& sums = impact.sums;
   sums.impulse -= received;
   sums.normal_impulse += dot(received, limit.normal);
-  sums.energy -= 0.5 * dot(received, impact.previous_velocity[node] - frame_);
+  sums.energy -= 0.5 * dot(received, impact.step.previous_velocity[node] - frame_);
+  sums.kinetic += 0.5 * dot(received, impact.step.previous_velocity[node]);
+  impact.step.fastest = std::max(impact.step.fastest, norm(nodes.velocity[node]));
   sums.deferred -= 0.5 * dot(received, after + (velocity_ - frame_));
 }
 
@@ -162,7 +164,7 @@ void RigidWall::stop_body_at(const Shape& shape, Impact& impact, Index place) {
       if (!stops_[i]) continue;
       const Vec3 arm = position[i] - body.centre;
       const Vec3 velocity = velocity_at(body, arm) - velocity_;
-      if (!limit_of(shape, position[i] - displacement_, velocity, impact.next_step, limit)) continue;
+      if (!limit_of(shape, position[i] - displacement_, velocity, impact.step.next, limit)) continue;
       if (touched_[i] != 0) continue;
       touched_[i] = 1;
       touches_.push_back({i, arm, limit.normal, limit.slowest, {}});
@@ -180,13 +182,25 @@ void RigidWall::stop_body_at(const Shape& shape, Impact& impact, Index place) {
   }
 }
 
+/// Those that are asked one by one whether the wall is in their way.
+template <class Shape>
+std::span<const Index> RigidWall::nodes_in_reach(const Shape& shape, const Impact& impact) {
+  if constexpr (requires { shape.height(Vec3{}); }) {
+    const AlignedArray<Vec3>& position = impact.domain.nodes.position;
+    return near_.find(nodes_, (impact.step.fastest + norm(velocity_)) * impact.step.next,
+                      [&](Index node) { return shape.height(position[node] - displacement_); });
+  } else {
+    return nodes_;
+  }
+}
+
 template <class Shape>
 void RigidWall::stop_at(const Shape& shape, Impact& impact) {
   const domain::Domain& domain = impact.domain;
   WallLimit limit;
-  for (const Index i : nodes_) {
+  for (const Index i : nodes_in_reach(shape, impact)) {
     const Vec3 velocity = domain.nodes.velocity[i] - velocity_;
-    if (limit_of(shape, domain.nodes.position[i] - displacement_, velocity, impact.next_step, limit) &&
+    if (limit_of(shape, domain.nodes.position[i] - displacement_, velocity, impact.step.next, limit) &&
         is_stopped(domain, i))
       stop_node(impact, i, limit);
   }
@@ -203,7 +217,7 @@ bool RigidWall::find_nodes_to_push(const Shape& shape, const Impact& impact) {
   for (const Index i : nodes_) {
     if (touched_[i] != 0 || !is_stopped(impact.domain, i)) continue;
     const Vec3 velocity = nodes.velocity[i] - velocity_;
-    if (!limit_of(shape, nodes.position[i] - displacement_, velocity, impact.next_step, limit)) continue;
+    if (!limit_of(shape, nodes.position[i] - displacement_, velocity, impact.step.next, limit)) continue;
     const double highest = dot(nodes.velocity[i], normal_) - limit.slowest;
     lowest_ = std::min(lowest_, highest);
     const double free = free_part(normal_, nodes.fixed[i]);
@@ -231,7 +245,7 @@ bool RigidWall::find_bodies_to_push(const Shape& shape, const Impact& impact) {
       if (!stops_[i]) continue;
       const Vec3 arm = position[i] - body.centre;
       const Vec3 velocity = velocity_at(body, arm);
-      if (!limit_of(shape, position[i] - displacement_, velocity - velocity_, impact.next_step, limit))
+      if (!limit_of(shape, position[i] - displacement_, velocity - velocity_, impact.step.next, limit))
         continue;
       is_met = true;
       const double highest = dot(velocity, normal_) - limit.slowest;
@@ -252,7 +266,7 @@ double RigidWall::impulse_at(const Shape& shape, double velocity, Impact& impact
   velocity_ = velocity * normal_;
   for (const Index place : pushed_bodies_) {
     const KeptMotion kept(impact.domain.rigid_bodies[place]);
-    Impact trial{impact.domain, impact.previous_velocity, impact.next_step};
+    Impact trial{impact.domain, impact.step};
     stop_body_at(shape, trial, place);
     impulse += trial.sums.normal_impulse;
     kept.put_back();
@@ -332,23 +346,24 @@ void RigidWall::book_slide(domain::WallReport& report, Sums& sums, double next_s
   sums.deferred += 0.5 * sums.normal_impulse * dot(report.velocity, normal_);
 }
 
-void RigidWall::stop_nodes(domain::Domain& domain, const AlignedArray<Vec3>& previous_velocity,
-                           double impulse_interval, double next_step) {
+double RigidWall::stop_nodes(domain::Domain& domain, const Step& step) {
   domain::WallReport& report = domain.walls[report_];
   const bool slides = mass_ > 0;
   displacement_ = report.displacement_now = report.displacement;
   if (!slides) {
-    report.displacement = displacement_after(domain.clock, displacement_, next_step);
-    report.velocity = (1.0 / next_step) * (report.displacement - displacement_);
+    report.displacement = displacement_after(domain.clock, displacement_, step.next);
+    report.velocity = (1.0 / step.next) * (report.displacement - displacement_);
   }
   velocity_ = report.velocity;
   frame_ = slides ? Vec3{} : velocity_;
-  Impact impact{domain, previous_velocity, next_step};
+  Impact impact{domain, step};
   Sums& sums = impact.sums;
   if (domain.clock.time >= birth_time_ && domain.clock.time <= death_time_)
     std::visit([&](const auto& shape) { slides ? push_at(shape, impact) : stop_at(shape, impact); },
                surface_);
-  if (slides) book_slide(report, sums, next_step);
+  else
+    near_.forget();
+  if (slides) book_slide(report, sums, step.next);
   report.impulse += sums.impulse;
   report.normal_impulse += sums.normal_impulse;
   // An impulse at time n acts on the mean of v(n-1/2) and v(n+1/2); the kinetic energy of time n knows the
@@ -358,8 +373,9 @@ void RigidWall::stop_nodes(domain::Domain& domain, const AlignedArray<Vec3>& pre
   const double work = -0.5 * dot(sums.impulse, frame_);
   domain.energy.external_work += report.deferred_work + work;
   report.deferred_work = work;
-  report.force = (1.0 / impulse_interval) * sums.impulse;
-  report.normal_force = sums.normal_impulse / impulse_interval;
+  report.force = (1.0 / step.interval) * sums.impulse;
+  report.normal_force = sums.normal_impulse / step.interval;
+  return sums.kinetic;
 }
 
 }  // namespace crumple::constraints

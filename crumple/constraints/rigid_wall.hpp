@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "constraints/body_impact.hpp"
+#include "constraints/near_nodes.hpp"
 #include "constraints/wall_impact.hpp"
 #include "constraints/wall_shapes.hpp"
 #include "domain/domain.hpp"
@@ -22,12 +24,23 @@ class RigidWall {
   /// curve to where it is at time zero. The model must outlive the wall.
   RigidWall(const model::Model& model, const model::RigidWall& wall, domain::Domain& domain, Index report);
 
-  /// Takes from the velocities v(n+1/2) what would carry nodes through the surface within `next_step`, with
-  /// Coulomb friction along it. `impulse_interval` is the time over which the forces of this step act. Adds
-  /// impulse and energy to the report, the work of a prescribed motion to the ledger's external work, and
-  /// moves the wall to time n+1. `previous_velocity` is v(n-1/2).
-  void stop_nodes(domain::Domain& domain, const AlignedArray<math::Vec3>& previous_velocity,
-                  double impulse_interval, double next_step);
+  /// What a wall needs to know of the step besides the domain.
+  struct Step {
+    const AlignedArray<math::Vec3>& previous_velocity;  ///< v(n-1/2) [length/time]
+    double interval = 0;                                ///< over which the forces of time n act [time]
+    double next = 0;                                    ///< the coming step [time]
+    /// No node that a wall stops one by one is faster; infinite if that is not known. Raised if the wall
+    /// makes one faster [length/time].
+    double& fastest;
+  };
+  /// Takes from the velocities v(n+1/2) what would carry nodes through the surface within the coming step,
+  /// with Coulomb friction along it. Adds impulse and energy to the report, the work of a prescribed motion
+  /// to the ledger's external work, and moves the wall to time n+1. Returns by how much the kinetic energy of
+  /// time n of the nodes that are stopped one by one changes [energy].
+  double stop_nodes(domain::Domain& domain, const Step& step);
+
+  /// To be called when positions have been put back to those of another time.
+  void resume() { near_.forget(); }
 
   /// Declares where the wall is and how it moves.
   void declare(domain::StateList& list);
@@ -42,12 +55,12 @@ class RigidWall {
     double normal_impulse = 0;
     double energy = 0;    ///< the half that the kinetic energy of time n shows
     double deferred = 0;  ///< the half that the one of n+1 shows
+    double kinetic = 0;   ///< change of the kinetic energy of time n of nodes
   };
   /// What the nodes are stopped in.
   struct Impact {
     domain::Domain& domain;
-    const AlignedArray<math::Vec3>& previous_velocity;
-    double next_step = 0;
+    const Step& step;
     Sums sums{};
   };
   /// What a wall with mass cannot push away: a fixed node, or a place of a body that is held.
@@ -59,6 +72,8 @@ class RigidWall {
 
   bool is_stopped(const domain::Domain& domain, Index node) const;
   void stop_node(Impact& impact, Index node, const WallLimit& limit) const;
+  template <class Shape>
+  std::span<const Index> nodes_in_reach(const Shape& shape, const Impact& impact);
   template <class Shape>
   void stop_body_at(const Shape& shape, Impact& impact, Index place);
   template <class Shape>
@@ -80,7 +95,8 @@ class RigidWall {
   math::Vec3 displacement_after(const domain::Clock& clock, const math::Vec3& now, double next_step) const;
 
   const model::Model* model_;
-  std::vector<Index> nodes_;        ///< domain nodes, ascending
+  std::vector<Index> nodes_;  ///< domain nodes, ascending
+  NearNodes near_;
   std::vector<char> stops_;         ///< of each domain node, whether it is one of them
   std::vector<char> touched_;       ///< the same, whether it is among touches_ or pushed_
   std::vector<BodyTouch> touches_;  ///< of the body at hand

@@ -23,10 +23,12 @@ struct WallLimit {
 struct PlaneShape {
   math::Vec3 point;
   math::Vec3 normal;
-  /// Every node asks this in every step, and most are far away: these cost no division.
+  /// Distance in front of it [length].
+  double height(const math::Vec3& position) const { return dot(position - point, normal); }
+  /// Most nodes that ask are not in its way: these cost no division.
   bool limit(const math::Vec3& position, const math::Vec3& velocity, double step, WallLimit& found) const {
     constexpr double almost = 1 - 1e-9;
-    const double gap = dot(position - point, normal);
+    const double gap = height(position);
     const double approach = -dot(velocity, normal);
     if (gap > 0 && approach * step < almost * gap) return false;
     found = {normal, -std::max(gap, 0.0) / step};

@@ -55,16 +55,17 @@ void move_nodes(domain::Domain& domain, double step) {
                  [&](Index, NodeRange range) { kernels.drift(domain.nodes, range, step); });
 }
 
-KickEnergy accelerate_nodes(domain::Domain& domain, const Kick& kick) {
+KickSums accelerate_nodes(domain::Domain& domain, const Kick& kick) {
   const NodeKernels kernels = node_kernels(domain.execution.isa);
   const Index count = domain.nodes.count();
-  std::vector<KickEnergy> energies(pieces(count, piece));
+  std::vector<KickSums> sums(pieces(count, piece));
   for_each_piece(count, domain.execution.threads,
-                 [&](Index p, NodeRange range) { energies[p] = kernels.kick(domain.nodes, range, kick); });
-  KickEnergy total;
-  for (const KickEnergy& energy : energies) {
-    total.translational += energy.translational;
-    total.rotational += energy.rotational;
+                 [&](Index p, NodeRange range) { sums[p] = kernels.kick(domain.nodes, range, kick); });
+  KickSums total;
+  for (const KickSums& sum : sums) {
+    total.translational += sum.translational;
+    total.rotational += sum.rotational;
+    total.fastest = std::max(total.fastest, sum.fastest);
   }
   return total;
 }

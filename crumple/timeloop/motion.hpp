@@ -14,7 +14,7 @@ void move_nodes(domain::Domain& domain, double step);
 
 /// v(n+1/2) = v(n-1/2) + interval f(n) / m, likewise the rotations; holds fixed degrees of freedom and clears
 /// the forces. Nodes of rigid bodies stay as they are. Returns the kinetic energy of time n.
-KickEnergy accelerate_nodes(domain::Domain& domain, const Kick& kick);
+KickSums accelerate_nodes(domain::Domain& domain, const Kick& kick);
 
 /// 1/2 m v(n-1/2).v(n+1/2) of the nodes that no rigid body moves, where something has changed velocities
 /// after the kick [energy].

@@ -13,10 +13,11 @@ struct NodeRange {
 };
 
 /// Energies of a kick, in the product form that balances trapezoidal work [energy]: 1/2 m v(n-1/2).v(n+1/2)
-/// and 1/2 I omega(n-1/2).omega(n+1/2).
-struct KickEnergy {
+/// and 1/2 I omega(n-1/2).omega(n+1/2); and how fast nodes are after it.
+struct KickSums {
   double translational = 0;
   double rotational = 0;
+  double fastest = 0;  ///< no node is faster [length/time]
 };
 
 /// One kick: what goes in besides the node fields.
@@ -32,7 +33,7 @@ struct NodeKernels {
   /// x += step v, and the record that the elements gather from.
   void (*drift)(domain::NodeFields& nodes, NodeRange range, double step);
   /// v += interval f / m, likewise the rotations; holds fixed degrees of freedom and clears the forces.
-  KickEnergy (*kick)(domain::NodeFields& nodes, NodeRange range, const Kick& kick);
+  KickSums (*kick)(domain::NodeFields& nodes, NodeRange range, const Kick& kick);
 };
 
 /// Defined in kernels/node_motion.cpp, once per instruction set.

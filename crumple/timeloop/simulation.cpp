@@ -107,6 +107,7 @@ void Simulation::resume() {
   std::fill(domain_.nodes.force.begin(), domain_.nodes.force.end(), domain::NodeForce{});
   for (domain::RigidBody& body : domain_.rigid_bodies) body.force = body.moment = math::Vec3{};
   for (contact::Interface& contact : contacts_) contact.resume(domain_);
+  for (constraints::RigidWall& wall : walls_) wall.resume();
 }
 
 std::vector<domain::ContactNodeForce> Simulation::contact_node_forces() const {

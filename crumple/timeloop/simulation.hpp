@@ -96,7 +96,8 @@ class Simulation {
   void close_gaps(double interval);
   void kick(double interval);
   void accelerate_free_nodes(double interval);
-  bool changes_velocities() const;
+  bool joins_nodes() const;
+  bool keeps_previous_velocity() const { return joins_nodes() || !walls_.empty(); }
   void join_nodes(double interval);
   void impose_motions(double interval);
   void stop_at_walls(double interval);
@@ -124,7 +125,7 @@ class Simulation {
   loads::BodyLoads body_loads_;
   loads::RigidBodyLoads rigid_body_loads_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
-  KickEnergy kick_energy_;                      ///< of the last kick, walls included
+  KickSums kick_sums_;                          ///< of the last kick, walls included
   bool keeps_accelerations_ = false;
   std::optional<elements::EnergyTrace> energy_trace_;
   double largest_step_ = 0;  ///< no step exceeds this [time]

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/stopwatch.hpp"
 #include "elements/elements.hpp"
@@ -41,7 +42,7 @@ void Simulation::start() {
   compute_forces();
   choose_step();
   const AlignedArray<math::Vec3>& velocity = domain_.nodes.velocity;
-  if (changes_velocities()) previous_velocity_ = velocity;
+  if (keeps_previous_velocity()) previous_velocity_ = velocity;
   tied_nodes_.remember(domain_);
   const constraints::KineticChange carried = tied_nodes_.carried_energy(domain_);
   domain_.energy.kinetic = kinetic_energy(domain_, velocity, velocity) + carried.translational +
@@ -60,7 +61,7 @@ void Simulation::step() {
   choose_step();
   close_gaps(0.5 * (domain_.clock.step + next_step_));
   kick(0.5 * (domain_.clock.step + next_step_));
-  domain_.energy.kinetic = kick_energy_.translational + kick_energy_.rotational +
+  domain_.energy.kinetic = kick_sums_.translational + kick_sums_.rotational +
                            constraints::RigidBodies::kinetic_energy(domain_) +
                            constraints::RigidWall::kinetic_energy(domain_);
   balance();
@@ -136,38 +137,41 @@ void Simulation::kick(double interval) {
 void Simulation::impose_motions(double interval) {
   if (prescribed_motions_.empty()) return;
   const constraints::KineticChange change = prescribed_motions_.impose(domain_, interval, next_step_);
-  kick_energy_.translational += change.translational;
-  kick_energy_.rotational += change.rotational;
+  kick_sums_.translational += change.translational;
+  kick_sums_.rotational += change.rotational;
 }
 
 void Simulation::accelerate_free_nodes(double interval) {
   prescribed_motions_.remember(domain_);
   const StageTimer timer(domain_.times.integrate);
-  math::Vec3* const previous = changes_velocities() ? previous_velocity_.data() : nullptr;
-  kick_energy_ = accelerate_nodes(domain_, {interval, previous, keeps_accelerations_});
+  math::Vec3* const previous = keeps_previous_velocity() ? previous_velocity_.data() : nullptr;
+  kick_sums_ = accelerate_nodes(domain_, {interval, previous, keeps_accelerations_});
 }
 
-bool Simulation::changes_velocities() const {
-  return !walls_.empty() || !rivets_.empty() || !node_sets_.empty() || !tied_nodes_.empty();
+bool Simulation::joins_nodes() const {
+  return !rivets_.empty() || !node_sets_.empty() || !tied_nodes_.empty();
 }
 
 void Simulation::join_nodes(double interval) {
-  kick_energy_.rotational += tied_nodes_.share(domain_).rotational;
+  kick_sums_.rotational += tied_nodes_.share(domain_).rotational;
   supports_.add_ties(domain_, tied_nodes_, interval);
   node_sets_.constrain(domain_);
   rivets_.constrain(domain_, next_step_);
 }
 
 void Simulation::stop_at_walls(double interval) {
+  // What else changes velocities after the kick does not tell how fast nodes are then.
+  double fastest = joins_nodes() || !prescribed_motions_.empty() ? std::numeric_limits<double>::infinity()
+                                                                 : kick_sums_.fastest;
   for (constraints::RigidWall& wall : walls_)
-    wall.stop_nodes(domain_, previous_velocity_, interval, next_step_);
+    kick_sums_.translational += wall.stop_nodes(domain_, {previous_velocity_, interval, next_step_, fastest});
 }
 
-/// Anew, after all that has changed the velocities of the kick.
+/// Anew, where what has changed the velocities of the kick does not tell by how much.
 void Simulation::sum_kinetic_energy() {
-  if (!changes_velocities()) return;
-  kick_energy_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity) +
-                               tied_nodes_.carried_energy(domain_).translational;
+  if (!joins_nodes()) return;
+  kick_sums_.translational = kinetic_energy(domain_, previous_velocity_, domain_.nodes.velocity) +
+                             tied_nodes_.carried_energy(domain_).translational;
 }
 
 void Simulation::balance() {

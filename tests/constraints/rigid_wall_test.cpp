@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace crumple::constraints {
 namespace {
@@ -38,7 +39,8 @@ class RigidWallTest : public ::testing::Test {
 
   void stop(const model::RigidWall& wall, double interval, double next_step) {
     const AlignedArray<Vec3> previous = domain_.nodes.velocity;
-    RigidWall(model_, wall, domain_, 0).stop_nodes(domain_, previous, interval, next_step);
+    double fastest = std::numeric_limits<double>::infinity();
+    RigidWall(model_, wall, domain_, 0).stop_nodes(domain_, {previous, interval, next_step, fastest});
   }
 
   model::Model model_;

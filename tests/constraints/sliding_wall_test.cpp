@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -54,7 +55,8 @@ class SlidingWallTest : public ::testing::Test {
       body.previous_velocity = body.velocity;
       body.previous_spin = body.spin;
     }
-    wall.stop_nodes(domain_, previous_, step, step);
+    double fastest = std::numeric_limits<double>::infinity();
+    wall.stop_nodes(domain_, {previous_, step, step, fastest});
   }
 
   const domain::WallReport& report() const { return domain_.walls[0]; }

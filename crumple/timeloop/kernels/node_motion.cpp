@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The motion of the nodes: one item (a position, a velocity) per vector.
+#include <cmath>
+
 #include "math/small_vectors.hpp"
 #include "timeloop/node_kernels.hpp"
 
@@ -85,7 +87,7 @@ CRUMPLE_INLINE Double2 inverses(double a, double b) {
   return both > Double2{} ? one / both : Double2{};
 }
 
-KickEnergy kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
+KickSums kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
   double* const velocity = &nodes.velocity.data()->x;
   double* const angular = &nodes.angular_velocity.data()->x;
   double* const acceleration = kick.keep_acceleration ? &nodes.acceleration.data()->x : nullptr;
@@ -96,6 +98,7 @@ KickEnergy kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
   const std::uint8_t* const fixed = nodes.fixed.data();
   Double4 translational{};
   Double4 rotational{};
+  Double4 fastest{};  // squared, by axis
   for (std::ptrdiff_t i = range.first; i < range.last; ++i) {
     const Double4 force = math::read<Double4>(forces[i].force);
     const Double4 moment = math::read<Double4>(forces[i].moment);
@@ -112,6 +115,8 @@ KickEnergy kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
     const Double4 old_v = read3(velocity + 3 * i);
     const Double4 new_v = old_v + kick.interval * a;
     translational += m * (old_v * new_v);
+    const Double4 squared = new_v * new_v;
+    fastest = squared > fastest ? squared : fastest;
     write3(velocity + 3 * i, new_v);
     if (turns) {
       const Double4 old_w = read3(angular + 3 * i);
@@ -122,7 +127,7 @@ KickEnergy kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
     if (acceleration != nullptr) write3(acceleration + 3 * i, a);
     if (previous != nullptr) write3(previous + 3 * i, old_v);
   }
-  return {0.5 * sum3(translational), 0.5 * sum3(rotational)};
+  return {0.5 * sum3(translational), 0.5 * sum3(rotational), std::sqrt(sum3(fastest))};
 }
 
 }  // namespace
