@@ -19,6 +19,7 @@ struct Kinematics {
   double step = 0;                  ///< the length of that step; zero before the first [time]
   long cycle = 0;
   int threads = 1;
+  Isa isa = Isa::Scalar;
 };
 
 /// The present state: x(n), v(n-1/2).
@@ -29,7 +30,8 @@ inline Kinematics present(const domain::Domain& domain) {
           {nodes.reference.data(), nodes.reference.size()},
           domain.clock.step,
           domain.clock.cycle,
-          domain.execution.threads};
+          domain.execution.threads,
+          domain.execution.isa};
 }
 
 }  // namespace crumple::contact

@@ -19,6 +19,7 @@ std::span<ContactPair> LocalSearch::find(const Kinematics& motion, GlobalSearch&
   view.now = {surface_, {motion.position.data(), motion.velocity.data(), 0}};
   view.reference = {surface_, {motion.reference.data(), motion.velocity.data(), 0}};
   view.candidates = &candidates;
+  view.nearest_point = nearest_point_kernel(motion.isa);
   view.step = motion.step;
   view.tracking = tracking;
 

@@ -46,8 +46,13 @@ Kinematics Multipliers::predict(const domain::Domain& domain, double interval, d
       position_[i] = nodes.position[i] + step * velocity_[i];
     }
   });
-  return {position_, velocity_,          {nodes.reference.data(), nodes.reference.size()},
-          step,      domain.clock.cycle, domain.execution.threads};
+  return {.position = position_,
+          .velocity = velocity_,
+          .reference = {nodes.reference.data(), nodes.reference.size()},
+          .step = step,
+          .cycle = domain.clock.cycle,
+          .threads = domain.execution.threads,
+          .isa = domain.execution.isa};
 }
 
 Multipliers::Unknown Multipliers::prepare(const Touch& touch) const {

@@ -59,7 +59,7 @@ const RememberedPair* NodeSearch::memory_of(Index segment) const {
 /// True if the node was in contact with that segment of the same surface and now is nearer to another one.
 bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
   return other.side != 0 && other.segment != segment && same_sides(surface_, segment, other.segment) &&
-         hold(other.segment, nearest_point(view_.now.shape(other.segment), p_), &other) == 0;
+         hold(other.segment, view_.nearest_point(view_.now.shape(other.segment), p_), &other) == 0;
 }
 
 /// False if the solids at the node turn their faces away from one with that normal, or stand upright to it:
@@ -96,7 +96,7 @@ bool NodeSearch::goes_on(Index segment, const NearestPoint& nearest, const Vec3&
     const SegmentShape shape = view_.now.shape(other);
     const Vec3 beyond = normalised(area_normal(shape));
     if (dot(beyond, normal) <= two_walls) continue;
-    const NearestPoint foot = nearest_point(shape, p_);
+    const NearestPoint foot = view_.nearest_point(shape, p_);
     if (dot(p_ - foot.point, beyond) < 0 && nearest_around(view_.now, node_, other, foot)) return true;
   }
   return false;
@@ -137,7 +137,7 @@ void NodeSearch::measure_faces() {
   for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c) {
     const Index segment = candidates.segment(c);
     if (!surface_.is_face(segment) || surface_.behind_has(segment, node_)) continue;
-    const double distance = std::sqrt(nearest_point(view_.now.shape(segment), p_).distance_squared);
+    const double distance = std::sqrt(view_.nearest_point(view_.now.shape(segment), p_).distance_squared);
     if (distance > on_face(segment)) nearest_face_ = std::min(nearest_face_, distance);
   }
 }
@@ -184,7 +184,8 @@ double NodeSearch::offset_of(Index segment, const RememberedPair* memory, double
   }
   SurfaceAt before = view_.now;
   before.x.back = view_.step;
-  const double distance = std::sqrt(nearest_point(before.shape(segment), before.x[node_]).distance_squared);
+  const double distance =
+      std::sqrt(view_.nearest_point(before.shape(segment), before.x[node_]).distance_squared);
   return std::max(inherited, full - std::max(distance, gap) - depth);
 }
 
@@ -203,7 +204,7 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   const SegmentShape shape = view_.now.shape(segment);
   const bool face = surface_.is_face(segment);
   const bool known_face = face && memory != nullptr;
-  const NearestPoint nearest = nearest_point(shape, p_);
+  const NearestPoint nearest = view_.nearest_point(shape, p_);
   const double distance = std::sqrt(nearest.distance_squared);
   const bool near = distance < full;
   const double gap = distance - full - surface_.watch(segment);

@@ -7,6 +7,7 @@
 #include "contact/contact_pair.hpp"
 #include "contact/global_search.hpp"
 #include "contact/inside_outside.hpp"
+#include "contact/nearest_point_kernel.hpp"
 
 namespace crumple::contact {
 
@@ -15,6 +16,7 @@ struct StepView {
   SurfaceAt now;        ///< positions and velocities of the step
   SurfaceAt reference;  ///< positions at time zero
   GlobalSearch* candidates = nullptr;
+  NearestPointKernel nearest_point = nullptr;
   double step = 0;        ///< from n-1 to n [time]
   bool tracking = false;  ///< allow the penetrations that there are
 };

@@ -4,13 +4,6 @@
 namespace crumple::contact {
 namespace {
 
-/// Weights of the corners of a triangle; exactly zero where the nearest point is on its rim.
-struct Barycentric {
-  double a = 0;
-  double b = 0;
-  double c = 0;
-};
-
 double fraction(double part, double whole) {
   return whole > 0 ? part / whole : 0.0;
 }
@@ -84,6 +77,19 @@ NearestPoint nearest_on_single(const SegmentShape& shape, const Vec3& p) {
 
 }  // namespace
 
+NearestPoint nearest_on(int k, const Barycentric& weight, const Vec3& point, double distance_squared) {
+  NearestPoint nearest;
+  nearest.point = point;
+  nearest.distance_squared = distance_squared;
+  const double quarter = 0.25 * weight.c;
+  nearest.weight = {quarter, quarter, quarter, quarter};
+  nearest.weight[k] += weight.a;
+  nearest.weight[(k + 1) % 4] += weight.b;
+  nearest.local = k;
+  if (weight.c == 0) name_rim(nearest, k, weight.a, weight.b);
+  return nearest;
+}
+
 NearestPoint nearest_point(const SegmentShape& shape, const Vec3& p) {
   if (shape.triangle) return nearest_on_single(shape, p);
   NearestPoint best;
@@ -94,15 +100,7 @@ NearestPoint nearest_point(const SegmentShape& shape, const Vec3& p) {
     const Vec3 away = p - point;
     const double distance_squared = dot(away, away);
     if (k > 0 && distance_squared >= best.distance_squared) continue;
-    best.point = point;
-    best.distance_squared = distance_squared;
-    const double quarter = 0.25 * w.c;
-    best.weight = {quarter, quarter, quarter, quarter};
-    best.weight[k] += w.a;
-    best.weight[next] += w.b;
-    best.feature = Feature::Face;
-    best.local = k;
-    if (w.c == 0) name_rim(best, k, w.a, w.b);
+    best = nearest_on(k, w, point, distance_squared);
   }
   return best;
 }

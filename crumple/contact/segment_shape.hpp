@@ -57,6 +57,17 @@ struct NearestPoint {
   int local = 0;  ///< number of the edge or corner within the segment, on the face of the sub-triangle
 };
 
+/// Weights of the corners of a triangle; exactly zero where the nearest point is on its rim.
+struct Barycentric {
+  double a = 0;
+  double b = 0;
+  double c = 0;
+};
+
+/// The nearest point of a quadrilateral, if it is on sub-triangle `k` with these weights: two of its corners
+/// and the centre.
+NearestPoint nearest_on(int k, const Barycentric& weight, const Vec3& point, double distance_squared);
+
 /// Nearest point of the segment to `p`; of several equally near ones that of the lowest sub-triangle. The
 /// nearest point of a triangle follows from the regions of its corners, edges and face (C. Ericson,
 /// Real-Time Collision Detection, 2005, section 5.1.5).
