@@ -7,6 +7,11 @@
 
 namespace crumple::report {
 
+std::string whole_rows(std::string text) {
+  text.resize(text.find_last_of('\n') + 1);
+  return text;
+}
+
 ThinnedHistory thin_history(std::string text, std::size_t most) {
   if (text.size() <= most) return {std::move(text), 1};
   const std::string_view all = text;

@@ -9,6 +9,9 @@ namespace crumple::report {
 /// Histories that are longer than this are thinned out for the report [bytes].
 inline constexpr std::size_t most_history_bytes = 4U << 20U;
 
+/// Drops what stands behind the last line end: the row that a run is writing.
+std::string whole_rows(std::string text);
+
 struct ThinnedHistory {
   std::string text;
   int every = 1;  ///< of so many moments one was kept

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -52,17 +53,22 @@ std::filesystem::path find_template() {
   return find_page({"report_template.html", "CRUMPLE_REPORT_TEMPLATE", "report"});
 }
 
-ReportContent write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,
-                           const std::filesystem::path& file, const Progress& progress) {
-  const PageTemplate page(template_file);
+Report make_report(const std::filesystem::path& folder, const PageTemplate& page, const Progress& progress) {
   const ResultFolder results = open_results(folder);
   const RunSurvey survey = survey_run(results, progress);
-  output::write_atomically(file, page.with(make_payload(results, survey, progress)));
   // The page finds displacements by itself.
-  ReportContent content{results.frames.size(),
-                        {"displacement", "displacement_x", "displacement_y", "displacement_z"}};
-  for (const Field& field : survey.fields) content.fields.push_back(field.name);
-  return content;
+  Report report{
+      page.with(make_payload(results, survey, progress)),
+      {results.frames.size(), {"displacement", "displacement_x", "displacement_y", "displacement_z"}}};
+  for (const Field& field : survey.fields) report.content.fields.push_back(field.name);
+  return report;
+}
+
+ReportContent write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,
+                           const std::filesystem::path& file, const Progress& progress) {
+  Report report = make_report(folder, PageTemplate(template_file), progress);
+  output::write_atomically(file, report.page);
+  return std::move(report.content);
 }
 
 }  // namespace crumple::report

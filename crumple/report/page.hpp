@@ -43,6 +43,14 @@ struct ReportContent {
   std::vector<std::string> fields;  ///< names by which the page knows its fringes
 };
 
+struct Report {
+  std::string page;
+  ReportContent content;
+};
+
+/// Makes the report of the results in a folder, which a run may still be adding to. Throws Error.
+Report make_report(const std::filesystem::path& folder, const PageTemplate& page, const Progress& progress);
+
 /// Writes the report of the results in a folder. Throws Error, or WriteError if the file cannot be written.
 ReportContent write_report(const std::filesystem::path& folder, const std::filesystem::path& template_file,
                            const std::filesystem::path& file, const Progress& progress);

@@ -202,7 +202,7 @@ class Payload {
   void add_tables() {
     meta_["tables"] = Json::array();
     for (const std::filesystem::path& file : results_.tables) {
-      const ThinnedHistory history = thin_history(read_file(file), most_history_bytes);
+      const ThinnedHistory history = thin_history(whole_rows(read_file(file)), most_history_bytes);
       const std::size_t number = meta_["tables"].size();
       meta_["tables"].push_back({{"name", file.filename().string()}, {"every", history.every}});
       add_data(fmt::format("table{}", number), history.text);

@@ -21,5 +21,12 @@ TEST(HistoryText, LongOnesKeepWholeMomentsAndTheLast) {
   EXPECT_EQ(history.text, "time,part,a\n0,1,0\n0,2,0\n4,1,0\n4,2,0\n7,1,0\n7,2,0\n");
 }
 
+TEST(HistoryText, TheRowThatIsBeingWrittenIsLeftOut) {
+  EXPECT_EQ(whole_rows("time,a\n0,1\n1,2\n"), "time,a\n0,1\n1,2\n");
+  EXPECT_EQ(whole_rows("time,a\n0,1\n1,"), "time,a\n0,1\n");
+  EXPECT_EQ(whole_rows("time"), "");
+  EXPECT_EQ(whole_rows(""), "");
+}
+
 }  // namespace
 }  // namespace crumple::report
