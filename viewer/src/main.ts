@@ -20,10 +20,10 @@ function takeData(name: string): string | null {
   return text;
 }
 
-/** `#frame=12&field=von_mises&view=%2Bx&theme=dark&picture` behind the file's name sets what is shown. */
+/** `#frame=12&field=von_mises&view=%2Bx&theme=dark&picture`, or `live` in the live page, behind the file's name sets what is shown. */
 function applyAddress(report: Report, themes: Themes, frames: number): void {
   const asked = new URLSearchParams(location.hash.slice(1));
-  if (asked.has("picture")) document.documentElement.classList.add("picture");
+  for (const what of ["picture", "live"]) if (asked.has(what)) document.documentElement.classList.add(what);
   const theme = asked.get("theme");
   if (theme === "light" || theme === "dark") themes.choose(theme as Theme);
   const field = asked.get("field");
@@ -64,6 +64,8 @@ async function start(): Promise<void> {
   } catch (fault) {
     message.textContent = `The report cannot be shown: ${fault instanceof Error ? fault.message : String(fault)}`;
     throw fault;
+  } finally {
+    document.documentElement.dataset["settled"] = "";
   }
 }
 

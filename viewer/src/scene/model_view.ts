@@ -267,6 +267,11 @@ export class ModelView {
     return new Sphere(ends[0].clone().add(ends[1]).multiplyScalar(0.5), ends[0].distanceTo(ends[1]) / 2);
   }
 
+  /** A point of the world of three in the model. */
+  toModel(point: Vector3): [number, number, number] {
+    return point.clone().multiplyScalar(this.diagonal).add(this.centre).toArray();
+  }
+
   /** A point of the model in the world of three. */
   toWorld(point: [number, number, number]): Vector3 {
     return new Vector3(...point).sub(this.centre).divideScalar(this.diagonal);

@@ -5,6 +5,12 @@ import type { ModelView } from "./model_view";
 
 export type ViewName = "iso" | "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 
+export interface Sight {
+  eye: Vector3;
+  target: Vector3;
+  up: Vector3;
+}
+
 /** Where the eye is, and what is up. */
 const views: Record<ViewName, [number[], number[]]> = {
   iso: [[1, -1.35, 0.8], [0, 0, 1]],
@@ -70,6 +76,22 @@ export class Viewport {
     const way = new Vector3(from[0], from[1], from[2]).setLength(Math.max(ball.radius, 1e-3) * this.fitFactor());
     this.camera.position.copy(ball.center).add(way);
     this.camera.lookAt(ball.center);
+    this.alignControls();
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** What is looked at and from where, in the coordinates of the world. */
+  get sight(): Sight {
+    const { position, up } = this.camera;
+    return { eye: position.clone(), target: this.controls.target.clone(), up: up.clone() };
+  }
+
+  set sight({ eye, target, up }: Sight) {
+    this.camera.up.copy(up);
+    this.camera.position.copy(eye);
+    this.controls.target.copy(target);
+    this.camera.lookAt(target);
     this.alignControls();
     this.controls.update();
     this.invalidate();

@@ -30,7 +30,7 @@ export class Chart extends FittedPlot<ChartData> {
   private moment = -Infinity;
   private readonly marker = h("div", { class: "moment" });
   /** series that the user has switched, by label */
-  private readonly switched = new Map<string, boolean>();
+  readonly switched = new Map<string, boolean>();
 
   constructor(
     host: HTMLElement,
@@ -39,6 +39,12 @@ export class Chart extends FittedPlot<ChartData> {
     private readonly onSeek: ((time: number) => void) | null,
   ) {
     super(host, height, themes);
+  }
+
+  setSwitched(series: [string, boolean][]): void {
+    if (series.length === 0) return;
+    for (const [label, shown] of series) this.switched.set(label, shown);
+    this.rebuild();
   }
 
   /** Puts a line at this time. It lies over the chart, which need not be drawn anew while the animation plays. */

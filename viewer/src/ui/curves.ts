@@ -13,13 +13,21 @@ import { canFilter } from "../math/filter";
 import { splitBy, type History } from "../payload/history";
 import type { Run } from "../payload/run";
 import { Chart, type Curve } from "./charts";
-import { h, labelled, options } from "./dom";
+import { choose, h, labelled, options } from "./dom";
 import type { Themes } from "./theme";
 import { XyChart } from "./xy_chart";
 
 const height = 230;
 const classes = [0, 60, 180, 600];
 const seconds = { s: 1, ms: 1e-3, us: 1e-6 };
+
+export interface CurveSettings {
+  filter: string;
+  unit: string;
+  mover: string;
+  /** by chart: series that the user has switched, by label */
+  switched: [string, boolean][][];
+}
 
 /** The section with all curves over time. */
 export class Curves {
@@ -61,6 +69,20 @@ export class Curves {
 
   setMoment(time: number): void {
     for (const chart of this.charts) chart.setMoment(time);
+  }
+
+  get settings(): CurveSettings {
+    const [filter, unit, mover] = [this.filter.value, this.unit.value, this.mover.value];
+    return { filter, unit, mover, switched: this.charts.map((chart) => [...chart.switched]) };
+  }
+
+  /** Where other charts are there than before, it cannot be told whose series were switched. */
+  set settings(kept: CurveSettings) {
+    if (kept.switched.length === this.charts.length)
+      kept.switched.forEach((series, i) => this.charts[i].setSwitched(series));
+    choose(this.unit, kept.unit);
+    choose(this.filter, kept.filter);
+    choose(this.mover, kept.mover);
   }
 
   /** The node that the user picked may be chosen for the force over its displacement. */

@@ -25,6 +25,14 @@ export function options(select: HTMLSelectElement, entries: [value: string, text
   if (entries.some(([value]) => value === kept)) select.value = kept;
 }
 
+/** As if the user chose it, if it is there and another one was chosen. */
+export function choose(select: HTMLSelectElement, value: string): void {
+  const option = [...select.options].find((other) => other.value === value);
+  if (!option || option.disabled || select.value === value) return;
+  select.value = value;
+  select.dispatchEvent(new Event("change"));
+}
+
 export function labelled(text: string, control: HTMLElement): HTMLLabelElement {
   return h("label", { class: "field" }, h("span", {}, text), control);
 }

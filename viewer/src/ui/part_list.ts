@@ -45,6 +45,15 @@ export class PartList {
     this.redraw();
   }
 
+  /** ids of the parts that are switched off */
+  get hidden(): number[] {
+    return this.view.parts.filter((_, part) => !this.view.isPartVisible(part));
+  }
+
+  set hidden(ids: number[]) {
+    this.view.parts.forEach((id, part) => this.set(part, !ids.includes(id)));
+  }
+
   private setAll(wanted: (part: number) => boolean): void {
     this.boxes.map((_, part) => wanted(part)).forEach((visible, part) => this.set(part, visible));
   }

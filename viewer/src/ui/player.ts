@@ -5,6 +5,14 @@ import { h } from "./dom";
 /** Seconds that a run takes at speed 1. */
 const runSeconds = 6;
 
+export interface PlayerSettings {
+  /** [time] */
+  time: number;
+  atEnd: boolean;
+  playing: boolean;
+  speed: string;
+}
+
 /** Time of the animation: slider, buttons, playing. The moment is a frame and a share of the way to the next. */
 export class Player {
   readonly element: HTMLElement;
@@ -121,6 +129,18 @@ export class Player {
     }
     this.show();
     this.onChange();
+  }
+
+  get settings(): PlayerSettings {
+    return { time: this.time, atEnd: !this.playing && this.place() === this.last, playing: this.playing, speed: this.speed.value };
+  }
+
+  /** What stood at the end of an earlier state of the run goes to its new end. */
+  set settings(kept: PlayerSettings) {
+    this.speed.value = kept.speed;
+    this.time = kept.time;
+    this.setPlace(kept.atEnd ? this.last : this.place());
+    this.play(kept.playing);
   }
 
   private show(): void {

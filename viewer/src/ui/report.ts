@@ -13,6 +13,7 @@ import { keyHelp, listenToKeys } from "./keys";
 import { Legend } from "./legend";
 import { PartList } from "./part_list";
 import { Player } from "./player";
+import { foundPick, namedPick, type ReportSettings } from "./report_settings";
 import { Selection } from "./selection";
 import { SidePanel } from "./side_panel";
 import { tables } from "./tables";
@@ -32,6 +33,7 @@ export class Report {
   private readonly triad = new Triad();
   private readonly legend = new Legend();
   private readonly help: HTMLDialogElement;
+  private readonly side = h("aside", {});
   private readonly stage = h("div", { class: "stage" });
   private readonly paper = h("img", { class: "paper", alt: "the model as it was shown when this was printed" });
   private readonly caption = h("div", { class: "caption" });
@@ -50,7 +52,7 @@ export class Report {
     this.view = new ModelView(run);
     this.walls = new Walls(run, this.view);
     this.player = new Player(run.meta.times);
-    const side = h("aside", {});
+    const side = this.side;
     animation.append(this.stage, side, this.player.element);
     this.viewport = new Viewport(host, this.view);
     this.viewport.scene.add(this.walls.group);
@@ -73,6 +75,42 @@ export class Report {
     this.panel.setField(this.panel.sources[0]?.name ?? "");
     this.showMoment();
     themes.watch(() => this.paint());
+  }
+
+  /** Names nothing by its place in this page's arrays: a later state of the same run has others. */
+  get settings(): ReportSettings {
+    const { eye, target, up } = this.viewport.sight;
+    return {
+      eye: this.view.toModel(eye),
+      target: this.view.toModel(target),
+      up: up.toArray(),
+      theme: this.themes.choice,
+      player: this.player.settings,
+      panel: this.panel.settings,
+      hiddenParts: this.parts.hidden,
+      curves: this.curves.settings,
+      picked: this.picked && namedPick(this.run, this.picked),
+      history: this.selection.shown,
+      scroll: [window.scrollY, this.side.scrollTop],
+    };
+  }
+
+  set settings(kept: ReportSettings) {
+    this.themes.choose(kept.theme);
+    this.panel.settings = kept.panel;
+    this.parts.hidden = kept.hiddenParts;
+    this.setPick(kept.picked && foundPick(this.run, kept.picked));
+    this.selection.shown = kept.history;
+    this.curves.settings = kept.curves;
+    this.player.settings = kept.player;
+    this.viewport.sight = {
+      eye: this.view.toWorld(kept.eye),
+      target: this.view.toWorld(kept.target),
+      up: new Vector3(...kept.up),
+    };
+    window.scrollTo({ top: kept.scroll[0], behavior: "instant" });
+    this.side.scrollTop = kept.scroll[1];
+    this.viewport.draw();
   }
 
   seek(time: number): void {
@@ -172,7 +210,7 @@ export class Report {
     const record = this.run.meta.run;
     const termination = record?.termination ?? "no run.json: not ended, or killed";
     const failed = (record?.checks ?? []).filter((check) => !check.pass).length;
-    const badge = h("span", { class: record?.termination === "normal" ? "badge good" : "badge bad", title: record?.reason }, termination);
+    const badge = h("span", { class: !record ? "badge bad unended" : record.termination === "normal" ? "badge good" : "badge bad", title: record?.reason }, termination);
     const checks = record?.checks
       ? h("a", { class: failed > 0 ? "badge warn" : "badge good", href: "#tables" }, failed > 0 ? `${failed} of ${record.checks.length} checks fail` : `${record.checks.length} checks pass`)
       : null;

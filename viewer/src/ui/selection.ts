@@ -4,7 +4,7 @@ import type { Run } from "../payload/run";
 import type { FringeSource } from "../scene/fringe_source";
 import type { Pick } from "../scene/picker";
 import { Chart } from "./charts";
-import { h, options } from "./dom";
+import { choose, h, options } from "./dom";
 import { fieldTitle } from "./side_panel";
 import type { Themes } from "./theme";
 
@@ -42,6 +42,15 @@ export class Selection {
     if (field && this.sources.some((source) => source.name === field)) this.choice.value = field;
     this.showFacts();
     this.showHistory();
+  }
+
+  /** name of the field whose history is shown */
+  get shown(): string {
+    return this.choice.value;
+  }
+
+  set shown(field: string) {
+    choose(this.choice, field);
   }
 
   setMoment(frame: number, time: number): void {

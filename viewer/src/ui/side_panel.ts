@@ -5,10 +5,26 @@ import { fringeSources, type FringeSource } from "../scene/fringe_source";
 import type { ModelView } from "../scene/model_view";
 import type { Walls } from "../scene/walls";
 import type { Run } from "../payload/run";
-import { h, labelled, options, toggle } from "./dom";
+import { boxOf, h, labelled, options, setBox, toggle } from "./dom";
 import type { Legend } from "./legend";
 
 type RangeKind = "run" | "frame" | "own";
+
+export interface PanelSettings {
+  field: string;
+  range: RangeKind;
+  low: string;
+  high: string;
+  bands: string;
+  edges: boolean;
+  ghost: boolean;
+  /** null where there are none to switch */
+  walls: boolean | null;
+  section: boolean;
+  axis: string;
+  /** of the section: along its axis [length], or a share of the depth */
+  cut: number;
+}
 
 /** Choice of what is shown and how: fringe, edges, ghost, walls, section. */
 export class SidePanel {
@@ -25,6 +41,7 @@ export class SidePanel {
   private readonly axis = h("select", { "aria-label": "normal of the section" });
   private readonly cut = h("input", { type: "range", min: 0, max: 1, step: 0.002, value: 0.5, "aria-label": "place of the section" });
   private readonly cutValue = h("output", {});
+  private readonly wallToggle: HTMLLabelElement | null;
   private source: FringeSource | null = null;
   private frame = 0;
 
@@ -54,7 +71,7 @@ export class SidePanel {
     this.edges = toggle("edges", !many, (on) => this.act(() => view.setEdges(on)), "e");
     view.setEdges(!many);
     this.ghost = toggle("undeformed", false, (on) => this.act(() => view.setGhost(on)), "g");
-    const wallToggle = walls.any ? toggle("walls", true, (on) => this.act(() => (walls.group.visible = on)), "w") : null;
+    this.wallToggle = walls.any ? toggle("walls", true, (on) => this.act(() => (walls.group.visible = on)), "w") : null;
     this.section = toggle("section", false, () => this.updateSection(), "s");
     options(this.axis, [["x", "x"], ["y", "y"], ["z", "z"], ["-x", "−x"], ["-y", "−y"], ["-z", "−z"], ["view", "view"]]);
     this.axis.addEventListener("change", () => this.updateSection());
@@ -65,7 +82,7 @@ export class SidePanel {
         labelled("range", this.rangeKind),
         h("div", { class: "pair" }, this.low, h("span", {}, "to"), this.high),
         labelled("bands", this.bands)),
-      h("div", { class: "toggles" }, this.edges, this.ghost, wallToggle, this.section),
+      h("div", { class: "toggles" }, this.edges, this.ghost, this.wallToggle, this.section),
       h("div", { class: "section-only", hidden: true }, labelled("cut away", this.axis), this.cut, this.cutValue),
     );
   }
@@ -88,6 +105,39 @@ export class SidePanel {
     this.element.querySelector<HTMLElement>(".fringe-only")!.hidden = this.source === null;
     if (this.rangeKind.value === "own") this.rangeKind.value = "run";
     this.updateRange();
+  }
+
+  get settings(): PanelSettings {
+    return {
+      field: this.field.value,
+      range: this.rangeKind.value as RangeKind,
+      low: this.low.value,
+      high: this.high.value,
+      bands: this.bands.value,
+      edges: boxOf(this.edges).checked,
+      ghost: boxOf(this.ghost).checked,
+      walls: this.wallToggle && boxOf(this.wallToggle).checked,
+      section: boxOf(this.section).checked,
+      axis: this.axis.value,
+      cut: this.axis.value === "view" ? Number(this.cut.value) : this.place(Number(this.cut.value)),
+    };
+  }
+
+  set settings(kept: PanelSettings) {
+    this.bands.value = kept.bands;
+    this.view.setBands(Number(kept.bands));
+    this.setField(kept.field);
+    this.rangeKind.value = kept.range;
+    if (kept.range === "own") [this.low.value, this.high.value] = [kept.low, kept.high];
+    this.updateRange();
+    setBox(this.edges, kept.edges);
+    setBox(this.ghost, kept.ghost);
+    if (this.wallToggle && kept.walls !== null) setBox(this.wallToggle, kept.walls);
+    this.axis.value = kept.axis;
+    const [start, end] = [this.place(0), this.place(1)];
+    this.cut.value = String(kept.axis === "view" || start === end ? kept.cut : (kept.cut - start) / (end - start));
+    setBox(this.section, kept.section);
+    this.updateSection();
   }
 
   /** The frame whose values are shown has changed. */
@@ -118,6 +168,13 @@ export class SidePanel {
     this.redraw();
   }
 
+  /** Where a share of the way through the run's box lies along the axis of the section [length]. */
+  private place(share: number): number {
+    const axis = Math.max(0, "xyz".indexOf(this.axis.value.slice(-1)));
+    const { low, high } = this.run.meta.box;
+    return low[axis] + share * (high[axis] - low[axis]);
+  }
+
   private updateSection(): void {
     const on = this.section.querySelector("input")!.checked;
     this.element.querySelector<HTMLElement>(".section-only")!.hidden = !on;
@@ -134,8 +191,7 @@ export class SidePanel {
     }
     const axis = "xyz".indexOf(choice.slice(-1));
     const sign = choice.startsWith("-") ? -1 : 1;
-    const { low, high } = this.run.meta.box;
-    const at = low[axis] + share * (high[axis] - low[axis]);
+    const at = this.place(share);
     const normal = new Vector3().setComponent(axis, sign);
     const world = (at - this.view.centre.getComponent(axis)) / this.view.diagonal;
     this.act(() => this.view.setSection(normal, sign * world));

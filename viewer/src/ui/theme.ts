@@ -21,7 +21,12 @@ export class Themes {
     return this.chosen ?? (this.system.matches ? "dark" : "light");
   }
 
-  choose(theme: Theme): void {
+  /** what the user chose; null follows the system */
+  get choice(): Theme | null {
+    return this.chosen;
+  }
+
+  choose(theme: Theme | null): void {
     this.chosen = theme;
     this.apply();
   }
