@@ -15,10 +15,11 @@ set(CRUMPLE_LAYERS
   "deck: model base"
   "output: domain model math base"
   "report: output base"
+  "live: report output base"
   "compare: report output base")
 # app may include everything; it is built by crumple/app/CMakeLists.txt.
 
-set(CRUMPLE_NON_CORE deck output report compare)
+set(CRUMPLE_NON_CORE deck output report live compare)
 set(CRUMPLE_LAYER_NAMES "")
 foreach(line IN LISTS CRUMPLE_LAYERS)
   string(REGEX REPLACE ":.*" "" name "${line}")
@@ -60,9 +61,28 @@ function(crumple_add_isa_variants layer)
   endforeach()
 endfunction()
 
+# The live page needs cpp-httplib, whose package says how its library was compiled; without it the program says
+# so where it is asked for.
+function(crumple_choose_http_server target)
+  set(folder ${PROJECT_SOURCE_DIR}/crumple/live)
+  find_package(PkgConfig)
+  if(PKG_CONFIG_FOUND)
+    pkg_check_modules(CRUMPLE_HTTPLIB IMPORTED_TARGET cpp-httplib)
+  endif()
+  if(CRUMPLE_HTTPLIB_FOUND)
+    find_package(Threads REQUIRED)
+    target_sources(${target} PRIVATE ${folder}/http_server.cpp)
+    target_link_libraries(${target} PRIVATE PkgConfig::CRUMPLE_HTTPLIB Threads::Threads)
+  else()
+    message(STATUS "cpp-httplib is missing (libcpp-httplib-dev): crumple is built without --serve")
+    target_sources(${target} PRIVATE ${folder}/no_http_server.cpp)
+  endif()
+endfunction()
+
 # One static library per folder. A folder without sources yet is an interface target.
 function(crumple_add_layer layer)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/crumple/${layer}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "http_server\\.cpp$") # one of the two is chosen below
   set(target crumple_${layer})
   set(scope PUBLIC)
   if(sources)
@@ -102,9 +122,12 @@ function(crumple_add_layer layer)
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/output/text_file.cpp PROPERTY COMPILE_DEFINITIONS
       CRUMPLE_VERSION="${PROJECT_VERSION}")
   endif()
-  if(layer MATCHES "^(output|report|compare)$")
+  if(layer MATCHES "^(output|report|live|compare)$")
     find_package(ZLIB REQUIRED)
     find_package(nlohmann_json REQUIRED)
     target_link_libraries(${target} ${scope} ZLIB::ZLIB nlohmann_json::nlohmann_json)
+  endif()
+  if(layer STREQUAL "live")
+    crumple_choose_http_server(${target})
   endif()
 endfunction()
