@@ -49,6 +49,7 @@ constexpr const char* examples = R"(Examples:
   crumple check deck.k                      what is read, ignored, wrong; masses and time steps
   crumple report deck.out                   deck.out/report.html: animation, curves, tables
   crumple report deck.out --png             and pictures of it
+  crumple run deck.k --serve 8000           the same while it runs, at http://127.0.0.1:8000/
   crumple compare ref.out deck.out          how far two results are apart, curve by curve
   crumple bench -t 2                        how fast this machine is, about a minute
   crumple i=deck.k ncpu=4 memory=200m       as LS-DYNA is called
@@ -108,6 +109,10 @@ CLI::Validator parameter_setting() {
         return good ? std::string() : text + " is not the name of a parameter, = and a number";
       },
       "NAME=NUMBER");
+}
+
+CLI::Validator port_number() {
+  return CLI::Range(0, 65535).description("PORT");
 }
 
 /// Options of both commands.
@@ -174,6 +179,11 @@ void add_run_options(CLI::App& run, Options& options) {
       ->check(number_that("a number from 0 to 1", [](double value) { return value >= 0 && value <= 1; }));
   run.add_option("--seed", options.seed, "Which of the random perturbations [1]");
   run.add_flag("--report", options.report, "Write report.html, a page that shows the result, at the end");
+  run.add_option(
+         "--serve", options.serve,
+         "Show the run while it goes on: a page at http://127.0.0.1:PORT/, for browsers of this machine\n"
+         "alone; 0 takes any free port, and prints it")
+      ->check(port_number());
   run.add_flag("-q,--quiet", options.quiet, "Print warnings, errors and the kind of termination only");
 }
 
@@ -229,6 +239,13 @@ void add_report_options(CLI::App& report, ReportOptions& options) {
       ->check(CLI::Range(200, 8000));
   report.add_option("--height", pictures.height, "Height of the pictures in pixels [750]")
       ->check(CLI::Range(200, 8000));
+  report
+      .add_option("--serve", options.serve,
+                  "Write no file but show the folder, to which a run may still be adding, at\n"
+                  "http://127.0.0.1:PORT/ until Ctrl-C; 0 takes any free port, and prints it")
+      ->check(port_number())
+      ->excludes("--output")
+      ->excludes("--png");
   report.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 

@@ -38,6 +38,7 @@ struct Options {
   bool allow_unsupported = false;
   bool quiet = false;
   bool report = false;             ///< write a report at the end of the run
+  std::optional<int> serve;        ///< port of a live page; 0 is any free one
   bool d3plot = false;             ///< write d3plot files beside ParaView's
   int trace_energy = 0;            ///< follow the energy balance by groups of so many elements; 0: not
   bool move_apart = false;         ///< move nodes that overlap at the start
@@ -65,6 +66,7 @@ struct ReportOptions {
   std::filesystem::path folder;         ///< of a run's results
   std::filesystem::path file;           ///< to write; empty is report.html in the folder
   std::filesystem::path template_file;  ///< empty looks for the one that was built
+  std::optional<int> serve;             ///< port of a live page, instead of a file; 0 is any free one
   PictureOptions pictures;
   bool quiet = false;
 };

@@ -14,6 +14,7 @@ namespace {
 constexpr int lines_per_run = 20;
 constexpr double seconds_between_lines = 10;
 constexpr double seconds_between_bars = 0.2;
+constexpr double seconds_between_words = 0.2;
 /// The speed is averaged over this long: shorter would flicker, longer would lag.
 constexpr double speed_window = 2;
 
@@ -66,9 +67,17 @@ void Monitor::print_last_line() {
 }
 
 void Monitor::observe() {
-  if (quiet_) return;
+  if (quiet_ && !listener_) return;
   update_speed();
   const double now = since_start_.seconds();
+  if (!quiet_) print_due(now);
+  if (listener_ && now >= next_word_seconds_) {
+    listener_(progress());
+    next_word_seconds_ = now + seconds_between_words;
+  }
+}
+
+void Monitor::print_due(double now) {
   const double time = simulation_.domain().clock.time;
   if (time >= next_line_time_ || now >= next_line_seconds_) {
     print_line();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "app/live_pages.hpp"
 #include "app/report_pictures.hpp"
 #include "base/error.hpp"
 #include "output/write_error.hpp"
@@ -58,6 +59,7 @@ bool report_can_be_made(const ReportOptions& options, const Console& console) {
 }
 
 ExitCode report_results(const ReportOptions& options, const Console& console) {
+  if (options.serve) return serve_results(options, console);
   const std::filesystem::path file = options.file.empty() ? options.folder / "report.html" : options.file;
   try {
     if (options.pictures.wanted) find_browser();

@@ -163,6 +163,7 @@ Options continued_options(const Options& asked, const Restart& restart) {
   options.folder = asked.folder.empty() ? continued_folder(restart) : asked.folder;
   options.quiet = asked.quiet;
   options.report = asked.report;
+  options.serve = asked.serve;
   options.verify_search = asked.verify_search;
   options.notes = asked.notes;
   options.d3plot = options.d3plot || asked.d3plot;

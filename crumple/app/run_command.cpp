@@ -4,8 +4,10 @@
 
 #include <fmt/ostream.h>
 
+#include <memory>
 #include <ostream>
 
+#include "app/live_pages.hpp"
 #include "app/model_summary.hpp"
 #include "app/preparation.hpp"
 #include "app/report_command.hpp"
@@ -31,9 +33,9 @@ ExitCode end_with(ExitCode code, const Console& console) {
 }
 
 ExitCode run_model(const Options& options, const deck::ReadResult& deck, const Console& console,
-                   const Stopwatch& wall, const Restart* restart) {
+                   const Stopwatch& wall, const Restart* restart, live::StatusBoard* board) {
   try {
-    RunSession session(options, deck, console, wall, restart);
+    RunSession session(options, deck, console, wall, restart, board);
     return session.run();
   } catch (const output::WriteError& fault) {
     fmt::print(console.err, "crumple: error: {}\n", fault.what());
@@ -85,8 +87,15 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
   }
   if (!options.quiet) print_reading(console.out, deck);
   if (options.report && !report_can_be_made({}, console)) return end_with(ExitCode::Usage, console);
+  live::StatusBoard board;
+  std::unique_ptr<live::LivePage> page;
+  if (options.serve) {
+    page = open_live_page(
+        result_folder(options), {}, *options.serve, [&board] { return board.read(); }, console);
+    if (!page) return end_with(ExitCode::Usage, console);
+  }
   if (options.move_apart) move_overlaps_apart(options, *deck.model, console);
-  ExitCode code = run_model(options, deck, console, wall, restart);
+  ExitCode code = run_model(options, deck, console, wall, restart, page ? &board : nullptr);
   const bool has_results = code != ExitCode::Input && code != ExitCode::Output;
   if (options.report && has_results) {
     ReportOptions report;
@@ -95,7 +104,13 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
     if (report_results(report, console) != ExitCode::Normal && code == ExitCode::Normal)
       code = ExitCode::Output;
   }
-  return end_with(code, console);
+  end_with(code, console);
+  if (page) {
+    // Where nothing could be run, the board does not know yet.
+    if (board.read().state != live::RunState::Ended) board.end("error");
+    page->wait_for_readers();
+  }
+  return code;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <ostream>
 
+#include "app/live_pages.hpp"
 #include "app/model_summary.hpp"
 #include "app/preparation.hpp"
 #include "app/run_command.hpp"
@@ -49,11 +50,12 @@ bool positions_are_finite(const domain::NodeFields& nodes) {
 }  // namespace
 
 RunSession::RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-                       const Stopwatch& wall, const Restart* restart)
+                       const Stopwatch& wall, const Restart* restart, live::StatusBoard* board)
     : options_(options),
       deck_(deck),
       console_(console),
       wall_(wall),
+      board_(board),
       folder_(result_folder(options)),
       simulation_(*deck.model, choose_execution(options, *deck.model)),
       switches_({std::filesystem::path("."), folder_}) {
@@ -80,6 +82,10 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   if (restart != nullptr && lies_in(restart->file, folder_ / restart_folder))
     restart_writer_->goes_on_from(restart->file, domain.clock);
   monitor_ = std::make_unique<Monitor>(simulation_, console, options.quiet, loop_seconds_);
+  if (board_ != nullptr)
+    monitor_->tell([this](const Progress& progress) {
+      board_->post(live_status(simulation_.domain(), progress, recorder_->frames()));
+    });
 }
 
 void RunSession::begin() {
@@ -304,6 +310,10 @@ ExitCode RunSession::run() {
     if (diagnostic.severity == deck::Severity::Warning) warnings_.push_back(deck::to_string(diagnostic));
   for (std::string& warning : output::energy_warnings(view())) warn(std::move(warning));
   finish(ending);
+  if (board_ != nullptr) {
+    board_->post(live_status(simulation_.domain(), monitor_->progress(), recorder_->frames()));
+    board_->end(ending.termination);
+  }
   if (!options_.quiet) {
     print_summary(console_.out, view(), loop_seconds_);
     print_checks(console_.out, output::acceptance_checks(view(), peaks_));

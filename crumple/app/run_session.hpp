@@ -18,6 +18,7 @@
 #include "app/switch_file.hpp"
 #include "base/stopwatch.hpp"
 #include "deck/reader.hpp"
+#include "live/run_status.hpp"
 #include "output/checks.hpp"
 #include "output/recorder.hpp"
 #include "timeloop/simulation.hpp"
@@ -37,9 +38,10 @@ class RunSession {
  public:
   /// Builds the simulation, prints what it holds and makes the folder of the results. The deck, whose model
   /// must be there, the console and the watch must outlive the session; `restart` is null for a new run.
-  /// Throws Error, WriteError.
+  /// Others read on the board, which may be null and must outlive the session, too, how far it is. Throws
+  /// Error, WriteError.
   RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-             const Stopwatch& wall, const Restart* restart = nullptr);
+             const Stopwatch& wall, const Restart* restart = nullptr, live::StatusBoard* board = nullptr);
 
   /// Runs to the end, writes the last state and run.json, and prints the summary. Throws nothing of its own:
   /// what goes wrong is told on the console and by the exit code.
@@ -68,6 +70,7 @@ class RunSession {
   const deck::ReadResult& deck_;
   const Console& console_;
   const Stopwatch& wall_;
+  live::StatusBoard* board_;
   std::filesystem::path folder_;
   timeloop::Simulation simulation_;
   std::unique_ptr<output::Recorder> recorder_;
