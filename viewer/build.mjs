@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bundles the pages of crumple report and crumple compare, each into one HTML file without a result: node build.mjs [FOLDER].
+// Bundles the pages of crumple report, --serve and crumple compare, each into one HTML file without a result: node build.mjs [FOLDER].
 import { mkdir, readFile, rename, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -9,6 +9,7 @@ const here = dirname(fileURLToPath(import.meta.url));
 const folder = process.argv[2] ?? join(here, "..", "build", "viewer");
 const pages = [
   { entry: "main.ts", template: "template.html", name: "report_template.html", libraries: ["three", "uplot", "fflate"] },
+  { entry: "live/main.ts", template: "live_template.html", name: "live_template.html", libraries: [] },
   { entry: "compare/main.ts", template: "compare_template.html", name: "compare_template.html", libraries: ["uplot"] },
 ];
 
@@ -37,7 +38,7 @@ async function buildPage({ entry, template, name, libraries }) {
     write: false,
   });
   const text = (ending) => result.outputFiles.find((output) => output.path.endsWith(ending)).text;
-  const banner = `/*\nThis page contains the following libraries.\n\n${await licences(libraries)}\n*/\n`;
+  const banner = libraries.length === 0 ? "" : `/*\nThis page contains the following libraries.\n\n${await licences(libraries)}\n*/\n`;
   const script = (banner + text(".js")).replace(/<\/script/gi, "<\\/script").replace(/<!--/g, "<\\!--");
   const page = (await readFile(join(here, template), "utf8"))
     .replace("/* style */", () => text(".css"))

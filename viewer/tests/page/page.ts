@@ -3,7 +3,7 @@ import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { unzlibSync } from "fflate";
-import { chromium, type Browser, type Page } from "playwright-core";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
 export const root = join(__dirname, "..", "..", "..");
 const results = join(root, "build", "viewer", "results");
@@ -30,9 +30,9 @@ export interface OpenReport {
   faults: string[];
 }
 
-/** Opens a page from its file, without a network, and waits until it has put `ready` into its window. */
-export async function openPage(browser: Browser, address: string, ready: string, size: { width: number; height: number }): Promise<OpenReport> {
-  const context = await browser.newContext({ viewport: size, offline: true, hasTouch: size.width < 500 });
+/** A page whose faults are listed; requests may go to addresses that begin as `allowed` says. */
+export async function newPage(browser: Browser, options: BrowserContextOptions, allowed: RegExp): Promise<OpenReport> {
+  const context = await browser.newContext(options);
   const page = await context.newPage();
   const faults: string[] = [];
   page.on("console", (message) => {
@@ -41,11 +41,18 @@ export async function openPage(browser: Browser, address: string, ready: string,
   });
   page.on("pageerror", (fault) => faults.push(fault.message));
   page.on("request", (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) faults.push(`asked for ${request.url()}`);
+    if (!allowed.test(request.url())) faults.push(`asked for ${request.url()}`);
   });
+  return { page, faults };
+}
+
+/** Opens a page from its file, without a network, and waits until it has put `ready` into its window. */
+export async function openPage(browser: Browser, address: string, ready: string, size: { width: number; height: number }): Promise<OpenReport> {
+  const opened = await newPage(browser, { viewport: size, offline: true, hasTouch: size.width < 500 }, /^(file|data|blob):/);
+  const { page } = opened;
   await page.goto(address);
   await page.waitForFunction((name) => name in window, ready, { timeout: 120000 });
-  return { page, faults };
+  return opened;
 }
 
 /** Opens the report of a result. */
