@@ -44,6 +44,8 @@ function showWithoutModel(run: Run, themes: Themes, root: HTMLElement): void {
 }
 
 async function start(): Promise<void> {
+  // For the live page, which waits for it.
+  document.documentElement.dataset["report"] = "reading";
   const root = document.getElementById("crumple")!;
   const message = document.getElementById("crumple-message")!;
   try {
@@ -65,7 +67,7 @@ async function start(): Promise<void> {
     message.textContent = `The report cannot be shown: ${fault instanceof Error ? fault.message : String(fault)}`;
     throw fault;
   } finally {
-    document.documentElement.dataset["settled"] = "";
+    document.documentElement.dataset["report"] = "settled";
   }
 }
 

@@ -28,7 +28,10 @@ export class ReportFrames {
       await loaded;
       const page = next.contentDocument;
       if (!page?.getElementById("crumple")) throw new Error(page?.body.textContent?.trim() || "The report cannot be had.");
-      while (page.documentElement.dataset["settled"] === undefined) await pause(30);
+      const state = () => page.documentElement.dataset["report"];
+      // The script stands at the end.
+      if (state() === undefined) throw new Error("The report broke off.");
+      while (state() !== "settled") await pause(30);
     } catch (fault) {
       next.remove();
       throw fault;

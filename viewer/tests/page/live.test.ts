@@ -58,7 +58,7 @@ describe("the live page", () => {
   });
   afterAll(() => browser.close());
   beforeEach(async () => {
-    run = await startRun(20);
+    run = await startRun(30);
     ({ page, faults } = await newPage(browser, { viewport: { width: 1100, height: 700 } }, new RegExp(`^(data|blob):|^${run.address}`)));
     await page.goto(run.address);
   });
@@ -71,7 +71,7 @@ describe("the live page", () => {
     const first = await waitForFrames(page, 0);
     expect((await settings(page)).player.atEnd).toBe(true);
     expect(await page.locator("#strip .state").textContent()).toBe("running");
-    expect(await page.locator("#strip .facts").textContent()).toMatch(/^t = \S+ of 20 .* \d+ % .* cycle \d+ .* to go$/);
+    expect(await page.locator("#strip .facts").textContent()).toMatch(/^t = \S+ of 30 .* \d+ % .* cycle \d+ .* to go$/);
 
     await ofReport(page, (frame) => {
       const { report } = frame.crumple!;
@@ -107,7 +107,7 @@ describe("the live page", () => {
     await waitForFrames(page, second);
     expect((await settings(page)).player).toMatchObject({ time, atEnd: false });
 
-    await page.waitForFunction(() => document.querySelector("#strip .state")!.textContent === "ended: normal", null, { timeout: 60000 });
+    await page.waitForFunction(() => document.querySelector("#strip .state")!.textContent === "ended: normal", null, { timeout: 180000 });
     expect(await run.code).toBe(0);
     expect(await ofReport(page, (frame) => frame.crumple!.run.meta.run?.termination)).toBe("normal");
     expect(await page.locator("iframe").count()).toBe(1);
@@ -116,7 +116,7 @@ describe("the live page", () => {
     expect((await settings(page)).player.time).toBe(0);
     await page.waitForTimeout(2500);
     expect(faults).toEqual([]);
-  }, 120000);
+  }, 300000);
 
   it("says that the program was killed", async () => {
     await waitForFrames(page, 0);
@@ -125,7 +125,8 @@ describe("the live page", () => {
     const misses = faults.length;
     await page.waitForTimeout(2500);
     expect(faults.length).toBe(misses);
-    expect(faults.every((fault) => fault.includes("ERR_CONNECTION_REFUSED") || fault.includes("ERR_SOCKET") || fault.includes("ERR_EMPTY_RESPONSE"))).toBe(true);
+    // What the browser itself says of requests that fail.
+    expect(faults.filter((fault) => !/net::ERR_/.test(fault))).toEqual([]);
     expect(await frames(page)).toBeGreaterThan(0);
   }, 60000);
 });
