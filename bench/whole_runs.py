@@ -10,13 +10,14 @@ by stage, from run.json.
 """
 
 import argparse
-import json
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "examples" / "support"))
+from runs import run, write_deck  # noqa: E402
+
 BOX_BEAM = HERE.parent / "examples" / "01_box_beam" / "make_box_beam.py"
 STAGES = ("elements", "contact_search", "contact_local", "contact_forces", "constraints", "integrate", "output")
 
@@ -28,18 +29,6 @@ RUNS = {
     "tubes 100k": ([HERE / "make_decks.py", "tubes"], True, True),
     "sheet 1M": ([HERE / "make_decks.py", "sheet"], True, True),
 }
-
-
-def write_deck(path, generator, cycles):
-    command = [sys.executable, *map(str, generator)] + (["--cycles", str(cycles)] if cycles else [])
-    with open(path, "w") as deck:
-        subprocess.run(command, stdout=deck, check=True)
-
-
-def run(program, deck, options):
-    folder = deck.with_suffix(".out")
-    subprocess.run([program, "run", str(deck), "-o", str(folder), "--quiet", *options], stdout=subprocess.DEVNULL)
-    return json.loads((folder / "run.json").read_text())
 
 
 def print_line(name, record):
@@ -68,9 +57,11 @@ def main():
             if arguments.only is None and not (quick or arguments.all):
                 continue
             deck = Path(folder) / (name.replace(" ", "_") + ".k")
-            write_deck(deck, generator, arguments.cycles if limited else 0)
+            limit = ["--cycles", arguments.cycles] if limited and arguments.cycles else []
+            write_deck(deck, generator[0], [*generator[1:], *limit])
             for precision in [arguments.precision] if arguments.precision else ["mixed", "double"]:
-                print_line(name, run(arguments.program, deck, ["-t", arguments.threads, "--precision", precision]))
+                options = ["-t", arguments.threads, "--precision", precision]
+                print_line(name, run(arguments.program, deck, deck.with_suffix(".out"), options))
 
 
 if __name__ == "__main__":

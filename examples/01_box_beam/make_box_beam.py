@@ -11,6 +11,11 @@ its rear end. Two symmetry planes leave a quarter: 829 nodes, 756 shells of 5 mm
 
 import argparse
 import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from cards import id_cards, mass_cards, node_cards, shell_cards  # noqa: E402
 
 LENGTH = 0.30
 HALF_WIDTH = 0.03
@@ -105,16 +110,6 @@ class Mesh:
         return [(node, cell * share(j) * share(k)) for (j, k), node in sorted(self.number_of.items())]
 
 
-def node_cards(mesh):
-    for number, (x, y, z) in enumerate(mesh.nodes, 1):
-        yield f"{number:8d}{x:16.9g}{y:16.9g}{z:16.9g}"
-
-
-def id_cards(numbers):
-    for at in range(0, len(numbers), 8):
-        yield "".join(f"{number:10d}" for number in numbers[at:at + 8])
-
-
 def deck(mesh, formulation, points, cells_across):
     on_y = [n for n, (x, y, z) in enumerate(mesh.nodes, 1) if abs(y) < 1e-9]
     on_z = [n for n, (x, y, z) in enumerate(mesh.nodes, 1) if abs(z) < 1e-9]
@@ -207,13 +202,11 @@ $     nsid       cid      dofx      dofy      dofz     dofrx     dofry     dofrz
          1         0         0         1         0         1         0         1
          2         0         0         0         1         1         1         0
 *ELEMENT_MASS"""
-    for number, (node, mass) in enumerate(mesh.plate_masses(), 1):
-        yield f"{number:8d}{node:8d}{mass:16.9g}"
+    yield from mass_cards(mesh.plate_masses())
     yield "*NODE"
-    yield from node_cards(mesh)
+    yield from node_cards(mesh.nodes)
     yield "*ELEMENT_SHELL"
-    for number, shell in enumerate(mesh.shells, 1):
-        yield "".join(f"{value:8d}" for value in (number, *shell))
+    yield from shell_cards(mesh.shells)
     yield "*END"
 
 

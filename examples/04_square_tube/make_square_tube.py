@@ -10,6 +10,11 @@
 
 import argparse
 import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from cards import id_cards, mass_cards, node_cards, shell_cards  # noqa: E402
 
 LENGTH = 240.0
 WIDTH = 60.0
@@ -60,11 +65,6 @@ def mesh(element_size):
             shells.append((lower + j + 1, lower + following + 1, upper + following + 1, upper + j + 1))
     top = range(rows * around + 1, (rows + 1) * around + 1)
     return nodes, shells, top
-
-
-def lines_of(numbers):
-    for at in range(0, len(numbers), 8):
-        yield "".join(f"{number:10d}" for number in numbers[at:at + 8])
 
 
 def deck(options):
@@ -120,19 +120,16 @@ $       fs        fd        dc        vc       vdc
 *SET_NODE_LIST_TITLE
 top: held across the tube and against turning, carries the mass
          1"""
-    yield from lines_of(top)
+    yield from id_cards(top)
     yield """*BOUNDARY_SPC_SET
 $     nsid       cid      dofx      dofy      dofz     dofrx     dofry     dofrz
          1         0         1         1         0         1         1         1
 *ELEMENT_MASS"""
-    for number, node in enumerate(top, 1):
-        yield f"{number:8d}{node:8d}{MASS / len(top):16.9g}"
+    yield from mass_cards([(node, MASS / len(top)) for node in top])
     yield "*NODE"
-    for number, (x, y, z) in enumerate(nodes, 1):
-        yield f"{number:8d}{x:16.9g}{y:16.9g}{z:16.9g}"
+    yield from node_cards(nodes)
     yield "*ELEMENT_SHELL"
-    for number, shell in enumerate(shells, 1):
-        yield f"{number:8d}{1:8d}" + "".join(f"{node:8d}" for node in shell)
+    yield from shell_cards([(1, *shell) for shell in shells])
     yield "*END"
 
 
