@@ -225,18 +225,25 @@ def label(words, size, place, to_the_left=False):
     return actor
 
 
+def three_numbers(text, instead_of):
+    try:
+        numbers = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        numbers = ()
+    if len(numbers) != 3:
+        sys.exit(f"tools/picture: '{text}' is no {instead_of} three numbers with commas between them")
+    return numbers
+
+
 def direction_of(view):
     if view in VIEWS:
         return VIEWS[view]
     if view.lstrip("-") in AXES and view.lstrip("-"):
         sign = -1.0 if view.startswith("-") else 1.0
         return tuple(sign if name == view.lstrip("-") else 0.0 for name in AXES)
-    try:
-        direction = tuple(float(part) for part in view.split(","))
-    except ValueError:
-        direction = ()
-    if len(direction) != 3 or not any(direction):
-        sys.exit(f"tools/picture: '{view}' is no direction; write iso, x, -x, ..., or three numbers")
+    direction = three_numbers(view, "direction; write iso, x, -x, ..., or")
+    if not any(direction):
+        sys.exit("tools/picture: 0,0,0 is no direction")
     return direction
 
 
@@ -247,11 +254,14 @@ def place_camera(renderer, bounds, arguments):
     camera = renderer.GetActiveCamera()
     camera.SetViewAngle(20)
     middle = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
+    centre = three_numbers(arguments.centre, "place; write") if arguments.centre else middle
     camera.SetFocalPoint(middle)
     camera.SetPosition([m + d for m, d in zip(middle, direction)])
     camera.SetViewUp(*[1.0 if name == up else 0.0 for name in AXES])
     renderer.ResetCamera(bounds)
     camera.Zoom(fit_factor(renderer, bounds) * arguments.zoom)
+    camera.SetPosition([p + c - m for p, c, m in zip(camera.GetPosition(), centre, middle)])
+    camera.SetFocalPoint(centre)
     # The colour bar takes the right edge: the model moves a little to the left.
     camera.SetWindowCenter(0.06, 0.0)
     renderer.ResetCameraClippingRange(tuple(b + (-1, 1)[i % 2] * 0.5 * renderer_length(bounds)
