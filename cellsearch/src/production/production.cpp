@@ -51,7 +51,7 @@ void Production::build(const FinderInput& input) {
 bool Production::sort_again(const NodeGridInput& nodes) {
   const Scene& scene = input_.scene;
   const Layout layout{scene.positions.count(), scene.participants(), scene.segments.count(), scene.expansion};
-  const bool usable = !nodes.limit && layout == layout_ && builds_left_ > 0;
+  const bool usable = layout == layout_ && builds_left_ > 0;
   layout_ = layout;
   if (!usable) return false;
   --builds_left_;
