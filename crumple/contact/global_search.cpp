@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "contact/search_calls.hpp"
 
 namespace crumple::contact {
@@ -170,7 +171,12 @@ void GlobalSearch::collect(std::span<const Vec3> position) {
   }
   scene.nodes = std::span<const cellsearch::Index>(searched_node_);
   try {
-    sort_by_node(search_.find(scene));
+    const cellsearch::Candidates* found = nullptr;
+    {
+      const StageTimer timer(statistics_.find_seconds);
+      found = &search_.find(scene);
+    }
+    sort_by_node(*found);
     motion_.start(scene.positions, surface_->nodes);
   } catch (const cellsearch::Error& error) {
     rethrow(error, *surface_);
@@ -184,6 +190,8 @@ void GlobalSearch::search(const Kinematics& motion) {
   measure_slack(motion);
   ++statistics_.searches;
   statistics_.candidates += static_cast<long>(segment_.size());
+  statistics_.node_visits += search_.statistics().raw_visits;
+  statistics_.cell_visits += search_.statistics().cell_visits;
 
   const double step = motion.step;
   const double speed = step > 0 ? norm(step_motion(motion)) / step : 0.0;

@@ -61,6 +61,7 @@ class GlobalSearch {
   void verify(const Kinematics& motion);
 
   const SearchStatistics& statistics() const { return statistics_; }
+  /// Counts of the last search.
   const cellsearch::Statistics& details() const { return search_.statistics(); }
 
   /// Declares the positions at the last search, from which the candidates follow.

@@ -219,6 +219,18 @@ struct Interface::Implementation {
     entry.two_sided = contact.kind != model::ContactKind::SingleSurface;
   }
 
+  void describe_search(domain::SearchReport& entry) const {
+    const SearchStatistics& done = search.statistics();
+    const cellsearch::Statistics& last = search.details();
+    entry.expansion = done.expansion;
+    entry.node_visits = done.node_visits;
+    entry.cell_visits = done.cell_visits;
+    entry.participants = static_cast<long>(last.participants);
+    entry.cells = static_cast<long>(last.cells);
+    entry.bytes = static_cast<long>(last.bytes);
+    entry.find_seconds = done.find_seconds;
+  }
+
   void write_report(domain::ContactReport& entry) {
     describe(entry);
     entry.searches = search.statistics().searches + edges.search().searches();
@@ -227,6 +239,7 @@ struct Interface::Implementation {
       entry.searches += pinballs->searches();
       entry.candidates += pinballs->candidates();
     }
+    describe_search(entry.search);
     entry.active_pairs = static_cast<Index>(penetrations.size());
     entry.penetration = 0;
     for (const Penetration& found : penetrations) {

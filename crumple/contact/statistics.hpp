@@ -9,6 +9,9 @@ namespace crumple::contact {
 struct SearchStatistics {
   long searches = 0;
   long candidates = 0;         ///< pairs of all searches together
+  long node_visits = 0;        ///< nodes that the method looked at in all searches, candidates or not
+  long cell_visits = 0;        ///< cells that it looked into; 0 for methods without cells
+  double find_seconds = 0;     ///< wall time of building and asking, without following the motion [s]
   double expansion = 0;        ///< c: largest expansion of a territory [length]
   double margin = 0;           ///< what nodes may move relative to each other before the next search [length]
   int predicted_interval = 0;  ///< steps until the next search by eq. (10) of the paper, at the last search

@@ -28,6 +28,17 @@ struct ContactTimes {
   double forces = 0;
 };
 
+/// What the global search of a contact cost so far, that of nodes and segments alone.
+struct SearchReport {
+  double expansion = 0;     ///< c: largest expansion of a territory [length]
+  long node_visits = 0;     ///< nodes looked at in all searches, candidates or not
+  long cell_visits = 0;     ///< cells looked into in all searches; 0 for methods without cells
+  long participants = 0;    ///< N: nodes that took part in the last search
+  long cells = 0;           ///< Ncell of the last search; 0 for methods without cells
+  long bytes = 0;           ///< working memory of the method at the last search
+  double find_seconds = 0;  ///< the share of building and asking in ContactTimes::search [s]
+};
+
 /// A look at the surfaces of a contact at one time. Made on request: it costs as much as a search.
 struct ContactInspection {
   bool made = false;
@@ -64,6 +75,7 @@ struct ContactReport {
   math::Vec3 force{};            ///< on the first of two sides now, from the second [force]
   std::array<double, 2> mass{};  ///< of the nodes of its sides [mass]
   ContactInspection inspection{};
+  SearchReport search{};
   ContactTimes times{};
 };
 

@@ -33,6 +33,15 @@ Json timings_of(const domain::StageTimes& times) {
           {"output", times.output}};
 }
 
+Json search_of(const domain::SearchReport& search) {
+  return {{"expansion", search.expansion},
+          {"node_visits", search.node_visits},
+          {"cell_visits", search.cell_visits},
+          {"participants", search.participants},
+          {"cells", search.cells},
+          {"bytes", search.bytes}};
+}
+
 Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
   Json list = Json::array();
   for (const domain::ContactReport& contact : contacts)
@@ -54,8 +63,10 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
                     {"worst_node", contact.worst_node},
                     {"energy", contact.energy},
                     {"friction_energy", contact.friction_energy},
+                    {"search", search_of(contact.search)},
                     {"timings",
                      {{"search", contact.times.search},
+                      {"find", contact.search.find_seconds},
                       {"local", contact.times.local},
                       {"forces", contact.times.forces}}}});
   return list;

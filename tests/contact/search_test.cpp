@@ -217,6 +217,33 @@ TEST(Search, OnlyNodesInsideTheCellDomainCount) {
   }
 }
 
+// Eq. (12) of the paper: Ncell + N integers of four bytes, whatever the model.
+TEST(Search, ItsCostIsReported) {
+  Bodies bodies = stack();
+  bodies.model.search.method = "linked-cell";
+  bodies.model.search.has_cells = true;
+  bodies.model.search.cells = {9, 7, 5};
+  bodies.model.search.domain_minimum = {-1, -1, -1};
+  bodies.model.search.domain_maximum = {4, 3, 1};
+  domain::Domain made = bodies.build();
+  contact::Interface touching = bodies.attach(made);
+  test::add_forces(touching, made);
+  const domain::SearchReport first = made.contacts[0].search;
+  EXPECT_EQ(first.participants, made.nodes.count());
+  EXPECT_EQ(first.cells, 9 * 7 * 5);
+  EXPECT_EQ(first.bytes, 4 * (first.cells + first.participants));
+  EXPECT_GE(first.node_visits, made.contacts[0].candidates) << "a candidate has been looked at";
+  EXPECT_GE(first.cell_visits, made.contacts[0].segments) << "a territory inside meets a cell";
+  EXPECT_GT(first.expansion, 0.06) << "the contact distance";
+  EXPECT_GT(first.find_seconds, 0);
+  for (int cycle = 1; cycle <= 40; ++cycle) test::move_to(touching, made, swing(made, cycle), 0.02);
+  const domain::ContactReport& later = made.contacts[0];
+  EXPECT_GT(later.searches, 1);
+  EXPECT_GT(later.search.node_visits, first.node_visits);
+  EXPECT_GT(later.search.find_seconds, first.find_seconds);
+  EXPECT_EQ(later.search.bytes, first.bytes);
+}
+
 TEST(Intersections, SheetsThatCutEachOtherAreCounted) {
   Bodies bodies(0.01);
   bodies.sheet(4, 1, [](double u, double v) { return Vec3{4 * u, v, 0}; });

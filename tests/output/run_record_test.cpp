@@ -57,7 +57,8 @@ TEST_F(RunRecordTest, HasEveryDocumentedName) {
   for (const char* name : {"elements", "contact_search", "contact_local", "contact_forces", "constraints",
                            "integrate", "output"})
     EXPECT_TRUE(json["timings"].contains(name)) << name;
-  for (const char* name : {"searches", "candidates", "active_pairs", "worst_penetration"})
+  for (const char* name :
+       {"searches", "candidates", "active_pairs", "worst_penetration", "search", "timings"})
     EXPECT_TRUE(json["contact"][0].contains(name)) << name;
   for (const char* name : {"name", "value", "limit", "pass", "source"})
     EXPECT_TRUE(json["checks"][0].contains(name)) << name;
@@ -78,6 +79,25 @@ TEST_F(RunRecordTest, HashesAreHexadecimalAndCountsNumbers) {
   EXPECT_EQ(json["precision"], "double");
   EXPECT_DOUBLE_EQ(json["ns_per_element_cycle"], 2000) << "3e6 ns x 2 threads / 3 shells / 1000 cycles";
   EXPECT_EQ(json["files"][0], "run.pvd");
+}
+
+TEST_F(RunRecordTest, SaysWhatTheSearchOfAContactCost) {
+  domain::ContactReport contact;
+  contact.search = {.expansion = 0.25,
+                    .node_visits = 700,
+                    .cell_visits = 90,
+                    .participants = 40,
+                    .cells = 60,
+                    .bytes = 400,
+                    .find_seconds = 0.5};
+  contact.times.search = 0.75;
+  domain_.contacts.push_back(contact);
+  const auto written_contact = written({})["contact"][0];
+  const nlohmann::json expected = {{"expansion", 0.25},  {"node_visits", 700}, {"cell_visits", 90},
+                                   {"participants", 40}, {"cells", 60},        {"bytes", 400}};
+  EXPECT_EQ(written_contact["search"], expected);
+  EXPECT_EQ(written_contact["timings"]["find"], 0.5);
+  EXPECT_EQ(written_contact["timings"]["search"], 0.75);
 }
 
 TEST_F(RunRecordTest, WhatIsNotANumberIsNullAndBadTextDoesNotStopIt) {
