@@ -3,13 +3,14 @@
 # The work is done by CMake (CMakePresets.json) and by the scripts in tools/.
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
-.PHONY: help demo build test test-full nightly check format clean
+.PHONY: help demo paper build test test-full nightly check format clean
 
 # CMake takes the launcher from the environment; ccache only where it is installed.
 use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
 
 help:
 	@echo "make demo       build, run the box beam of the paper, draw it, list the files to open"
+	@echo "make paper      build, run the paper's three examples with every search method, write docs/paper.md (10 minutes)"
 	@echo "make build      release programs and the pages of crumple report and compare: build/release, build/viewer"
 	@echo "make test       release build and all quick tests"
 	@echo "make test-full  after make test: clang, sanitizers, every instruction set, all checks"
@@ -22,6 +23,11 @@ demo:
 	@tools/setup build picture
 	@$(MAKE) build
 	@tools/demo
+
+paper:
+	@tools/setup build picture
+	@$(MAKE) build
+	@/usr/bin/python3 bench/paper build/release/crumple
 
 build:
 	@tools/setup build
