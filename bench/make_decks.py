@@ -4,6 +4,7 @@
 
     ./make_decks.py tubes > tubes.k      25 square tubes of 4000 shells run onto a wall and fold, self-contact
     ./make_decks.py sheet > sheet.k      1000 x 1000 shells, clamped along one edge, set swinging
+    ./make_decks.py block > block.k      8000 hexahedra that strike a wall at 100 m/s
 """
 
 import argparse
@@ -21,27 +22,34 @@ HEAD = """*KEYWORD
 *CONTROL_HOURGLASS
          4      0.03
 *PART
-shells
+{part}
          1         1         1
-*SECTION_SHELL
-         1         2  0.833333         3
-{thickness:10g}{thickness:10g}{thickness:10g}{thickness:10g}
+{section}
 *MAT_PLASTIC_KINEMATIC
          1   7.85e-6       210       0.3      0.25       1.0       1.0
          0         0         0"""
+
+
+def head(title, end_time, cycles, thickness=None):
+    """The cards before the mesh; those of a shell where there is a thickness, else of a solid."""
+    if thickness is None:
+        return HEAD.format(title=title, end_time=end_time, cycles=cycles, part="solids",
+                           section="*SECTION_SOLID\n         1         1")
+    section = "*SECTION_SHELL\n         1         2  0.833333         3\n" + 4 * f"{thickness:10g}"
+    return HEAD.format(title=title, end_time=end_time, cycles=cycles, part="shells", section=section)
 
 
 def node_card(number, x, y, z):
     return f"{number:8d}{x:16.9g}{y:16.9g}{z:16.9g}"
 
 
-def shell_card(number, nodes):
+def element_card(number, nodes):
     return f"{number:8d}{1:8d}" + "".join(f"{node:8d}" for node in nodes)
 
 
 def tubes(cycles, rows=5, width=60.0, around=100, high=40):
     """rows x rows square tubes beside each other, nodes shared round each corner."""
-    yield HEAD.format(title=f"{rows * rows} square tubes onto a rigid wall", end_time=10.0, cycles=cycles, thickness=1.0)
+    yield head(title=f"{rows * rows} square tubes onto a rigid wall", end_time=10.0, cycles=cycles, thickness=1.0)
     edge = 4 * width / around
     yield f"""*CONTACT_AUTOMATIC_SINGLE_SURFACE
          0         0         0         0
@@ -74,12 +82,12 @@ def tubes(cycles, rows=5, width=60.0, around=100, high=40):
                 number += 1
                 first = tube * per_tube + j * around + 1
                 corners = (first + i, first + (i + 1) % around)
-                yield shell_card(number, (*corners, corners[1] + around, corners[0] + around))
+                yield element_card(number, (*corners, corners[1] + around, corners[0] + around))
     yield "*END"
 
 
 def sheet(cycles, cells=1000, edge=5.0):
-    yield HEAD.format(title=f"sheet of {cells * cells} shells", end_time=100.0, cycles=cycles, thickness=1.5)
+    yield head(title=f"sheet of {cells * cells} shells", end_time=100.0, cycles=cycles, thickness=1.5)
     line = cells + 1
     yield "*SET_NODE_LIST\n         1"
     clamped = list(range(1, line + 1))
@@ -99,16 +107,44 @@ def sheet(cycles, cells=1000, edge=5.0):
     for j in range(cells):
         for i in range(cells):
             corner = j * line + i + 1
-            yield shell_card(j * cells + i + 1, (corner, corner + 1, corner + line + 1, corner + line))
+            yield element_card(j * cells + i + 1, (corner, corner + 1, corner + line + 1, corner + line))
     yield "*END"
+
+
+def block(cycles, cells=20, edge=5.0):
+    """cells x cells x cells hexahedra, yielding from the wall upwards."""
+    yield head(title=f"block of {cells ** 3} hexahedra onto a rigid wall", end_time=10.0, cycles=cycles)
+    yield """*RIGIDWALL_PLANAR
+         0         0         0
+       0.0       0.0       0.0       0.0       0.0     100.0       0.3
+*INITIAL_VELOCITY
+         0
+       0.0       0.0    -100.0
+*NODE"""
+    line = cells + 1
+    for k in range(line):
+        for j in range(line):
+            for i in range(line):
+                yield node_card((k * line + j) * line + i + 1, i * edge, j * edge, k * edge)
+    yield "*ELEMENT_SOLID"
+    for k in range(cells):
+        for j in range(cells):
+            for i in range(cells):
+                corner = (k * line + j) * line + i + 1
+                face = (corner, corner + 1, corner + line + 1, corner + line)
+                yield element_card((k * cells + j) * cells + i + 1, (*face, *(node + line * line for node in face)))
+    yield "*END"
+
+
+DECKS = {"tubes": tubes, "sheet": sheet, "block": block}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("deck", choices=("tubes", "sheet"))
+    parser.add_argument("deck", choices=tuple(DECKS))
     parser.add_argument("--cycles", type=int, default=0, help="stop after so many (default: run to the end time)")
     arguments = parser.parse_args()
-    for line in {"tubes": tubes, "sheet": sheet}[arguments.deck](arguments.cycles):
+    for line in DECKS[arguments.deck](arguments.cycles):
         print(line)
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Whole runs of the program, timed: the box beam of the paper at 5, 2.5 and 1.25 mm, 25 tubes of 4000 shells that
-fold with self-contact, a sheet of a million shells. Prints one line per run: time per element and cycle, in all and
-by stage, from run.json.
+fold with self-contact, a sheet of a million shells, a block of solids. Prints one line per run: time per element and
+cycle, in all and by stage, from run.json.
 
     bench/whole_runs.py build/release/crumple                        the quick ones, minutes
     bench/whole_runs.py build/release/crumple --all -t 2             every one, long
@@ -28,28 +28,32 @@ RUNS = {
     "box beam 1.25 mm": ([BOX_BEAM, "--element-size", "0.00125"], False, False),
     "tubes 100k": ([HERE / "make_decks.py", "tubes"], True, True),
     "sheet 1M": ([HERE / "make_decks.py", "sheet"], True, True),
+    "block 8k": ([HERE / "make_decks.py", "block"], True, True),
 }
 
 
-def print_line(name, record):
-    work = record["elements"]["shells"] * record["cycles"]
-    stages = [1e9 * record["timings"][stage] / work for stage in STAGES]
-    print(f"{name:17} {record['precision']:6} {record['isa']:8} {record['threads']:2} {record['elements']['shells']:8}"
-          f" {record['cycles']:8} {1e9 * record['loop_seconds'] / work:7.1f}" + "".join(f" {s:7.1f}" for s in stages)
-          + f" {100 * record['energy']['error']:6.2f}%  {record['termination']}", flush=True)
+def elements(record):
+    return sum(record["elements"].values())
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def nanoseconds(record):
+    """ns per element and cycle: of the whole loop, and by stage."""
+    scale = 1e9 / (elements(record) * record["cycles"])
+    return scale * record["loop_seconds"], {stage: scale * record["timings"][stage] for stage in STAGES}
+
+
+def add_options(parser):
+    """What chooses the runs of results()."""
     parser.add_argument("program", help="the crumple program")
     parser.add_argument("--all", action="store_true", help="the long runs, too")
     parser.add_argument("--only", help="runs whose name holds this")
-    parser.add_argument("--cycles", type=int, default=200, help="of the tubes and the sheet (default 200; 0 is all)")
+    parser.add_argument("--cycles", type=int, default=200, help="of tubes, sheet and block (default 200; 0 is all)")
     parser.add_argument("--precision", choices=("mixed", "double"), help="(default both)")
     parser.add_argument("-t", "--threads", default="1")
-    arguments = parser.parse_args()
-    print("ns per element-cycle\n" + f"{'run':17} {'':6} {'':8} {'t':>2} {'shells':>8} {'cycles':>8} {'all':>7}"
-          + "".join(f" {stage.replace('contact_', '')[:7]:>7}" for stage in STAGES) + "  error")
+
+
+def results(arguments):
+    """Runs one after the other; (name, what is in run.json) as soon as each is done."""
     with tempfile.TemporaryDirectory() as folder:
         for name, (generator, limited, quick) in RUNS.items():
             if arguments.only is not None and arguments.only not in name:
@@ -61,7 +65,27 @@ def main():
             write_deck(deck, generator[0], [*generator[1:], *limit])
             for precision in [arguments.precision] if arguments.precision else ["mixed", "double"]:
                 options = ["-t", arguments.threads, "--precision", precision]
-                print_line(name, run(arguments.program, deck, deck.with_suffix(".out"), options))
+                yield name, run(arguments.program, deck, deck.with_suffix(".out"), options)
+
+
+def print_head():
+    print("ns per element-cycle\n" + f"{'run':17} {'':6} {'':8} {'t':>2} {'elements':>8} {'cycles':>8} {'all':>7}"
+          + "".join(f" {stage.replace('contact_', '')[:7]:>7}" for stage in STAGES) + "  error")
+
+
+def print_line(name, record):
+    whole, stages = nanoseconds(record)
+    print(f"{name:17} {record['precision']:6} {record['isa']:8} {record['threads']:2} {elements(record):8}"
+          f" {record['cycles']:8} {whole:7.1f}" + "".join(f" {time:7.1f}" for time in stages.values())
+          + f" {100 * record['energy']['error']:6.2f}%  {record['termination']}", flush=True)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_options(parser)
+    print_head()
+    for name, record in results(parser.parse_args()):
+        print_line(name, record)
 
 
 if __name__ == "__main__":
