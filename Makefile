@@ -3,7 +3,7 @@
 # The work is done by CMake (CMakePresets.json) and by the scripts in tools/.
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
-.PHONY: help demo paper build test test-full nightly check format clean
+.PHONY: help demo paper build package test test-full nightly check format clean
 
 # CMake takes the launcher from the environment; ccache only where it is installed.
 use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
@@ -12,6 +12,7 @@ help:
 	@echo "make demo       build, run the box beam of the paper, draw it, list the files to open"
 	@echo "make paper      build, run the paper's three examples with every search method, write docs/paper.md (10 minutes)"
 	@echo "make build      release programs and the pages of crumple report and compare: build/release, build/viewer"
+	@echo "make package    Debian packages and tar files of a program that needs only the C library"
 	@echo "make test       release build and all quick tests"
 	@echo "make test-full  after make test: clang, sanitizers, every instruction set, all checks"
 	@echo "make nightly    long property runs and fuzzing"
@@ -37,6 +38,10 @@ build:
 	@tools/setup viewer || echo "Without nodejs and npm the report's page cannot be built."
 	@tools/build_viewer
 	@echo "Built: build/release/crumple, build/release/cellsearch-bench"
+
+package:
+	@tools/setup build viewer package
+	@$(use_ccache) tools/package
 
 test:
 	@tools/setup build viewer test

@@ -43,14 +43,16 @@ def caches():
 def machine():
     """The columns that are the same for all rows of one call."""
     processors = Path("/proc/cpuinfo").read_text()
-    model = re.search(r"^model name\s*:\s*(.*)$", processors, re.M)
+    # A virtual machine often hides which processor of a maker's it is; family and model tell.
+    names = [re.search(rf"^{field}\s*:\s*(.*)$", processors, re.M) for field in ("model name", "cpu family", "model")]
+    model, family, number = (name.group(1).strip() if name else "unknown" for name in names)
     memory = re.search(r"^MemTotal:\s*(\d+) kB", Path("/proc/meminfo").read_text(), re.M)
     others = [line for line in git("status", "--porcelain").splitlines() if "bench/results/" not in line]
     return {
         "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%MZ"),
         "commit": git("rev-parse", "--short=12", "HEAD"),
         "dirty": "yes" if others else "no",
-        "processor": model.group(1).strip() if model else "unknown",
+        "processor": f"{model}, family {family} model {number}",
         "processors": len(os.sched_getaffinity(0)),
         "caches": caches(),
         "memory_gib": round(int(memory.group(1)) / 2**20) if memory else "",
@@ -59,8 +61,8 @@ def machine():
 
 
 def file_name(facts):
-    """A name from the processor and its number, as amd_epyc_9b14_2."""
-    words = re.sub(r"\((R|TM)\)|\bCPU\b|\bProcessor\b|@.*", " ", facts["processor"])
+    """A name from the processor and its number, as amd_epyc_9b14_family_25_model_17_2."""
+    words = re.sub(r"\((R|TM)\)|\bCPU\b|\bProcessor\b|@ *[0-9.]+ *GHz", " ", facts["processor"])
     return re.sub(r"[^a-z0-9]+", "_", f"{words} {facts['processors']}".lower()).strip("_")
 
 

@@ -111,12 +111,17 @@ function(crumple_add_layer layer)
   endif()
   if(layer IN_LIST CRUMPLE_NON_CORE)
     find_package(fmt REQUIRED)
-    target_link_libraries(${target} ${scope} fmt::fmt)
+    target_link_libraries(${target} ${scope} $<IF:$<BOOL:${CRUMPLE_PORTABLE}>,crumple_fmt,fmt::fmt>)
   endif()
   if(layer STREQUAL "report")
-    # Beside what the program looks through by itself: where the viewer's build (tools/build_viewer) puts it.
+    # Beside what the program looks through by itself: where the viewer's build (tools/build_viewer) puts it, or the
+    # package.
+    set(pages ${PROJECT_SOURCE_DIR}/build/viewer)
+    if(CRUMPLE_PORTABLE)
+      set(pages ${CMAKE_INSTALL_PREFIX}/share/crumple)
+    endif()
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/report/page.cpp PROPERTY COMPILE_DEFINITIONS
-      CRUMPLE_BUILT_PAGES="${PROJECT_SOURCE_DIR}/build/viewer")
+      CRUMPLE_BUILT_PAGES="${pages}")
   endif()
   if(layer STREQUAL "output")
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/output/text_file.cpp PROPERTY COMPILE_DEFINITIONS
