@@ -52,7 +52,7 @@ test-full:
 	@$(use_ccache) tools/test_full
 
 nightly:
-	@tools/setup build test check
+	@tools/setup build viewer package test check
 	@$(use_ccache) tools/nightly
 
 check:
