@@ -3,7 +3,7 @@
 # The work is done by CMake (CMakePresets.json) and by the scripts in tools/.
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
-.PHONY: help demo paper build package test test-full nightly check format clean
+.PHONY: help demo paper build package test test-full nightly check docs format clean
 
 # CMake takes the launcher from the environment; ccache only where it is installed.
 use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
@@ -17,6 +17,7 @@ help:
 	@echo "make test-full  after make test: clang, sanitizers, every instruction set, all checks"
 	@echo "make nightly    long property runs and fuzzing"
 	@echo "make check      static checks only"
+	@echo "make docs       the documentation as a site of plain files: build/docs/index.html"
 	@echo "make format     write all C++ files as clang-format wants them"
 	@echo "make clean      remove build/ and out/"
 
@@ -48,7 +49,7 @@ test:
 	@$(use_ccache) tools/test
 
 test-full:
-	@tools/setup build viewer test check picture report
+	@tools/setup build viewer test check picture report docs
 	@$(use_ccache) tools/test_full
 
 nightly:
@@ -58,6 +59,10 @@ nightly:
 check:
 	@tools/setup build test check
 	@$(use_ccache) tools/check
+
+docs:
+	@tools/setup docs
+	@tools/build_docs
 
 format:
 	@tools/setup check
