@@ -51,6 +51,7 @@ constexpr const char* examples = R"(Examples:
   crumple report deck.out --png             and pictures of it
   crumple run deck.k --serve 8000           the same while it runs, at http://127.0.0.1:8000/
   crumple compare ref.out deck.out          how far two results are apart, curve by curve
+  crumple keywords MAT_024                  cards and fields of a keyword
   crumple bench -t 2                        how fast this machine is, about a minute
   crumple i=deck.k ncpu=4 memory=200m       as LS-DYNA is called
 
@@ -296,6 +297,10 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
   CLI::App* compare =
       program.add_subcommand("compare", "Rate the histories of two results against each other");
   add_compare_arguments(*compare, line.compare);
+  CLI::App* keywords =
+      program.add_subcommand("keywords", "List the keywords that decks may have, or the cards of some");
+  keywords->add_option("names", line.keywords.names, "Keywords to show with cards and fields");
+  keywords->add_flag("--json", line.keywords.json, "Everything, for programs");
   bool automatic_contact = false;
   add_reading_options(*run, line.options, automatic_contact);
   add_run_options(*run, line.options);
@@ -320,11 +325,12 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     return line;
   }
   line.options.automatic_contact = automatic_contact;
-  line.command = run->parsed()       ? Command::Run
-                 : check->parsed()   ? Command::Check
-                 : report->parsed()  ? Command::Report
-                 : compare->parsed() ? Command::Compare
-                                     : Command::Bench;
+  line.command = run->parsed()        ? Command::Run
+                 : check->parsed()    ? Command::Check
+                 : report->parsed()   ? Command::Report
+                 : compare->parsed()  ? Command::Compare
+                 : keywords->parsed() ? Command::Keywords
+                                      : Command::Bench;
   return line;
 }
 

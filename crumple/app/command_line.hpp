@@ -48,7 +48,7 @@ struct Options {
   std::vector<std::string> notes;  ///< on arguments that were accepted without effect
 };
 
-enum class Command { Run, Check, Bench, Report, Compare, Help, Mistake };
+enum class Command { Run, Check, Bench, Report, Compare, Keywords, Help, Mistake };
 
 /// Pictures of a report.
 struct PictureOptions {
@@ -71,11 +71,18 @@ struct ReportOptions {
   bool quiet = false;
 };
 
+/// What `crumple keywords` is asked for.
+struct KeywordsOptions {
+  std::vector<std::string> names;  ///< show the cards of these; empty lists all names
+  bool json = false;               ///< everything, for programs
+};
+
 struct CommandLine {
   Command command = Command::Mistake;
   Options options;  ///< for all but Help and Mistake
   ReportOptions report;
   CompareOptions compare;
+  KeywordsOptions keywords;
   std::string text;  ///< for Help and Mistake: what to tell the user
 };
 

@@ -10,6 +10,7 @@
 #include "app/check_command.hpp"
 #include "app/command_line.hpp"
 #include "app/compare_command.hpp"
+#include "app/keywords_command.hpp"
 #include "app/report_command.hpp"
 #include "app/run_command.hpp"
 
@@ -33,6 +34,8 @@ ExitCode run_program(const std::vector<std::string>& arguments, const Console& c
         return report_results(line.report, console);
       case Command::Compare:
         return compare_results(line.compare, console);
+      case Command::Keywords:
+        return list_keywords(line.keywords, console);
       case Command::Run:
         return run_deck(line.options, console);
     }

@@ -52,6 +52,7 @@ Card Cards::next_filled(Layout layout) {
 
 Card Cards::next(Layout layout) {
   assert(layout.size() <= max_fields);
+  if (uses_ != nullptr) uses_->push_back({layout, {}});
   Card card;
   card.layout_ = layout;
   card.where_ = block_->where;
@@ -270,6 +271,7 @@ Heading Cards::heading() {
 }
 
 std::string Cards::text_line(std::string_view what) {
+  if (uses_ != nullptr) uses_->push_back({{}, what});
   if (!has_line()) {
     report_->error(block_->where, "missing line", fmt::format("a line is missing, expected {}", what));
     return {};

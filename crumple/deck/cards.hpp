@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "deck/block.hpp"
 #include "deck/field.hpp"
@@ -58,6 +59,12 @@ enum class HeadingKind {
   Identity,  ///< a card with a number and a text
 };
 
+/// What a reader has asked for: a card, or a line of text.
+struct CardUse {
+  Layout layout;          ///< empty of a line of text
+  std::string_view text;  ///< what that is for
+};
+
 /// Reads the lines of a block card by card: fixed columns or, where a line has a comma, comma-separated.
 /// Faults are reported with keyword, card and field; the value is then the field's default.
 class Cards {
@@ -83,6 +90,9 @@ class Cards {
   /// The next line as text, blanks at the ends removed.
   std::string text_line(std::string_view what);
 
+  /// Has every card and line of text that is read noted there, headings apart.
+  void note_uses(std::vector<CardUse>& uses) { uses_ = &uses; }
+
   /// The keyword as a whole.
   const Where& where() const { return block_->where; }
   Report& report() const { return *report_; }
@@ -102,6 +112,7 @@ class Cards {
   HeadingKind heading_;
   const Parameters* parameters_;
   Report* report_;
+  std::vector<CardUse>* uses_ = nullptr;
   std::size_t next_ = 0;
   std::int32_t card_ = 0;
   bool free_ = false;

@@ -36,6 +36,8 @@ bool holds(const Check& check, double value) {
   return true;
 }
 
+}  // namespace
+
 std::string expectation(const Field& field) {
   const Check& check = field.check;
   switch (check.kind) {
@@ -56,8 +58,6 @@ std::string expectation(const Field& field) {
   }
   return {};
 }
-
-}  // namespace
 
 CheckResult check_field(const Field& field, double value, std::string_view text) {
   CheckResult result;

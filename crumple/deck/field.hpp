@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "deck/report.hpp"
@@ -43,6 +44,7 @@ struct Field {
   Check check{};
   bool zero_is_default = false;  ///< a zero means the default as well
   int width = 10;                ///< columns in the standard format
+  bool has_effect = true;        ///< false: read, but it makes no difference here
 };
 
 /// What a check finds.
@@ -51,6 +53,9 @@ struct CheckResult {
   bool is_unsupported = false;      ///< right in LS-DYNA, not supported here
   bool is_harmless = false;         ///< the value may be left out
 };
+
+/// What a field must hold, in words; empty if any number will do.
+std::string expectation(const Field& field);
 
 /// Checks a value that was read from `text`, or is the default of a blank field.
 CheckResult check_field(const Field& field, double value, std::string_view text);
@@ -113,7 +118,9 @@ constexpr Field reference(std::string_view name) {
 
 /// Read as a number, without influence on the result here (docs/deck.md says why).
 constexpr Field unused(std::string_view name) {
-  return {name, FieldType::Real};
+  Field field{name, FieldType::Real};
+  field.has_effect = false;
+  return field;
 }
 
 /// Only these values are supported, the first one being the default; `text` says what they mean.

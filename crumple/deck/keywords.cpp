@@ -319,6 +319,10 @@ std::span<const Keyword> keyword_table() {
   return table;
 }
 
+std::span<const IgnoredRow> ignored_table() {
+  return ignored;
+}
+
 std::optional<FoundKeyword> find_keyword(std::string_view name) {
   const std::string number_form =
       without_option(without_option(with_three_digits(name), "SET_", "_COLLECT"), "CONTACT_", "_MPP");

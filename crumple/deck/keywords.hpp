@@ -34,6 +34,9 @@ struct FoundKeyword {
 /// All keywords that are read.
 std::span<const Keyword> keyword_table();
 
+/// All keywords that may be left out.
+std::span<const IgnoredRow> ignored_table();
+
 /// Looks a name up (upper case, without asterisk); _TITLE and _ID are understood where the keyword has them,
 /// materials may have their number with or without leading zeros.
 std::optional<FoundKeyword> find_keyword(std::string_view name);
