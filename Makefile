@@ -12,7 +12,7 @@ help:
 	@echo "make demo       build, run the box beam of the paper, draw it, list the files to open"
 	@echo "make paper      build, run the paper's three examples with every search method, write docs/paper.md (10 minutes)"
 	@echo "make build      release programs and the pages of crumple report and compare: build/release, build/viewer"
-	@echo "make package    Debian packages and tar files of a program that needs only the C library"
+	@echo "make package    Debian packages; tar files of a program that needs only the C library"
 	@echo "make test       release build and all quick tests"
 	@echo "make test-full  after make test: clang, sanitizers, every instruction set, all checks"
 	@echo "make nightly    long property runs and fuzzing"

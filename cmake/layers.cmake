@@ -65,8 +65,11 @@ endfunction()
 # so where it is asked for.
 function(crumple_choose_http_server target)
   set(folder ${PROJECT_SOURCE_DIR}/crumple/live)
-  find_package(PkgConfig)
-  if(PKG_CONFIG_FOUND)
+  # Debian has it as a shared library alone.
+  if(NOT CRUMPLE_PORTABLE)
+    find_package(PkgConfig)
+  endif()
+  if(PKG_CONFIG_FOUND AND NOT CRUMPLE_PORTABLE)
     pkg_check_modules(CRUMPLE_HTTPLIB IMPORTED_TARGET cpp-httplib)
   endif()
   if(CRUMPLE_HTTPLIB_FOUND)
@@ -114,14 +117,9 @@ function(crumple_add_layer layer)
     target_link_libraries(${target} ${scope} $<IF:$<BOOL:${CRUMPLE_PORTABLE}>,crumple_fmt,fmt::fmt>)
   endif()
   if(layer STREQUAL "report")
-    # Beside what the program looks through by itself: where the viewer's build (tools/build_viewer) puts it, or the
-    # package.
-    set(pages ${PROJECT_SOURCE_DIR}/build/viewer)
-    if(CRUMPLE_PORTABLE)
-      set(pages ${CMAKE_INSTALL_PREFIX}/share/crumple)
-    endif()
+    # Beside what the program looks through by itself.
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/report/page.cpp PROPERTY COMPILE_DEFINITIONS
-      CRUMPLE_BUILT_PAGES="${pages}")
+      CRUMPLE_BUILT_PAGES="${CRUMPLE_PAGES}")
   endif()
   if(layer STREQUAL "output")
     set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/output/text_file.cpp PROPERTY COMPILE_DEFINITIONS

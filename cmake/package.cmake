@@ -14,7 +14,7 @@ install(DIRECTORY docs DESTINATION ${documents} COMPONENT crumple)
 install(DIRECTORY examples DESTINATION ${documents} COMPONENT crumple USE_SOURCE_PERMISSIONS
   PATTERN __pycache__ EXCLUDE)
 # Made from the program's help by tools/package.
-install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION share/man/man1 COMPONENT crumple
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/build/package/man/ DESTINATION share/man/man1 COMPONENT crumple
   OPTIONAL FILES_MATCHING PATTERN *.1.gz)
 set(search_documents share/doc/libcellsearch-dev)
 install(FILES ${PROJECT_BINARY_DIR}/copyright cellsearch/README.md DESTINATION ${search_documents} COMPONENT cellsearch)

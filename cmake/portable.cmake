@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# CRUMPLE_PORTABLE: programs that need nothing but the C library at run time, for packages. OpenMP's runtime, the C++
+# CRUMPLE_PORTABLE: programs that need nothing but the C library at run time, for tar files. OpenMP's runtime, the C++
 # library, fmt and zlib are linked from archives; the code is the same, only the linking differs.
 
 # Looked at by CMake's own modules when they look for OpenMP and zlib.
