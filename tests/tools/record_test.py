@@ -33,7 +33,8 @@ class Record(unittest.TestCase):
             path = Path(folder) / "results" / "machine.csv"
             self.assertEqual(record.append(path, [{"case": "a", "wall": "1.0"}]), 1)
             self.assertEqual(record.append(path, [{"case": "b"}, {"case": "c"}]), 2)
-            rows = list(csv.DictReader(path.open()))
+            with path.open() as stream:
+                rows = list(csv.DictReader(stream))
         self.assertEqual([row["case"] for row in rows], ["a", "b", "c"])
         self.assertEqual(rows[0]["wall"], "1.0")
 
