@@ -17,7 +17,7 @@ step() {
   "$@" >"$log" 2>&1 </dev/null
   status=$?
   if [ "$status" -eq 0 ]; then
-    grep -E 'tests passed|Total Test time|^(check|build)_[a-z_]+:|^count_instructions:|^No tests were found' "$log" || true
+    grep -E 'tests passed|Total Test time|^(check|build|verification)_[a-z_]+:|^count_instructions:|^No tests were found' "$log" || true
     step_results+=("passed")
   else
     tail -n "${STEP_LOG_LINES:-80}" "$log"

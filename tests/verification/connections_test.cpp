@@ -9,6 +9,7 @@
 
 #include "support/meshes.hpp"
 #include "support/run.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -78,7 +79,8 @@ TEST(SpotWeld, BreaksWhenItsPullReachesTheStrength) {
   for (const domain::WeldReport& weld : domain.welds) {
     EXPECT_TRUE(weld.broken);
     // Each carries half; the strip rings a little.
-    EXPECT_NEAR(weld.failure_time * rate / 2, strength, 0.01 * strength);
+    test::verified("strips pulled apart at two spot welds: force at failure over strength", "equilibrium")
+        .near(weld.failure_time * rate / 2 / strength, 1, 0.01);
   }
   EXPECT_GT(test::displacement(domain, strips.right_end(0)).x, 0.5) << "the right strip flies away";
   EXPECT_LT(imbalance, 1e-3 * domain.energy.external_work);
@@ -157,8 +159,8 @@ TEST(Rivet, ASpinningPairKeepsItsEnergyMomentaAndLength) {
   });
   const domain::NodeFields& nodes = simulation.domain().nodes;
   EXPECT_NEAR(first, 1, 1e-5);
-  EXPECT_LT(energy, 1e-6);
-  EXPECT_LT(stretch, 1e-11);
+  test::verified("riveted pair spins a hundred turns: energy", "conservation").below(energy, 1e-6);
+  test::verified("riveted pair spins a hundred turns: length", "exact").below(stretch, 1e-11);
   EXPECT_NEAR(test::momentum(simulation.domain()).x, 5, 1e-10);
   // The centre has moved on, the pair lies as at the start. The angle is off by the square of the turn in a
   // step, 0.0026 here.
@@ -192,7 +194,8 @@ TEST(Rivet, APendulumHasThePeriodOfTheEllipticIntegral) {
     a = mean;
   }
   const double exact = 2 * std::numbers::pi / (2 * a) * std::sqrt(length / gravity);
-  EXPECT_NEAR(half_period / exact, 1, 2e-3);
+  test::verified("pendulum on a rivet, 90 degrees: half a period over exact", "elliptic integral")
+      .near(half_period / exact, 1, 2e-3);
   EXPECT_LT(std::fabs(simulation.domain().energy.imbalance()), 1e-4 * 3 * gravity * length);
 }
 

@@ -17,6 +17,7 @@
 #include "support/conservation.hpp"
 #include "support/rigid.hpp"
 #include "support/shapes.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -189,11 +190,13 @@ Impact strike(Index cells, Index other, double speed) {
   return found;
 }
 
-void expect_hertz(const Impact& found, double curve) {
-  EXPECT_NEAR(found.duration, 1, 0.03);
-  EXPECT_NEAR(found.approach, 1, 0.03);
-  EXPECT_NEAR(found.force, 1, 0.03);
-  EXPECT_LT(found.deviation, curve);
+void expect_hertz(const std::string& mesh, const Impact& found, double curve) {
+  const char* const hertz = "Hertz";
+  const std::string ball = "steel ball of " + mesh + " elements on a plate: ";
+  test::verified(ball + "duration over exact", hertz).near(found.duration, 1, 0.03);
+  test::verified(ball + "largest approach over exact", hertz).near(found.approach, 1, 0.03);
+  test::verified(ball + "largest force over exact", hertz).near(found.force, 1, 0.03);
+  test::verified(ball + "force at the approach, worst deviation", hertz).below(found.deviation, curve);
   EXPECT_NEAR(found.rebound, 1, 0.001);
   EXPECT_LT(found.imbalance, 1e-4);
 }
@@ -202,23 +205,25 @@ constexpr double speed = 7;
 
 /// Four elements over the radius of contact.
 TEST(Hertz, BallOnPlate) {
-  expect_hertz(strike(8, 0, speed), 0.03);
+  expect_hertz("8 x 8 x 16", strike(8, 0, speed), 0.03);
 }
 
 /// Six elements over the radius of contact. What is left is of the order of a / R: Hertz's half-space is no
 /// ball.
 TEST(HertzSlow, BallOnPlateOfAFinerMesh) {
-  expect_hertz(strike(12, 0, speed), 0.035);
+  expect_hertz("12 x 12 x 24", strike(12, 0, speed), 0.035);
 }
 
 /// Two balls whose meshes do not match. Nodes of each press on the other's facets, which lie inside of its
 /// sphere: the force is a little larger than Hertz's.
 TEST(HertzSlow, BallOnBall) {
   const Impact found = strike(8, 7, speed);
-  EXPECT_NEAR(found.duration, 1, 0.03);
-  EXPECT_NEAR(found.approach, 1, 0.03);
-  EXPECT_NEAR(found.force, 1, 0.05);
-  EXPECT_LT(found.deviation, 0.08);
+  const char* const hertz = "Hertz";
+  test::verified("steel ball on a ball: duration over exact", hertz).near(found.duration, 1, 0.03);
+  test::verified("steel ball on a ball: largest approach over exact", hertz).near(found.approach, 1, 0.03);
+  test::verified("steel ball on a ball: largest force over exact", hertz).near(found.force, 1, 0.05);
+  test::verified("steel ball on a ball: force at the approach, worst deviation", hertz)
+      .below(found.deviation, 0.08);
   // The masses of the two differ by 0.4 %.
   EXPECT_NEAR(found.rebound, 1, 0.006);
   EXPECT_LT(found.imbalance, 1e-4);

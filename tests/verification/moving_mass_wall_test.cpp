@@ -14,6 +14,7 @@
 #include "support/meshes.hpp"
 #include "support/rigid.hpp"
 #include "support/run.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -82,7 +83,10 @@ TEST(MassOnBar, WallSlowsDownByTheImpedanceOfTheBar) {
       worst = std::max(worst, std::fabs(domain.walls[0].velocity.x - exact) / speed);
     });
     std::printf("mass ratio %.1f: velocity off by %.2e\n", ratio, worst);
-    EXPECT_LT(worst, 1e-3) << ratio;
+    test::verified("wall of " + test::figure(ratio) +
+                       " bar masses onto a bar: error of its velocity over the initial one",
+                   "St Venant, exact")
+        .below(worst, 1e-3);
   }
 }
 
@@ -108,9 +112,11 @@ TEST(MassOnBar, AFreeBarLeavesWhenItsWaveIsBack) {
   std::printf("velocity %.5f of the exact one, contact %.4f, momentum %.1e, imbalance %.1e, taken %.1e\n",
               wall.velocity.x / exact, last_touch / there_and_back, mismatch, imbalance,
               domain.energy.rigidwall / domain.energy.initial_total);
-  EXPECT_NEAR(wall.velocity.x, exact, 0.01 * exact);
-  EXPECT_NEAR(last_touch, there_and_back, 0.02 * there_and_back);
-  EXPECT_LT(mismatch, 3e-14);
+  test::verified("wall of two bar masses onto a free bar: velocity after, over exact", "St Venant, exact")
+      .near(wall.velocity.x / exact, 1, 0.01);
+  test::verified("wall of two bar masses onto a free bar: end of contact over exact", "St Venant, exact")
+      .near(last_touch / there_and_back, 1, 0.02);
+  test::verified("wall of two bar masses onto a free bar: momentum", "conservation").below(mismatch, 3e-14);
   EXPECT_LT(imbalance, 5e-9);
   EXPECT_NEAR(domain.energy.initial_total, 0.5 * ratio * bar_mass * speed * speed, 1e-18);
   EXPECT_GT(domain.energy.rigidwall, 0);
@@ -137,8 +143,10 @@ TEST(MassOnBar, AHeldBarPushesTheWallBack) {
   const domain::WallReport& wall = simulation.domain().walls[0];
   std::printf("rebound %.5f of the exact one, contact %.4f, imbalance %.1e\n", wall.velocity.x / exact,
               last_touch / end, imbalance);
-  EXPECT_NEAR(wall.velocity.x, exact, 1e-4 * -exact);
-  EXPECT_NEAR(last_touch, end, 0.02 * end);
+  test::verified("wall onto a bar that is held: velocity of the rebound over exact", "St Venant, exact")
+      .near(wall.velocity.x / exact, 1, 1e-4);
+  test::verified("wall onto a bar that is held: end of contact over exact", "St Venant, exact")
+      .near(last_touch / end, 1, 0.02);
   EXPECT_LT(imbalance, 2e-8);
 }
 

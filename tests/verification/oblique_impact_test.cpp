@@ -14,6 +14,7 @@
 #include "support/conservation.hpp"
 #include "support/rigid.hpp"
 #include "support/shapes.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -113,13 +114,16 @@ TEST_P(ObliqueImpact, SlidingTakesItsShareOfTheNormalImpulse) {
   EXPECT_LT(energy, 0.01 * domain.energy.friction);
   if (GetParam() == Below::FreeBlock) {
     // The block turns a little, and the direction of the normal with it.
-    EXPECT_NEAR(-impulse.x / impulse.z, friction, 0.004 * friction);
+    test::verified("ball strikes a free block: tangential over normal impulse", "Coulomb")
+        .within(-impulse.x / impulse.z, friction, 0.004);
     EXPECT_LT(kept.momentum_drift, 1e-13);
     EXPECT_LT(kept.turning_drift, 1e-13);
   } else {
-    EXPECT_NEAR(-impulse.x / impulse.z, friction, 1e-4 * friction);
+    test::verified("ball strikes a fixed plate: tangential over normal impulse", "Coulomb")
+        .within(-impulse.x / impulse.z, friction, 1e-4);
     // The place of contact moves by 0.8 mm over the plate.
-    EXPECT_NEAR(spin, exact_spin, 0.01 * exact_spin);
+    test::verified("ball strikes a fixed plate: spin over that of the impulse", "rigid ball")
+        .near(spin / exact_spin, 1, 0.01);
   }
 }
 

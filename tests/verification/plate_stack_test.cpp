@@ -12,6 +12,7 @@
 
 #include "support/conservation.hpp"
 #include "support/shapes.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -96,7 +97,7 @@ TEST(PlateStack, FallsAndReboundsWithoutLossOfEnergy) {
   EXPECT_EQ(cuts, 0);
   EXPECT_GT(least, 0.97 * thickness);
   EXPECT_GT(domain.contacts[0].worst_penetration, 0) << "they must have met";
-  EXPECT_LT(domain.energy.error(), 1e-5);
+  test::verified("ten plates fall: energy error", "conservation").below(domain.energy.error(), 1e-5);
   EXPECT_GT(test::momentum(domain).z, 0) << "they have rebounded";
   // Without damping the contact gives all back but for what begins and ends within steps of what the springs
   // of many plates do together, 0.1 % with a ninth of the step.
@@ -125,8 +126,10 @@ TEST(PlateStack, ComesToRestUnderItsWeight) {
       "energy %.1e\n",
       impulse / time / weight, top / (plates * thickness), closest(domain) / thickness,
       domain.energy.kinetic / domain.energy.initial_total, domain.energy.error());
-  EXPECT_NEAR(impulse, weight * time, 0.01 * weight * time);
-  EXPECT_NEAR(top, plates * thickness, 1e-3 * plates * thickness);
+  test::verified("ten plates at rest: force on the lowest over the weight", "equilibrium")
+      .near(impulse / (weight * time), 1, 0.01);
+  test::verified("ten plates at rest: height over ten thicknesses", "exact")
+      .near(top / (plates * thickness), 1, 1e-3);
   EXPECT_GT(closest(domain), 0.999 * thickness);
   EXPECT_EQ(domain.contacts[0].inspection.intersections, 0);
   EXPECT_LT(domain.energy.kinetic, 1e-3 * domain.energy.initial_total);

@@ -12,6 +12,7 @@
 #include "support/conservation.hpp"
 #include "support/rigid.hpp"
 #include "support/shapes.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -108,10 +109,12 @@ TEST_P(SlidingBlock, StopsWhereCoulombSays) {
       "distance %.5f of %.5f mm (%.5f), velocity left %.1e, friction / kinetic energy %.5f, error %.1e\n",
       found.distance, exact, found.distance / exact, found.rest / speed, found.energy.friction / kinetic,
       found.energy.error());
-  EXPECT_NEAR(found.distance, exact, 0.001 * exact);
+  test::verified("block slides to rest: distance over exact", "Coulomb")
+      .near(found.distance / exact, 1, 0.001);
   EXPECT_LT(std::fabs(found.rest), 5e-4 * speed);
-  EXPECT_NEAR(found.energy.friction, kinetic, 0.003 * kinetic);
-  EXPECT_LT(found.energy.error(), 1e-7);
+  test::verified("block slides to rest: friction energy over kinetic energy lost", "conservation")
+      .near(found.energy.friction / kinetic, 1, 0.003);
+  test::verified("block slides to rest: energy error", "conservation").below(found.energy.error(), 1e-7);
 }
 
 std::string name_of(const ::testing::TestParamInfo<Plate>& info) {

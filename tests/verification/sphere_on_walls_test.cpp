@@ -14,6 +14,7 @@
 #include "constraints/wall_shapes.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -108,10 +109,12 @@ TEST_P(BallOnWall, ReboundsWithoutPenetrationLossOfMomentumOrOfEnergy) {
   const Vec3 after = test::momentum(domain);
   RecordProperty("rebound", std::to_string(after.z / -before.z));
   RecordProperty("taken", std::to_string(wall.energy / domain.energy.initial_total));
-  EXPECT_LT(depth, 1e-12 * radius);
-  EXPECT_LT(mismatch, 1e-11);
+  test::verified("elastic ball on a wall: depth in the wall over the radius", "none")
+      .below(depth / radius, 1e-12);
+  test::verified("elastic ball on a wall: impulse less change of momentum", "conservation")
+      .below(mismatch, 1e-11);
   // It falls with the step: 3.0e-4 here, below 2e-4 at half of it.
-  EXPECT_LT(imbalance, 4e-4);
+  test::verified("elastic ball on a wall: energy", "conservation").below(imbalance, 4e-4);
   EXPECT_GT(after.z, 0.2 * -before.z) << "it has rebounded";
   EXPECT_LT(std::hypot(after.x, after.y), 1e-9 * norm(before)) << "and straight up";
   EXPECT_GT(wall.energy, 0) << "impact of the nodes is plastic";
@@ -159,7 +162,8 @@ TEST(BallOnPlane, SlidingFrictionTakesItsCoefficientTimesTheNormalImpulse) {
   timeloop::Simulation simulation(model, test::execution());
   test::run(simulation);
   const domain::WallReport& wall = simulation.domain().walls[0];
-  EXPECT_NEAR(wall.impulse.x / wall.normal_impulse, friction, 1e-3 * friction);
+  test::verified("ball slides along a wall: tangential over normal impulse", "Coulomb")
+      .within(wall.impulse.x / wall.normal_impulse, friction, 1e-3);
   EXPECT_NEAR(-wall.impulse.z, wall.normal_impulse, 1e-12 * wall.normal_impulse);
 }
 

@@ -12,6 +12,7 @@
 
 #include "support/lines.hpp"
 #include "support/rigid.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -79,8 +80,7 @@ TEST(Springs, OscillatorKeepsPeriodAmplitudeAndEnergy) {
   ASSERT_EQ(crossings, 10);
   const double dt = simulation.domain().clock.step;
   const double discrete = 2 / dt * std::asin(0.5 * 4 * dt);
-  RecordProperty("period_over_exact", std::to_string(last_crossing / (10 * 2 * pi / 4)));
-  EXPECT_NEAR(last_crossing, 10 * 2 * pi / 4, 1e-3);
+  test::verified("oscillator, ten periods: time", "exact").near(last_crossing, 10 * 2 * pi / 4, 1e-3);
   EXPECT_NEAR(last_crossing, 10 * 2 * pi / discrete, 3e-5);
   EXPECT_NEAR(before, 0.5, 1e-3);  // a quarter of a period behind the last crossing: the peak
   EXPECT_LT(imbalance, 1e-4 * 0.5 * m * 4);
@@ -128,7 +128,8 @@ TEST(Springs, DamperStopsTheMassByItsExponential) {
   test::run(simulation);
   const domain::Domain& domain = simulation.domain();
   const double decay = std::exp(-c / m * domain.clock.time);
-  EXPECT_NEAR(test::displacement(domain, 0).x, 3.0 * m / c * (1 - decay), 2e-3);
+  test::verified("damper stops a mass: path", "exact")
+      .near(test::displacement(domain, 0).x, 3.0 * m / c * (1 - decay), 2e-3);
   EXPECT_NEAR(domain.energy.internal, 0.5 * m * 9 * (1 - decay * decay), 5e-3 * 4.5);
   EXPECT_LT(domain.energy.error(), 1e-3);
 }
@@ -159,7 +160,7 @@ TEST(Springs, ElastoplasticSpringStopsWhereItsWorkIsTheKineticEnergy) {
       (-law.yield_force + std::sqrt(law.yield_force * law.yield_force + 2 * law.tangent_stiffness * energy)) /
       law.tangent_stiffness;
   const Peak peak = peak_of(model);
-  EXPECT_NEAR(peak.value, yield + beyond, 2e-4 * (yield + beyond));
+  test::verified("elastoplastic spring: peak", "exact").within(peak.value, yield + beyond, 2e-4);
 }
 
 TEST(Springs, NonlinearSpringStopsWhereItsIntegralSays) {
@@ -184,10 +185,9 @@ TEST(Springs, NonlinearSpringStopsWhereItsIntegralSays) {
     time += exact * std::cos(q) / speed * pi / 2 / points;
   }
   const Peak peak = peak_of(model);
-  RecordProperty("peak_over_exact", std::to_string(peak.value / exact));
-  RecordProperty("time_over_exact", std::to_string(peak.time / time));
-  EXPECT_NEAR(peak.value, exact, 2e-4 * exact);
-  EXPECT_NEAR(peak.time, time, 1e-3 * time);
+  test::verified("nonlinear spring: peak over exact", "its integrals").near(peak.value / exact, 1, 2e-4);
+  test::verified("nonlinear spring: time to the peak over exact", "its integrals")
+      .near(peak.time / time, 1, 1e-3);
 }
 
 TEST(Springs, RateScalesTheForceOfANonlinearSpring) {

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""tools/verification_manual reads what tests note, and tells when a page says something else."""
+
+import sys
+import unittest
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+sys.dont_write_bytecode = True
+LOADER = SourceFileLoader("verification_manual", str(ROOT / "tools" / "verification_manual"))
+manual = module_from_spec(spec_from_loader("verification_manual", LOADER))
+LOADER.exec_module(manual)
+
+
+def results(*notes, name="Moves/Fast"):
+    test = {"name": name, "file": "/somewhere/tests/verification/bar_wave_test.cpp"}
+    test.update({f"case_{i}": note for i, note in enumerate(notes)})
+    return {"testsuites": [{"name": "Both/Bar", "testsuite": [test]}]}
+
+
+def page(*notes):
+    return manual.page_of(list(manual.cases_of(results(*notes))), ROOT)
+
+
+class VerificationManualTest(unittest.TestCase):
+    def test_reads_a_note(self):
+        case, = manual.cases_of(results("bar: front | exact | near | 1.01 | 1 | 0.02"))
+        self.assertEqual(case["file"], "tests/verification/bar_wave_test.cpp")
+        self.assertEqual((case["test"], case["variant"]), ("Bar.Moves", "Fast"))
+        self.assertAlmostEqual(manual.share_of(case), 0.5)
+
+    def test_shares_of_each_kind(self):
+        within, below = manual.cases_of(results("a | b | within | 19 | 20 | 0.1", "a | b | below | 1e-13 | 0 | 1e-12"))
+        self.assertAlmostEqual(manual.share_of(within), 0.5)
+        self.assertAlmostEqual(manual.share_of(below), 0.1)
+
+    def test_variants_share_a_row(self):
+        cases = list(manual.cases_of(results("a | b | near | 1 | 1 | 0.1")))
+        cases += list(manual.cases_of(results("a | b | near | 1.05 | 1 | 0.1", name="Moves/VerySlow")))
+        self.assertIn("| a | b | 1 | +- 0.1 | Fast 1, Very Slow 1.05 |", manual.page_of(cases, ROOT))
+
+    def test_round_off_is_no_difference(self):
+        written = page("a | b | near | 1.01 | 1 | 0.02", "c | b | below | 1.0e-14 | 0 | 1e-12")
+        now = page("a | b | near | 1.0101 | 1 | 0.02", "c | b | below | 2.0e-14 | 0 | 1e-12")
+        self.assertEqual(manual.differences(written, now), [])
+
+    def test_other_figures_and_limits_are_told(self):
+        written = page("a | b | near | 1.01 | 1 | 0.02")
+        self.assertEqual(len(manual.differences(written, page("a | b | near | 1.015 | 1 | 0.02"))), 1)
+        self.assertEqual(len(manual.differences(written, page("a | b | near | 1.01 | 1 | 0.03"))), 2)
+        self.assertEqual(len(manual.differences(written, page("a | b | within | 1.01 | 1 | 0.02"))), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
