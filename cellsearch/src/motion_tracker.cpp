@@ -8,9 +8,10 @@
 #include <string>
 
 #include "cellsearch/error.hpp"
+#include "cellsearch/instruction_set.hpp"
 #include "cellsearch/search_interval.hpp"
 #include "parallel.hpp"
-#include "two_lanes.hpp"
+#include "production/kernels.hpp"
 
 namespace cellsearch {
 namespace {
@@ -45,60 +46,7 @@ double largest_component(const Point& a) {
 }  // namespace
 
 /// Smallest and largest of what was included, by axis.
-struct MotionTracker::Range {
-  Point lo{infinity, infinity, infinity};
-  Point hi{-infinity, -infinity, -infinity};
-  bool bad = false;  ///< something was not finite; lo and hi mean nothing then
-
-  /// Includes now - then of so many nodes, each array x, y, z, x, ...; `then` may be null. Two nodes at a
-  /// time fill three pairs of lanes.
-  void include(std::size_t nodes, const double* now, const double* then) {
-    std::array<TwoLanes, 3> low;
-    std::array<TwoLanes, 3> high;
-    std::array<TwoLanes, 3> wrong;  // stays 0 until something is not finite
-    low.fill(TwoLanes::both(infinity));
-    high.fill(TwoLanes::both(-infinity));
-    wrong.fill(TwoLanes::both(0.0));
-    const TwoLanes zero = TwoLanes::both(0.0);
-    const auto take = [&](std::size_t k, TwoLanes value) {
-      low[k] = min(value, low[k]);
-      high[k] = max(value, high[k]);
-      wrong[k] = wrong[k] + value * zero;
-    };
-    std::size_t node = 0;
-    for (; node + 2 <= nodes; node += 2)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t at = 3 * node + 2 * k;
-        take(k, then == nullptr ? TwoLanes::load(now + at)
-                                : TwoLanes::load(now + at) - TwoLanes::load(then + at));
-      }
-    for (std::size_t k = 0; k < 3; ++k) include_lanes(2 * k, low[k], high[k], wrong[k]);
-    for (std::size_t axis = 0; node < nodes && axis < 3; ++axis) {
-      const std::size_t at = 3 * node + axis;
-      include(axis, now[at] - (then == nullptr ? 0.0 : then[at]));
-    }
-  }
-
-  void include_lanes(std::size_t first, TwoLanes low, TwoLanes high, TwoLanes wrong) {
-    std::array<std::array<double, 2>, 3> lanes;
-    low.store(lanes[0].data());
-    high.store(lanes[1].data());
-    wrong.store(lanes[2].data());
-    for (std::size_t lane = 0; lane < 2; ++lane) {
-      const std::size_t axis = (first + lane) % 3;
-      lo[axis] = std::min(lo[axis], lanes[0][lane]);
-      hi[axis] = std::max(hi[axis], lanes[1][lane]);
-      bad |= lanes[2][lane] != 0.0;
-    }
-  }
-
-  void include(std::size_t axis, double value) {
-    lo[axis] = std::min(lo[axis], value);
-    hi[axis] = std::max(hi[axis], value);
-    // Comparisons pass over NaN, so it is noticed apart.
-    bad |= !(std::fabs(value) <= std::numeric_limits<double>::max());
-  }
-
+struct MotionTracker::Range : production::ValueRange {
   void include(const Range& other) {
     for (int axis = 0; axis < 3; ++axis) {
       lo[axis] = std::min(lo[axis], other.lo[axis]);
@@ -114,6 +62,7 @@ MotionTracker::MotionTracker(double expansion, double contact_distance, int thre
     : room_(expansion - contact_distance),
       lengths_(expansion + contact_distance),
       threads_(threads),
+      set_(instruction_sets().back()),
       motion_(unknown) {
   const auto is_length = [](double length) { return length >= 0.0 && std::isfinite(length); };
   if (!is_length(expansion) || !is_length(contact_distance)) {
@@ -243,6 +192,7 @@ void MotionTracker::visit_runs(std::size_t begin, std::size_t end, std::size_t l
 /// Copies the positions; from now on nothing has moved.
 void MotionTracker::remember(const Positions& positions) {
   reference_.resize(3 * count_);
+  const production::Kernels& kernels = production::kernels(set_);
   std::array<Range, most_blocks> parts;
   const int blocks = blocks_for(count_);
   for_blocks(threads_, blocks, [&](int block) {
@@ -251,7 +201,7 @@ void MotionTracker::remember(const Positions& positions) {
     visit_runs(static_cast<std::size_t>(places.begin), static_cast<std::size_t>(places.end),
                longest_piece(positions), [&](std::size_t from, std::size_t to) {
                  const double* now = positions[watched(from)];
-                 part.include(to - from, now, nullptr);
+                 kernels.include(now, nullptr, to - from, part);
                  std::copy_n(now, 3 * (to - from),
                              reference_.begin() + 3 * static_cast<std::ptrdiff_t>(from));
                });
@@ -276,6 +226,7 @@ void MotionTracker::check_layout(const Positions& values) const {
 /// Range of the displacements since the start, or of the values themselves, over places begin..end-1.
 MotionTracker::Range MotionTracker::range(const Positions& values, bool since_start, std::size_t begin,
                                           std::size_t end) const {
+  const production::Kernels& kernels = production::kernels(set_);
   std::array<Range, most_blocks> parts;
   const int blocks = blocks_for(end - begin);
   for_blocks(threads_, blocks, [&](int block) {
@@ -283,8 +234,8 @@ MotionTracker::Range MotionTracker::range(const Positions& values, bool since_st
     Range part;
     visit_runs(begin + static_cast<std::size_t>(places.begin), begin + static_cast<std::size_t>(places.end),
                longest_piece(values), [&](std::size_t from, std::size_t to) {
-                 part.include(to - from, values[watched(from)],
-                              since_start ? reference_.data() + 3 * from : nullptr);
+                 kernels.include(values[watched(from)], since_start ? reference_.data() + 3 * from : nullptr,
+                                 to - from, part);
                });
     parts[static_cast<std::size_t>(block)] = part;
   });

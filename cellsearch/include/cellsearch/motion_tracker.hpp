@@ -6,6 +6,7 @@
 #include <span>
 
 #include "cellsearch/array.hpp"
+#include "cellsearch/instruction_set.hpp"
 #include "cellsearch/scene.hpp"
 #include "cellsearch/types.hpp"
 
@@ -123,6 +124,7 @@ class MotionTracker {
   double room_;
   double lengths_;  // c + h, which enters the bound on rounding
   int threads_;
+  InstructionSet set_;
   Array<Index> runs_;       // places from which on nodes follow each other by number
   Array<Index> nodes_;      // the watched nodes, of both lists; empty if these are all nodes
   std::size_t count_ = 0;   // how many there are

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "production/kernel_tables.hpp"
+#include "two_lanes.hpp"
 
 // The loops in standard C++, one segment after another, for processors without loops of their own and as the
 // reference of those that have them.
@@ -160,10 +161,54 @@ void query(const QueryInput& input, Index begin, Index end, FoundRows& rows) {
   }
 }
 
+void include_value(ValueRange& range, std::size_t axis, double value) {
+  range.lo[axis] = std::min(range.lo[axis], value);
+  range.hi[axis] = std::max(range.hi[axis], value);
+  // Comparisons pass over NaN, so it is noticed apart.
+  range.bad |= !(std::fabs(value) <= std::numeric_limits<double>::max());
+}
+
+/// Two nodes at a time fill three pairs of lanes.
+void include(const double* now, const double* then, std::size_t nodes, ValueRange& range) {
+  std::array<TwoLanes, 3> low;
+  std::array<TwoLanes, 3> high;
+  std::array<TwoLanes, 3> wrong;  // stays 0 until something is not finite
+  low.fill(TwoLanes::both(std::numeric_limits<double>::infinity()));
+  high.fill(TwoLanes::both(-std::numeric_limits<double>::infinity()));
+  wrong.fill(TwoLanes::both(0.0));
+  const TwoLanes zero = TwoLanes::both(0.0);
+  std::size_t node = 0;
+  for (; node + 2 <= nodes; node += 2)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t at = 3 * node + 2 * k;
+      const TwoLanes value =
+          then == nullptr ? TwoLanes::load(now + at) : TwoLanes::load(now + at) - TwoLanes::load(then + at);
+      low[k] = min(value, low[k]);
+      high[k] = max(value, high[k]);
+      wrong[k] = wrong[k] + value * zero;
+    }
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::array<std::array<double, 2>, 3> lanes;
+    low[k].store(lanes[0].data());
+    high[k].store(lanes[1].data());
+    wrong[k].store(lanes[2].data());
+    for (std::size_t lane = 0; lane < 2; ++lane) {
+      const std::size_t axis = (2 * k + lane) % 3;
+      range.lo[axis] = std::min(range.lo[axis], lanes[0][lane]);
+      range.hi[axis] = std::max(range.hi[axis], lanes[1][lane]);
+      range.bad |= lanes[2][lane] != 0.0;
+    }
+  }
+  for (std::size_t axis = 0; node < nodes && axis < 3; ++axis) {
+    const std::size_t at = 3 * node + axis;
+    include_value(range, axis, now[at] - (then == nullptr ? 0.0 : then[at]));
+  }
+}
+
 }  // namespace
 
 const Kernels& portable_kernels() {
-  static constexpr Kernels table{measure, largest, classify, place, query};
+  static constexpr Kernels table{measure, largest, classify, place, query, include};
   return table;
 }
 

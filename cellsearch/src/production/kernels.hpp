@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "cellsearch/array.hpp"
@@ -18,6 +19,15 @@ namespace cellsearch::production {
 struct NodeRange {
   Box box;
   bool finite = true;
+};
+
+/// Smallest and largest of values by axis.
+struct ValueRange {
+  double lo[3] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                  std::numeric_limits<double>::infinity()};
+  double hi[3] = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                  -std::numeric_limits<double>::infinity()};
+  bool bad = false;  ///< something was not finite; lo and hi mean nothing then
 };
 
 /// Nodes sorted by cell, and what a query needs to read them. Views; see NodeGrid.
@@ -87,6 +97,9 @@ struct Kernels {
   void (*place)(const SortInput&, const SortOutput&, Index begin, Index end, std::uint32_t* next);
   /// Finder::query.
   void (*query)(const QueryInput&, Index begin, Index end, FoundRows& rows);
+  /// Includes now - then of so many nodes, each array x, y, z, x, ...; `then` may be null. The same bits for
+  /// every instruction set, but for the sign of zeros.
+  void (*include)(const double* now, const double* then, std::size_t nodes, ValueRange& range);
 };
 
 /// The loops for an instruction set that this processor has.

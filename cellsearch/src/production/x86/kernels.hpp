@@ -5,6 +5,7 @@
 #include "production/kernels.hpp"
 #include "production/x86/hits.hpp"
 #include "production/x86/lanes.hpp"
+#include "production/x86/motion.hpp"
 #include "production/x86/nodes.hpp"
 #include "production/x86/rows.hpp"
 #include "production/x86/runs.hpp"
@@ -79,7 +80,11 @@ void query(const QueryInput& input, Index begin, Index end, FoundRows& rows) {
 }
 
 template <InstructionSet Set>
-constexpr Kernels x86_kernels{NodeLoops<Set>::measure, NodeLoops<Set>::largest, NodeLoops<Set>::classify,
-                              NodeLoops<Set>::place, query<Set>};
+constexpr Kernels x86_kernels{NodeLoops<Set>::measure,
+                              NodeLoops<Set>::largest,
+                              NodeLoops<Set>::classify,
+                              NodeLoops<Set>::place,
+                              query<Set>,
+                              MotionLoops<Set>::include};
 }  // namespace
 }  // namespace cellsearch::production
