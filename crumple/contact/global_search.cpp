@@ -141,7 +141,7 @@ void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
     consumed_ = travel_.length();
     if (!due && !surface_changed) return;
   }
-  search(motion);
+  search(motion, surface_changed);
   consumed_ = norm(step_motion(motion));
 }
 
@@ -183,7 +183,8 @@ void GlobalSearch::collect(std::span<const Vec3> position) {
   }
 }
 
-void GlobalSearch::search(const Kinematics& motion) {
+void GlobalSearch::search(const Kinematics& motion, bool surface_changed) {
+  keep_distances(surface_changed);
   collect(motion.position);
   travel_.start(motion.position, surface_->nodes);
   safe_length_ = almost * statistics_.margin;
@@ -224,6 +225,26 @@ double GlobalSearch::distance_of(const SurfaceAt& reference, Index place, Index 
   return std::min(full, std::sqrt(nearest_point(reference.shape(segment), origin).distance_squared));
 }
 
+/// Most pairs are candidates in one search after the other, and their contact distance depends on the
+/// undeformed mesh alone.
+void GlobalSearch::keep_distances(bool surface_changed) {
+  earlier_first_.swap(first_);
+  earlier_segment_.swap(segment_);
+  earlier_distance_.swap(distance_);
+  if (surface_changed) earlier_first_.clear();
+}
+
+/// Contact distances of the pairs of a node; both searches have its segments in ascending order.
+void GlobalSearch::measure_distances(const SurfaceAt& reference, Index place) {
+  std::int64_t earlier = earlier_first_.empty() ? 0 : earlier_first_[place];
+  const std::int64_t end = earlier_first_.empty() ? 0 : earlier_first_[place + 1];
+  for (std::int64_t pair = first_[place]; pair < first_[place + 1]; ++pair) {
+    while (earlier < end && earlier_segment_[earlier] < segment_[pair]) ++earlier;
+    const bool known = earlier < end && earlier_segment_[earlier] == segment_[pair];
+    distance_[pair] = known ? earlier_distance_[earlier] : distance_of(reference, place, segment_[pair]);
+  }
+}
+
 void GlobalSearch::measure_slack(const Kinematics& motion) {
   const Index places = surface_->node_count();
   const SurfaceAt at{surface_, {motion.position.data(), motion.velocity.data(), 0}};
@@ -233,10 +254,10 @@ void GlobalSearch::measure_slack(const Kinematics& motion) {
   node_slack_.resize(places);
   parallel_for(pieces(places, piece), threads_, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
+      measure_distances(reference, i);
       double smallest = std::numeric_limits<double>::max();
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
         const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), at.x[surface_->nodes[i]]);
-        distance_[pair] = distance_of(reference, i, segment_[pair]);
         slack_[pair] =
             std::sqrt(nearest.distance_squared) - distance_[pair] - surface_->watch(segment_[pair]);
         smallest = std::min(smallest, slack_[pair]);

@@ -72,7 +72,7 @@ class GlobalSearch {
   void resume(const Kinematics& motion);
 
  private:
-  void search(const Kinematics& motion);
+  void search(const Kinematics& motion, bool surface_changed);
   void collect(std::span<const Vec3> position);
   void sort_by_node(const cellsearch::Candidates& found);
   void measure_slack(const Kinematics& motion);
@@ -82,6 +82,8 @@ class GlobalSearch {
     return {x[0], x[1], x[2]};
   }
   double distance_of(const SurfaceAt& reference, Index place, Index segment) const;
+  void keep_distances(bool surface_changed);
+  void measure_distances(const SurfaceAt& reference, Index place);
   Vec3 step_motion(const Kinematics& motion) const;
   bool listed(Index place, Index segment) const;
 
@@ -98,6 +100,9 @@ class GlobalSearch {
   std::vector<std::int64_t> first_;
   std::vector<Index> segment_;
   std::vector<double> distance_;
+  std::vector<std::int64_t> earlier_first_;  ///< as above, of the search before
+  std::vector<Index> earlier_segment_;
+  std::vector<double> earlier_distance_;
   std::vector<double> slack_;
   std::vector<double> node_slack_;  ///< smallest of its pairs
   Travel travel_;                   ///< since the last search
