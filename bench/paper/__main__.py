@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the examples of F. Wang, J. Cheng & Z. Yao (2000) with every search method, and writes docs/paper.md with its
-pictures. One thread, held to one processor; the machine should be quiet.
+"""Runs the examples of F. Wang, J. Cheng & Z. Yao (2000) with every search method, and writes
+docs/paper.md with its pictures. One thread, held to one processor; the machine should be quiet.
 
     make paper                                                  builds, then the next line
     python3 bench/paper build/release/crumple                   everything, about ten minutes
@@ -65,9 +65,9 @@ def do_all(jobs, program, work):
         done += job.repeats * job.seconds
         elapsed = time.monotonic() - start
         result = Result(values)
-        print(f"[{number:3}/{len(jobs)}] {job.name:52} {values['loop']:7.2f} s, search {result.global_cost:6.2f} ns per "
-              f"element-cycle, {result.share(result.global_seconds):4.1f} %; to go {clock(elapsed * (expected / done - 1))}",
-              flush=True)
+        print(f"[{number:3}/{len(jobs)}] {job.name:52} {values['loop']:7.2f} s, search {result.global_cost:6.2f} ns "
+              f"per element-cycle, {result.share(result.global_seconds):4.1f} %; "
+              f"to go {clock(elapsed * (expected / done - 1))}", flush=True)
     return results
 
 

@@ -43,8 +43,8 @@ EXAMPLES = (
     Example("tubes, fine", "two tubes, 1824 shells", TUBES, ("--around", 38, "--along", 24), 0.0178, 0.005, 0.6, 5,
             tuple((("--around", round(20 * f), "--along", round(15 * f)), round(f * 20 / 38, 2))
                   for f in (1, 2, 3, 5)), (), "11.7 %"),
-    Example("frame", "vehicle frame, 4772 shells", generator("03_vehicle_frame", "make_vehicle_frame.py"), (), 0.02, 0.004,
-            6.0, 1, tuple((("--rows", rows), rows / 5) for rows in (5, 6, 8, 10)), ("--end", "0.0094"), "7.3 %"),
+    Example("frame", "vehicle frame, 4772 shells", generator("03_vehicle_frame", "make_vehicle_frame.py"), (), 0.02,
+            0.004, 6.0, 1, tuple((("--rows", rows), rows / 5) for rows in (5, 6, 8, 10)), ("--end", "0.0094"), "7.3 %"),
 )
 
 

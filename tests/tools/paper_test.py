@@ -70,7 +70,7 @@ class ResultTest(unittest.TestCase):
         self.assertAlmostEqual(results.busy(), 2)
 
     def test_a_table_has_its_columns(self):
-        self.assertEqual(page.table(["a", "b"], [["1", "2"]]), "\n| a | b |\n|---|---|\n| 1 | 2 |\n")
+        self.assertEqual(page.table(["a", "b"], [["1", "2"]]), "| a | b |\n|---|---|\n| 1 | 2 |")
 
 
 if __name__ == "__main__":
