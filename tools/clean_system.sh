@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by scripts that try something on a fresh Debian 12 below a folder (debootstrap, chroot; as root, with a
-# network). MIRROR is where its packages come from.
+# network). MIRROR is where its packages come from: as a rule where this machine's do.
 
-MIRROR=${MIRROR:-http://deb.debian.org/debian}
+MIRROR=${MIRROR:-$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | grep -v security | head -n 1)}
 clean_system_folder=$(mktemp -d)
 clean_system_mounts=()
 
@@ -45,7 +45,7 @@ clean_system() {
 
 # inside COMMAND...: runs it in $root with a plain environment.
 inside() {
-  chroot "$root" env -i HOME=/tmp PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+  chroot "$root" env -i HOME=/tmp PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 \
     DEBIAN_FRONTEND=noninteractive "$@" </dev/null
 }
 
