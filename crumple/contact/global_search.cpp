@@ -307,6 +307,8 @@ void GlobalSearch::declare(domain::StateList& list) {
 
 void GlobalSearch::resume(const Kinematics& motion) {
   if (statistics_.searches == 0) return;
+  // Those of another time, when other segments may have failed.
+  earlier_first_.clear();
   collect(positions_at_search(motion.position, surface_->nodes, searched_position_));
   // The way so far is not known: slacks are measured anew, and the way begins here.
   travel_.start(motion.position, surface_->nodes);
