@@ -20,6 +20,8 @@ class SpotWelds {
   /// and releases those that fail.
   void break_overloaded(domain::Domain& domain) const;
 
+  bool empty() const { return welds_.empty(); }
+
  private:
   /// A shell at a node of a weld.
   struct NearbyShell {

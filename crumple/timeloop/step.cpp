@@ -160,9 +160,10 @@ void Simulation::join_nodes(double interval) {
 }
 
 void Simulation::stop_at_walls(double interval) {
-  // What else changes velocities after the kick does not tell how fast nodes are then.
-  double fastest = joins_nodes() || !prescribed_motions_.empty() ? std::numeric_limits<double>::infinity()
-                                                                 : kick_sums_.fastest;
+  // What else changes velocities after the kick does not tell how fast nodes are then; nor do bodies that may
+  // release theirs.
+  const bool known = !joins_nodes() && prescribed_motions_.empty() && spot_welds_.empty();
+  double fastest = known ? kick_sums_.fastest : std::numeric_limits<double>::infinity();
   for (constraints::RigidWall& wall : walls_)
     kick_sums_.translational += wall.stop_nodes(domain_, {previous_velocity_, interval, next_step_, fastest});
 }
