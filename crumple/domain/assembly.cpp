@@ -25,10 +25,27 @@ void for_each_entry(const std::vector<ElementBlock*>& blocks, const Chunk& chunk
       }
 }
 
+std::ptrdiff_t all_groups(const std::vector<ElementBlock*>& blocks) {
+  std::ptrdiff_t sum = 0;
+  for (const ElementBlock* block : blocks)
+    if (!block->rigid) sum += block->groups();
+  return sum;
+}
+
 }  // namespace
+
+Index groups_per_chunk(std::ptrdiff_t groups_of_model) {
+  constexpr Index least = 32;
+  constexpr Index most = 256;
+  constexpr Index enough_chunks = 64;
+  Index groups = least;
+  while (groups < most && groups_of_model / (2 * groups) >= enough_chunks) groups *= 2;
+  return groups;
+}
 
 void Assembly::build(const std::vector<ElementBlock*>& blocks, Index nodes, Index groups) {
   nodes_ = nodes;
+  if (groups == 0) groups = groups_per_chunk(all_groups(blocks));
   chunks_.clear();
   for (Index b = 0; b < static_cast<Index>(blocks.size()); ++b) {
     if (blocks[b]->rigid) continue;

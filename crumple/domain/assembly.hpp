@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "base/index.hpp"
@@ -16,8 +17,9 @@ struct Chunk {
   Index last_group = 0;  ///< one past the last
 };
 
-/// Groups per chunk: 512 elements, enough to keep the share of interface nodes low, few enough to balance.
-inline constexpr Index default_groups_per_chunk = 32;
+/// Groups per chunk of a model with so many groups: 512 elements, and in large models up to 4096, as long as
+/// there are enough chunks to balance over many threads. The larger, the fewer are the nodes between chunks.
+Index groups_per_chunk(std::ptrdiff_t groups_of_model);
 
 /// How element forces reach the nodes with the same bits for any number of threads. A node that only one
 /// chunk touches is added to directly. A node between chunks has one slot per chunk behind the nodes in
@@ -25,9 +27,9 @@ inline constexpr Index default_groups_per_chunk = 32;
 /// block at the very end takes the forces of its fill.
 class Assembly {
  public:
-  /// Cuts the blocks into chunks of so many groups, but the rigid ones, and writes their `target` arrays.
-  /// `nodes` is the number of nodes.
-  void build(const std::vector<ElementBlock*>& blocks, Index nodes, Index groups = default_groups_per_chunk);
+  /// Cuts the blocks into chunks of so many groups (0: by the size of the model), but the rigid ones, and
+  /// writes their `target` arrays. `nodes` is the number of nodes.
+  void build(const std::vector<ElementBlock*>& blocks, Index nodes, Index groups = 0);
 
   const std::vector<Chunk>& chunks() const { return chunks_; }
   /// Entries that NodeFields::force needs beyond the nodes.

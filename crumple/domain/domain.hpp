@@ -24,8 +24,9 @@ struct Execution {
   Precision precision = Precision::Double;
   Isa isa = Isa::Baseline;
   int threads = 1;
-  /// Groups of elements that a thread works off at a time. Results depend on it in their last digits.
-  Index groups_per_chunk = default_groups_per_chunk;
+  /// Groups of elements that a thread works off at a time; 0: by the size of the model, see
+  /// groups_per_chunk(). Results depend on it in their last digits.
+  Index groups_per_chunk = 0;
 };
 
 /// Time and step. Positions are at `time`, velocities half a step earlier.

@@ -5,6 +5,7 @@
 #include "elements/erosion.hpp"
 #include "elements/formulation.hpp"
 #include "elements/lane_sums.hpp"
+#include "elements/prefetch.hpp"
 
 // Every template here has the pack among its parameters: one of the number type alone would be the same
 // function for all instruction sets, and the linker would keep any of them.
@@ -85,6 +86,7 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
   materials::MaterialTask<Real> material = material_task<Formulation, Pack>(task);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
+    if (task.from_memory) prefetch_groups<Pack>(task, 4, first + tile_groups, tile_groups);
     // The whole tile first: what has just been written in small parts is slow to be read as one pack.
     for_each_pack<Pack>(task, first, groups, scratch,
                         [](const ShellPlace<Real>& place, const Index* /*target*/) {

@@ -15,7 +15,8 @@ struct ElementTask {
   Real* state = nullptr;          ///< of the first group
   Index components = 0;
   Index groups = 0;
-  Real step = 0;  ///< from n-1 to n [time]
+  Real step = 0;             ///< from n-1 to n [time]
+  bool from_memory = false;  ///< the model is larger than the caches: ask for everything a tile ahead
   const double* material_constants = nullptr;
 };
 

@@ -3,6 +3,7 @@
 
 #include "elements/erode.hpp"
 #include "elements/hexahedron_gather.hpp"
+#include "elements/prefetch.hpp"
 #include "elements/solid_formulation.hpp"
 #include "elements/tetrahedron_nodes.hpp"
 
@@ -101,6 +102,7 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
   materials::SolidMaterialTask<Real> material = solid_material_task<Pack>(task, scratch);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
+    if (task.from_memory) prefetch_groups<Pack>(task, Formulation::corners, first + tile_groups, tile_groups);
     if constexpr (Formulation::corners == 4)
       for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch, [](const SolidPlace<Real>& place) {
         gather_tetrahedra<Pack>(place.task.nodes, place.node, place.nodes);

@@ -187,8 +187,21 @@ struct JohnsonCookLaw {
       return t;
     }
 
+    /// In solids.
     CRUMPLE_INLINE void correct(Stress& stress, Trial& t, const Mask& mask, const History& history) const {
       Base::correct(stress, t, mask, history);
+      wear(stress, t, history);
+    }
+    /// In shells.
+    template <class Return>
+    CRUMPLE_INLINE void correct(Stress& stress, Trial& t, const Mask& mask, const Return& way,
+                                const History& history) const {
+      Base::correct(stress, t, mask, way, history);
+      wear(stress, t, history);
+    }
+
+    /// Heat and damage by the flow of the step.
+    CRUMPLE_INLINE void wear(const Stress& stress, const Trial& t, const History& history) const {
       if (!softens && !damages) return;
       const Pack flow = t.flow;
       const Pack size = square_root(equivalent_square(stress));

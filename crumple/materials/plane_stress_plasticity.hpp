@@ -36,6 +36,7 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     Pack rest_square;  ///< 3/4 (xx - yy)^2 + 3 (xy^2 + yz^2 + zx^2)
     Pack radius;       ///< yield stress at the old plastic strain and the present rate
     Pack rate_factor;
+    Pack slope;       ///< of the yield stress at rest over the plastic strain
     Pack plastic_zz;  ///< increment of plastic strain zz
     Pack flow;        ///< increment of the effective plastic strain
     Pack aside;       ///< what the hardening wants to know in the return
@@ -90,14 +91,15 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     rest = multiply_add(s.yz, s.yz, rest);
     rest = multiply_add(s.zx, s.zx, rest);
     const Pack aside = hardening.aside(strain, factor);
-    const Pack yield = hardening.at(load<Pack>(plastic_strain(history)), aside).stress;
-    Pack radius = factor * yield;
+    const YieldPoint<Pack> yield = hardening.at(load<Pack>(plastic_strain(history)), aside);
+    Pack radius = factor * yield.stress;
     // What has failed does not flow any more: its plastic strain stays what it was.
     if (fails()) radius = select<Pack>(intact(history), radius, Pack(unreachable));
     return {Pack(Real(0.25)) * (sum * sum),
             Pack(Real(3)) * rest,
             radius,
             factor,
+            yield.slope,
             Pack(Real(0)),
             Pack(Real(0)),
             aside};
@@ -106,12 +108,6 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
   CRUMPLE_INLINE Mask yields(const Trial& t) const {
     return t.sum_square + t.rest_square > t.radius * t.radius;
   }
-
-  /// The consistency parameter times rest_slope, in the lanes of the mask.
-  struct Solution {
-    Pack x;
-    Pack size;  ///< equivalent stress over the old radius
-  };
 
   /// What is left of the sum and of difference and shears. One division for both.
   struct Returned {
@@ -125,70 +121,113 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     return {over_both * b, over_both * a};
   }
 
-  /// Newton's method on 1 = yield stress / equivalent stress, which is nearly linear in x and, for linear
-  /// hardening, concave: it approaches the root from below without fail. Kinks of a table may throw it off;
-  /// the bracket then halves. A lane that has converged is left alone, so that its bits do not depend on its
-  /// neighbours.
-  CRUMPLE_INLINE Solution solve(const Trial& t, const Mask& mask, const Pack& old_strain) const {
+  /// The way to the consistency parameter; stresses over the old radius.
+  struct Return {
+    Pack sum_square, rest_square;
+    Pack old_strain;
+    Pack strain_unit;  ///< plastic strain increment for x and size of 1
+    Pack scale;        ///< rate factor over the old radius
+    Pack aside;
+    Pack x;          ///< the consistency parameter times rest_slope
+    Pack low, high;  ///< bracket it
+    Pack size;       ///< equivalent stress at x
+    Returned left;   ///< at x
+    Mask open;       ///< lanes that are not there yet
+    int steps;       ///< that may still be made
+  };
+
+  /// Starts where Newton's method is after its first step from zero, which needs no division of its own.
+  CRUMPLE_INLINE Return begin_return(const Trial& t, const Mask& mask, const History& history) const {
+    constexpr int most_steps = 60;
+    const Pack one(Real(1));
+    const Pack ratio(sum_slope / rest_slope);
+    const Real slowest = sum_slope < rest_slope ? rest_slope / sum_slope : Real(1);
+    const Pack over_radius = one / t.radius;
+    const Pack over_square = over_radius * over_radius;
+    Return r;
+    r.sum_square = t.sum_square * over_square;
+    r.rest_square = t.rest_square * over_square;
+    r.old_strain = load<Pack>(plastic_strain(history));
+    r.strain_unit = t.radius * Pack(Real(2.0 / 3.0) / rest_slope);
+    r.scale = t.rate_factor * over_radius;
+    r.aside = t.aside;
+    const Pack square = r.sum_square + r.rest_square;
+    const Pack size = square_root(square);
+    r.low = Pack(Real(0));
+    const Pack floor_stress = r.scale * hardening.least(t.aside);
+    r.high = multiply_add(Pack(size / floor_stress - one), Pack(slowest), Pack(Real(1e-6)));
+    if (rate.viscoplastic) {
+      // A power of the plastic strain rate rises without bound from zero: start beside it.
+      r.x = Pack(Real(1e-3)) * r.high;
+    } else if (hardening.viscoplastic()) {
+      r.x = r.low;
+    } else {
+      const Pack growth = Pack(r.scale * t.slope) * Pack(r.strain_unit * size);
+      const Pack fall = multiply_add(ratio, r.sum_square, r.rest_square);
+      r.x = within(r, Pack(Pack(size - one) * square / multiply_add(growth, square, fall)));
+    }
+    r.size = one;
+    r.left = {one, one};
+    r.open = mask;
+    r.steps = most_steps;
+    return r;
+  }
+
+  /// A proposal for x, or the middle of the bracket if it lies outside.
+  CRUMPLE_INLINE static Pack within(const Return& r, const Pack& proposed) {
+    const Mask inside = (proposed > r.low) && (proposed < r.high);
+    return select<Pack>(inside, proposed, Pack(Pack(Real(0.5)) * (r.low + r.high)));
+  }
+
+  /// A step of Newton's method on 1 = yield stress / equivalent stress, which is nearly linear in x and, for
+  /// linear hardening, concave: it approaches the root from below without fail. Kinks of a table may throw it
+  /// off; the bracket then halves. A lane that has converged is left alone, so that its bits do not depend on
+  /// its neighbours. False once all have.
+  CRUMPLE_INLINE bool improve(Return& r) const {
     // Powers have round-off of their own.
     const bool rough = Hardening::rough || rate.viscoplastic;
     constexpr bool single = sizeof(Real) == sizeof(float);
     const Real tolerance =
         rough ? (single ? Real(5e-7) : Real(4e-14)) : (single ? Real(2.5e-7) : Real(4e-15));
-    constexpr int most_iterations = 60;
     const Pack zero(Real(0));
     const Pack one(Real(1));
-    const Pack over_radius = one / t.radius;
-    const Pack u = t.sum_square * over_radius * over_radius;
-    const Pack v = t.rest_square * over_radius * over_radius;
-    const Pack ratio(sum_slope / rest_slope);
-    const Pack strain_unit = t.radius * Pack(Real(2.0 / 3.0) / rest_slope);
-    const Pack scale = t.rate_factor * over_radius;
-    const Real slowest = sum_slope < rest_slope ? sum_slope / rest_slope : Real(1);
-    const Pack floor_stress = scale * hardening.least(t.aside);
-    Pack low = zero;
-    Pack high = (square_root(Pack(u + v)) / floor_stress - one) / Pack(slowest) + Pack(Real(1e-6));
-    // A power of the plastic strain rate rises without bound from zero: start beside it.
-    Solution found{rate.viscoplastic ? Pack(Real(1e-3) * high) : zero, one};
-    Mask open = mask;
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
-      const Returned r = returned(found.x);
-      const Pack ua = u * (r.sum * r.sum);
-      const Pack vb = v * (r.rest * r.rest);
-      const Pack size = square_root(Pack(ua + vb));
-      const Pack over_size = one / size;
-      const Pack fall = multiply_add(Pack(ratio * ua), r.sum, Pack(vb * r.rest)) * over_size;
-      const Pack increment = strain_unit * (found.x * size);
-      auto yield = hardening.at(Pack(old_strain + increment), hardening.viscoplastic() ? increment : t.aside);
-      if (rate.viscoplastic) yield = rate.raised(yield, increment);
-      const Pack quotient = scale * yield.stress * over_size;
-      const Pack g = quotient - one;
-      found.size = select<Pack>(open, size, found.size);
-      open = open && (absolute(g) > Pack(tolerance));
-      if (!any<Pack>(open)) break;
-      low = select<Pack>(g < zero, found.x, low);
-      high = select<Pack>(g < zero, high, found.x);
-      const Pack growth = scale * yield.slope * strain_unit * multiply_add(Pack(-found.x), fall, size);
-      Pack next = found.x - g * size / multiply_add(quotient, fall, growth);
-      const Mask inside = (next > low) && (next < high);
-      next = select<Pack>(inside, next, Pack(Real(0.5) * (low + high)));
-      found.x = select<Pack>(open, next, found.x);
-    }
-    return found;
+    const Returned left = returned(r.x);
+    const Pack ua = r.sum_square * (left.sum * left.sum);
+    const Pack vb = r.rest_square * (left.rest * left.rest);
+    const Pack square = ua + vb;
+    const Pack size = square_root(square);
+    const Pack over_size = size * Pack(one / square);
+    const Pack fall =
+        multiply_add(Pack(Pack(sum_slope / rest_slope) * ua), left.sum, Pack(vb * left.rest)) * over_size;
+    const Pack increment = r.strain_unit * (r.x * size);
+    auto yield = hardening.at(Pack(r.old_strain + increment), hardening.viscoplastic() ? increment : r.aside);
+    if (rate.viscoplastic) yield = rate.raised(yield, increment);
+    const Pack quotient = r.scale * yield.stress * over_size;
+    const Pack g = quotient - one;
+    r.size = select<Pack>(r.open, size, r.size);
+    r.left = {select<Pack>(r.open, left.sum, r.left.sum), select<Pack>(r.open, left.rest, r.left.rest)};
+    r.open = r.open && (absolute(g) > Pack(tolerance));
+    if (!any<Pack>(r.open) || --r.steps == 0) return false;
+    r.low = select<Pack>(g < zero, r.x, r.low);
+    r.high = select<Pack>(g < zero, r.high, r.x);
+    const Pack growth = r.scale * yield.slope * r.strain_unit * multiply_add(Pack(-r.x), fall, size);
+    const Pack next = r.x - g * size / multiply_add(quotient, fall, growth);
+    r.x = select<Pack>(r.open, within(r, next), r.x);
+    return true;
   }
 
-  CRUMPLE_INLINE void correct(PlaneStress<Pack>& stress, Trial& t, const Mask& mask,
+  /// Puts the trial stress back in the lanes of the mask, once improve() has come to its end.
+  CRUMPLE_INLINE void correct(PlaneStress<Pack>& stress, Trial& t, const Mask& mask, const Return& solution,
                               const History& history) const {
     const Pack zero(Real(0));
     const Pack half(Real(0.5));
-    const Pack old_strain = load<Pack>(plastic_strain(history));
-    const Solution solution = solve(t, mask, old_strain);
     const PlaneStress<Pack> s = relative(stress, history);
     const Pack gamma = solution.x * Pack(Real(1) / rest_slope);
-    const Returned r = returned(solution.x);
-    const Pack sum = half * (r.sum * (s.xx + s.yy));
-    const Pack difference = half * (r.rest * (s.xx - s.yy));
-    PlaneStress<Pack> now{sum + difference, sum - difference, r.rest * s.xy, r.rest * s.yz, r.rest * s.zx};
+    const Returned& left = solution.left;
+    const Pack sum = half * (left.sum * (s.xx + s.yy));
+    const Pack difference = half * (left.rest * (s.xx - s.yy));
+    PlaneStress<Pack> now{sum + difference, sum - difference, left.rest * s.xy, left.rest * s.yz,
+                          left.rest * s.zx};
     if (kinematic != 0) {
       // The back stress follows the relative stress: d alpha = 2/3 H_k gamma (sigma - alpha).
       const Pack follow = Pack(kinematic) * gamma;

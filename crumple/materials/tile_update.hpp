@@ -9,8 +9,11 @@
 //   static constexpr bool can_yield                  false: nothing below is called
 //   Trial trial(stress, strain, history)             what decides whether the trial stress is admissible
 //   Mask yields(const Trial&)
-//   void correct(stress, Trial&, mask, history)      returns the stress to the yield surface in the lanes of
-//                                                    the mask, updates the history, leaves plastic_zz
+//   Return begin_return(const Trial&, mask, history) the search for the stress on the yield surface
+//   bool improve(Return&)                            a step of it; false at its end
+//   void correct(stress, Trial&, mask, const Return&, history)
+//                                                    puts the stress there in the lanes of the mask, updates
+//                                                    the history, leaves plastic_zz
 //   static constexpr bool may_fail                   false: nothing below is called
 //   bool fails() const                               whether this material has a failure criterion at all
 //   Mask intact(history) const                       points that still carry stress
@@ -95,18 +98,50 @@ struct PointUpdate {
   }
 };
 
+/// A point of which some lanes yield, on its way back to the yield surface.
+template <class Law, class Pack>
+struct YieldingPoint {
+  int point;
+  PlaneStress<Pack> stress;
+  typename Law::Trial trial;
+  MaskOf<Pack> mask;
+  typename Law::Return way;
+};
+
+/// Returns the stress of some points, a step of one after a step of the other: each step is a chain of
+/// operations that wait for each other, and several chains take hardly longer than one.
+template <class Law, class Pack>
+CRUMPLE_INLINE void return_together(PointUpdate<Law, Pack>& points, YieldingPoint<Law, Pack>* yielding,
+                                    int count) {
+  for (unsigned open = (1U << count) - 1U; open != 0;)
+    for (int i = 0; i < count; ++i)
+      if ((open & (1U << i)) != 0 && !points.law.improve(yielding[i].way)) open &= ~(1U << i);
+  for (int i = 0; i < count; ++i) {
+    YieldingPoint<Law, Pack>& y = yielding[i];
+    auto stress = y.stress;
+    points.law.correct(stress, y.trial, y.mask, y.way, points.history(y.point));
+    points.replace(y.point, y.stress, stress, y.trial.plastic_zz);
+  }
+}
+
 /// Returns the stress of the points that yield.
 template <class Law, class Pack>
 CRUMPLE_INLINE void correct_points(PointUpdate<Law, Pack>& points) {
+  constexpr int at_once = 4;
+  YieldingPoint<Law, Pack> yielding[at_once];
+  int count = 0;
   for (int p = 0; p < points.task.points; ++p) {
-    const auto trial_stress = points.stress(p);
-    auto trial = points.law.trial(trial_stress, points.strain(p), points.history(p));
+    const auto stress = points.stress(p);
+    const auto trial = points.law.trial(stress, points.strain(p), points.history(p));
     const auto mask = points.law.yields(trial);
     if (!any<Pack>(mask)) continue;
-    auto stress = trial_stress;
-    points.law.correct(stress, trial, mask, points.history(p));
-    points.replace(p, trial_stress, stress, trial.plastic_zz);
+    yielding[count++] = {p, stress, trial, mask, points.law.begin_return(trial, mask, points.history(p))};
+    if (count == at_once) {
+      return_together(points, yielding, count);
+      count = 0;
+    }
   }
+  if (count > 0) return_together(points, yielding, count);
 }
 
 /// Takes the stress from points that have failed. Leaves whether any is intact.

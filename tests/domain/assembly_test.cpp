@@ -64,6 +64,26 @@ TEST(Assembly, SumsAreBitwiseTheSameForAnyNumberOfThreads) {
   }
 }
 
+TEST(Assembly, ChunksGrowWithTheModelAsLongAsThereAreMany) {
+  EXPECT_EQ(groups_per_chunk(1), 32);
+  EXPECT_EQ(groups_per_chunk(4095), 32);
+  EXPECT_EQ(groups_per_chunk(4096), 64);
+  EXPECT_EQ(groups_per_chunk(16384), 256);
+  EXPECT_EQ(groups_per_chunk(100000000), 256);
+}
+
+TEST(Assembly, SumsOfLargeChunksAreThoseOfSmallOnes) {
+  Domain small = build(sheet(73, 41), {});
+  Execution execution;
+  execution.groups_per_chunk = 64;
+  Domain large = build(sheet(73, 41), execution);
+  ASSERT_EQ(large.assembly.chunks().size(), 3U);
+  scatter_like_a_kernel(small, 1);
+  scatter_like_a_kernel(large, 1);
+  for (Index i = 0; i < small.nodes.count(); ++i)
+    EXPECT_NEAR(small.nodes.force[i].force[0], large.nodes.force[i].force[0], 1e-15);
+}
+
 TEST(Assembly, SlotsAreClearedAfterTheGather) {
   Domain domain = build(sheet(73, 41), {});
   scatter_like_a_kernel(domain, 2);
