@@ -137,14 +137,14 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
   };
 
   /// Starts where Newton's method is after its first step from zero, which needs no division of its own.
-  CRUMPLE_INLINE Return begin_return(const Trial& t, const Mask& mask, const History& history) const {
+  CRUMPLE_INLINE void begin_return(const Trial& t, const Mask& mask, const History& history,
+                                   Return& r) const {
     constexpr int most_steps = 60;
     const Pack one(Real(1));
     const Pack ratio(sum_slope / rest_slope);
     const Real slowest = sum_slope < rest_slope ? rest_slope / sum_slope : Real(1);
     const Pack over_radius = one / t.radius;
     const Pack over_square = over_radius * over_radius;
-    Return r;
     r.sum_square = t.sum_square * over_square;
     r.rest_square = t.rest_square * over_square;
     r.old_strain = load<Pack>(plastic_strain(history));
@@ -170,7 +170,6 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     r.left = {one, one};
     r.open = mask;
     r.steps = most_steps;
-    return r;
   }
 
   /// A proposal for x, or the middle of the bracket if it lies outside.

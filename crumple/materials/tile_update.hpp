@@ -9,7 +9,8 @@
 //   static constexpr bool can_yield                  false: nothing below is called
 //   Trial trial(stress, strain, history)             what decides whether the trial stress is admissible
 //   Mask yields(const Trial&)
-//   Return begin_return(const Trial&, mask, history) the search for the stress on the yield surface
+//   void begin_return(const Trial&, mask, history, Return&)
+//                                                    the search for the stress on the yield surface
 //   bool improve(Return&)                            a step of it; false at its end
 //   void correct(stress, Trial&, mask, const Return&, history)
 //                                                    puts the stress there in the lanes of the mask, updates
@@ -98,11 +99,10 @@ struct PointUpdate {
   }
 };
 
-/// A point of which some lanes yield, on its way back to the yield surface.
+/// A point of which some lanes yield, on its way back to the yield surface. The state holds its trial stress.
 template <class Law, class Pack>
 struct YieldingPoint {
   int point;
-  PlaneStress<Pack> stress;
   typename Law::Trial trial;
   MaskOf<Pack> mask;
   typename Law::Return way;
@@ -118,9 +118,10 @@ CRUMPLE_INLINE void return_together(PointUpdate<Law, Pack>& points, YieldingPoin
       if ((open & (1U << i)) != 0 && !points.law.improve(yielding[i].way)) open &= ~(1U << i);
   for (int i = 0; i < count; ++i) {
     YieldingPoint<Law, Pack>& y = yielding[i];
-    auto stress = y.stress;
+    const auto trial_stress = points.stress(y.point);
+    auto stress = trial_stress;
     points.law.correct(stress, y.trial, y.mask, y.way, points.history(y.point));
-    points.replace(y.point, y.stress, stress, y.trial.plastic_zz);
+    points.replace(y.point, trial_stress, stress, y.trial.plastic_zz);
   }
 }
 
@@ -131,12 +132,13 @@ CRUMPLE_INLINE void correct_points(PointUpdate<Law, Pack>& points) {
   YieldingPoint<Law, Pack> yielding[at_once];
   int count = 0;
   for (int p = 0; p < points.task.points; ++p) {
-    const auto stress = points.stress(p);
-    const auto trial = points.law.trial(stress, points.strain(p), points.history(p));
-    const auto mask = points.law.yields(trial);
-    if (!any<Pack>(mask)) continue;
-    yielding[count++] = {p, stress, trial, mask, points.law.begin_return(trial, mask, points.history(p))};
-    if (count == at_once) {
+    YieldingPoint<Law, Pack>& y = yielding[count];
+    y.trial = points.law.trial(points.stress(p), points.strain(p), points.history(p));
+    y.mask = points.law.yields(y.trial);
+    if (!any<Pack>(y.mask)) continue;
+    y.point = p;
+    points.law.begin_return(y.trial, y.mask, points.history(p), y.way);
+    if (++count == at_once) {
       return_together(points, yielding, count);
       count = 0;
     }
