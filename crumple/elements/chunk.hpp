@@ -86,13 +86,15 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
   materials::MaterialTask<Real> material = material_task<Formulation, Pack>(task);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
-    if (task.from_memory) prefetch_groups<Pack>(task, 4, first + tile_groups, tile_groups);
+    const GroupsAhead<Pack> ahead(task, 4, first + tile_groups, tile_groups);
+    ahead.state();
     // The whole tile first: what has just been written in small parts is slow to be read as one pack.
     for_each_pack<Pack>(task, first, groups, scratch,
                         [](const ShellPlace<Real>& place, const Index* /*target*/) {
                           gather<Pack>(place.task.nodes, place.node, place.nodes);
                           if (place.task.constants.can_fail) rest_failed<Pack>(place);
                         });
+    ahead.nodes();
     for_each_pack<Pack>(task, first, groups, scratch,
                         [](const ShellPlace<Real>& place, const Index* /*target*/) {
                           Formulation::template strains<Pack>(place);
@@ -100,6 +102,7 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
     material.state = task.state + first * material.group_stride;
     material.groups = groups;
     update_points<Formulation, Pack>(task, scratch, material);
+    ahead.forces();
     for_each_pack<Pack>(task, first, groups, scratch,
                         [&](const ShellPlace<Real>& place, const Index* target) {
                           scatter(task.force, target, Formulation::template forces<Pack>(place));

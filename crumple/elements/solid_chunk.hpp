@@ -102,7 +102,8 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
   materials::SolidMaterialTask<Real> material = solid_material_task<Pack>(task, scratch);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
-    if (task.from_memory) prefetch_groups<Pack>(task, Formulation::corners, first + tile_groups, tile_groups);
+    const GroupsAhead<Pack> ahead(task, Formulation::corners, first + tile_groups, tile_groups);
+    ahead.state();
     if constexpr (Formulation::corners == 4)
       for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch, [](const SolidPlace<Real>& place) {
         gather_tetrahedra<Pack>(place.task.nodes, place.node, place.nodes);
@@ -113,7 +114,9 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
     });
     material.state = task.state + first * material.group_stride;
     material.groups = groups;
+    ahead.nodes();
     task.material(material);
+    ahead.forces();
     for (Index group = 0; group < groups; ++group) {
       for_each_pack_of_group<Formulation, Pack>(
           task, first, group, scratch, [&](const SolidPlace<Real>& place, Index lane) {
