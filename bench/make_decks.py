@@ -47,10 +47,24 @@ def element_card(number, nodes):
     return f"{number:8d}{1:8d}" + "".join(f"{node:8d}" for node in nodes)
 
 
+def node_list(nodes):
+    for at in range(0, len(nodes), 8):
+        yield "".join(f"{node:10d}" for node in nodes[at:at + 8])
+
+
 def tubes(cycles, rows=5, width=60.0, around=100, high=40):
-    """rows x rows square tubes beside each other, nodes shared round each corner."""
-    yield head(title=f"{rows * rows} square tubes onto a rigid wall", end_time=10.0, cycles=cycles, thickness=1.0)
+    """rows x rows square tubes beside each other, nodes shared round each corner, each with 5 kg on its upper rim, which
+    drive two thirds of it into folds."""
+    yield head(title=f"{rows * rows} square tubes onto a rigid wall", end_time=8.0, cycles=cycles, thickness=1.0)
     edge = 4 * width / around
+    per_tube = around * (high + 1)
+    rim = [tube * per_tube + high * around + i + 1 for tube in range(rows * rows) for i in range(around)]
+    yield "*SET_NODE_LIST\n         1"
+    yield from node_list(rim)
+    yield "*BOUNDARY_SPC_SET\n         1         0         1         1         0         1         1         1"
+    yield "*ELEMENT_MASS"
+    for number, node in enumerate(rim):
+        yield f"{number + 1:8d}{node:8d}{5.0 / around:16g}"
     yield f"""*CONTACT_AUTOMATIC_SINGLE_SURFACE
          0         0         0         0
        0.1       0.1       0.0       0.0      20.0
@@ -64,7 +78,6 @@ def tubes(cycles, rows=5, width=60.0, around=100, high=40):
        0.0       0.0     -20.0
 *NODE"""
     side = around // 4
-    per_tube = around * (high + 1)
     for tube in range(rows * rows):
         x0, y0 = (tube % rows) * 1.2 * width, (tube // rows) * 1.2 * width
         for j in range(high + 1):
@@ -90,9 +103,7 @@ def sheet(cycles, cells=1000, edge=5.0):
     yield head(title=f"sheet of {cells * cells} shells", end_time=100.0, cycles=cycles, thickness=1.5)
     line = cells + 1
     yield "*SET_NODE_LIST\n         1"
-    clamped = list(range(1, line + 1))
-    for at in range(0, line, 8):
-        yield "".join(f"{node:10d}" for node in clamped[at:at + 8])
+    yield from node_list(list(range(1, line + 1)))
     yield """*BOUNDARY_SPC_SET
          1         0         1         1         1         1         1         1
 *INITIAL_VELOCITY
