@@ -3,6 +3,7 @@
 
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
 from importlib.machinery import SourceFileLoader
 from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
@@ -22,7 +23,7 @@ def results(*notes, name="Moves/Fast"):
 
 
 def page(*notes):
-    return manual.page_of(list(manual.cases_of(results(*notes))), ROOT)
+    return manual.page_of(list(manual.cases_of(results(*notes))), [], ROOT)
 
 
 class VerificationManualTest(unittest.TestCase):
@@ -40,7 +41,20 @@ class VerificationManualTest(unittest.TestCase):
     def test_variants_share_a_row(self):
         cases = list(manual.cases_of(results("a | b | near | 1 | 1 | 0.1")))
         cases += list(manual.cases_of(results("a | b | near | 1.05 | 1 | 0.1", name="Moves/VerySlow")))
-        self.assertIn("| a | b | 1 | +- 0.1 | Fast 1, Very Slow 1.05 |", manual.page_of(cases, ROOT))
+        self.assertIn("| a | b | 1 | +- 0.1 | Fast 1, Very Slow 1.05 |", manual.page_of(cases, [], ROOT))
+
+    def test_draws_curves(self):
+        noted = results("a | b | near | 1 | 1 | 0.1")
+        noted["testsuites"][0]["testsuite"][0]["curves_1"] = (
+            "Bar, half-way | x [mm] | u [mm] | accepted : exact : 0 0 1 -2 2 -2 | found : 50 elements : 0 0 2 -1.99")
+        curve, = manual.curves_of(noted)
+        self.assertEqual(curve["lines"][1], ("found", "50 elements", [(0.0, 0.0), (2.0, -1.99)]))
+        self.assertEqual(manual.file_name(curve), "verified_bar_half_way.svg")
+        drawn = ElementTree.fromstring(manual.picture(curve))
+        self.assertEqual(len(drawn.findall("{*}circle")), 2)
+        self.assertEqual(len(drawn.findall("{*}polyline")), 1)
+        page = manual.page_of(list(manual.cases_of(noted)), [curve], ROOT)
+        self.assertIn("![Bar, half-way](pictures/verified_bar_half_way.svg)", page)
 
     def test_round_off_is_no_difference(self):
         written = page("a | b | near | 1.01 | 1 | 0.02", "c | b | below | 1.0e-14 | 0 | 1e-12")

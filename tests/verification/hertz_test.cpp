@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "support/conservation.hpp"
+#include "support/drawn.hpp"
 #include "support/rigid.hpp"
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
@@ -124,9 +125,11 @@ struct Impact {
   double force = 0;      ///< largest
   double deviation = 0;  ///< of the force from that at the approach, largest, over the largest force
   double mean_deviation = 0;
-  double rebound = 0;    ///< velocity over that before
-  double imbalance = 0;  ///< of energy, largest, over the initial one
-  double pressed = 0;    ///< largest penetration over the largest approach
+  double rebound = 0;              ///< velocity over that before
+  double imbalance = 0;            ///< of energy, largest, over the initial one
+  double pressed = 0;              ///< largest penetration over the largest approach
+  test::Points force_at_approach;  ///< of the whole ball [micrometre, kN]
+  test::Points exact;
 };
 
 /// Mean force and approach over a twentieth of the duration: nodes come into contact one after the other, and
@@ -139,13 +142,15 @@ class Curve {
     time_ += step;
     force_ += motion.force * step;
     accepted_ += exact_->force(motion.approach - gap) * step;
+    approach_ += (motion.approach - gap) * step;
     if (time_ < exact_->duration / 20) return;
     const double largest = exact_->force(exact_->approach);
     const double deviation = std::fabs(force_ - accepted_) / time_ / largest;
     found_->force = std::max(found_->force, force_ / time_ / largest);
     found_->deviation = std::max(found_->deviation, deviation);
     found_->mean_deviation += 0.05 * deviation;
-    time_ = force_ = accepted_ = 0;
+    found_->force_at_approach.push_back({1e3 * approach_ / time_, 4 * force_ / time_});
+    time_ = force_ = accepted_ = approach_ = 0;
   }
 
  private:
@@ -154,6 +159,7 @@ class Curve {
   double time_ = 0;
   double force_ = 0;
   double accepted_ = 0;
+  double approach_ = 0;
 };
 
 Impact strike(Index cells, Index other, double speed) {
@@ -177,6 +183,10 @@ Impact strike(Index cells, Index other, double speed) {
     found.approach = std::max(found.approach, (motion.approach - gap) / exact.approach);
     found.pressed = std::max(found.pressed, domain.contacts[0].penetration / exact.approach);
     found.rebound = motion.momentum / motion.mass / speed;
+  }
+  for (int i = 0; i <= 50; ++i) {
+    const double at = exact.approach * i / 50;
+    found.exact.push_back({1e3 * at, 4 * exact.force(at)});
   }
   found.duration = (ended - began) / exact.duration;
   found.imbalance = kept.worst_imbalance;
@@ -205,7 +215,12 @@ constexpr double speed = 7;
 
 /// Four elements over the radius of contact.
 TEST(Hertz, BallOnPlate) {
-  expect_hertz("8 x 8 x 16", strike(8, 0, speed), 0.03);
+  const Impact found = strike(8, 0, speed);
+  expect_hertz("8 x 8 x 16", found, 0.03);
+  test::drawn("Steel ball on a plate, loading and unloading", "approach [micrometre]", "force [kN]")
+      .accepted("Hertz", found.exact)
+      .found("8 x 8 x 16 elements", found.force_at_approach)
+      .note();
 }
 
 /// Six elements over the radius of contact. What is left is of the order of a / R: Hertz's half-space is no

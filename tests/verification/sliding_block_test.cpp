@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "support/conservation.hpp"
+#include "support/drawn.hpp"
 #include "support/rigid.hpp"
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
@@ -63,6 +65,7 @@ struct Slide {
   double distance = 0;
   double rest = 0;  ///< mean velocity in the last tenth of the time, over swings of the springs that stick
   domain::EnergyLedger energy;
+  test::Points path;
 };
 
 /// Distance that the centre of mass of the block has gone.
@@ -83,12 +86,14 @@ Slide slide(const model::Model& model) {
   const double late = 0.9 * model.control.end_time;
   double before = 0;
   double time = 0;
+  Slide found;
   test::run(simulation, [&](const domain::Domain& now) {
+    const double distance = distance_gone(now);
+    found.path.push_back({now.clock.time, distance});
     if (now.clock.time >= late) return;
-    before = distance_gone(now);
+    before = distance;
     time = now.clock.time;
   });
-  Slide found;
   found.distance = distance_gone(domain);
   found.rest = (found.distance - before) / (domain.clock.time - time);
   found.energy = domain.energy;
@@ -115,6 +120,18 @@ TEST_P(SlidingBlock, StopsWhereCoulombSays) {
   test::verified("block slides to rest: friction energy over kinetic energy lost", "conservation")
       .near(found.energy.friction / kinetic, 1, 0.003);
   test::verified("block slides to rest: energy error", "conservation").below(found.energy.error(), 1e-7);
+  if (GetParam() != Plate::Solids) return;
+  test::Points path;
+  for (const auto& [time, gone] : found.path) {
+    const double since = std::min(std::max(0.0, time - rise), left / slowing);
+    const double pressing = std::min(time, rise);
+    path.push_back({time, speed * pressing - slowing * pressing * pressing * pressing / (6 * rise) +
+                              left * since - 0.5 * slowing * since * since});
+  }
+  test::drawn("Block pressed onto a plate slides to rest", "time [ms]", "distance [mm]")
+      .accepted("Coulomb", path)
+      .found("block of 32 solids", found.path)
+      .note();
 }
 
 std::string name_of(const ::testing::TestParamInfo<Plate>& info) {

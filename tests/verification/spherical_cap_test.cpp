@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/drawn.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -242,13 +243,17 @@ class ConicalChain {
   std::vector<Section> section_;
 };
 
-/// The largest deflection of the pole and when it is reached.
+/// The deflection of the pole, the largest and when it is reached.
 struct Peak {
   double deflection = 0;
   double time = 0;
+  test::Points history;  ///< [ms, inch]
 
   void look(double now, double at) {
-    if (now > deflection) *this = {now, at};
+    history.push_back({1e3 * at, now});
+    if (now <= deflection) return;
+    deflection = now;
+    time = at;
   }
 };
 
@@ -354,6 +359,12 @@ class SphericalCap : public ::testing::TestWithParam<Case> {
     }
     test::verified("spherical cap, " + kind + ": energy error", "conservation")
         .below(simulation.domain().energy.error(), 0.001);
+    if (GetParam().formulation != model::ShellFormulation::BelytschkoTsay) return;
+    test::drawn("Spherical cap under a step of pressure, " + kind, "time [ms]",
+                "deflection of the pole [inch]")
+        .accepted("chain of cones", accepted.history)
+        .found("768 Belytschko-Tsay shells", peak.history)
+        .note();
   }
 };
 
