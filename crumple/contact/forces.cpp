@@ -210,9 +210,10 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
     arm += touch.weight[i] * x[i];
   }
   const double size = norm(touch.normal_force);
-  const bool aside = norm(cross(arm, touch.normal_force)) > round_off * norm(arm) * size;
-  if (!rough) touch.friction = Vec3{};
-  if (!rough && !aside) return;
+  if (!rough) {
+    touch.friction = Vec3{};
+    if (norm(cross(arm, touch.normal_force)) <= round_off * norm(arm) * size) return;
+  }
   const int first = first_bearing(touch);
   const Couple couple({&x[first], static_cast<std::size_t>(touch.nodes - first)},
                       has_equal_halves(touch) ? Couple::Bearing::EachHalf : Couple::Bearing::All);
@@ -237,10 +238,12 @@ Vec3 Forces::friction(const Touch& touch, double normal_force, double stiffness,
   if (contact_.static_friction <= 0 && contact_.dynamic_friction <= 0) return {};
   const auto tangential = [&](const Vec3& a) { return a - dot(a, touch.normal) * touch.normal; };
   const Vec3 slip = tangential(touch.slip);
-  const double speed = step > 0 ? norm(slip) / step : 0.0;
   const double more = contact_.static_friction - contact_.dynamic_friction;
-  const double mu =
-      contact_.dynamic_friction + (more == 0 ? 0.0 : more * decay(contact_.friction_decay * speed));
+  double mu = contact_.dynamic_friction;
+  if (more != 0) {
+    const double speed = step > 0 ? norm(slip) / step : 0.0;
+    mu += more * decay(contact_.friction_decay * speed);
+  }
   const Vec3 trial = tangential(touch.friction) - stiffness * slip;
   const double size = norm(trial);
   double capacity = mu * normal_force;

@@ -13,6 +13,12 @@ constexpr double degenerate = 1e-6;
 /// the duplicate is removed afterwards.
 constexpr double nearer_tolerance = 1e-9;
 
+/// Whether the surface comes nearer along `ray`, from a point to which the node is `away`.
+bool comes_nearer(const Vec3& away, const Vec3& ray) {
+  const double along = dot(away, ray);
+  return along > 0 && along > nearer_tolerance * norm(away) * norm(ray);
+}
+
 Vec3 unit_or_zero(const Vec3& a, double smallest = 0) {
   const double length = norm(a);
   return length > smallest ? (1.0 / length) * a : Vec3{};
@@ -70,7 +76,7 @@ bool nearer_beyond_edge(const SurfaceAt& at, Index node, Index segment, const Ne
     if (!surface.on_touching_sides(surface.place[node], other)) continue;
     // `away` is perpendicular to the edge, so that any vector from the edge into the triangle will do.
     const Vec3 into = at.shape(other).centre - foot;
-    if (dot(away, into) > nearer_tolerance * norm(away) * norm(into)) return true;
+    if (comes_nearer(away, into)) return true;
   }
   return false;
 }
@@ -90,7 +96,7 @@ bool nearer_around_corner(const SurfaceAt& at, Index node, Index segment, const 
                           shape.corner[k == 0 ? last : k - 1] - shape.corner[k],
                           shape.centre - shape.corner[k]};
     for (const Vec3& ray : rays)
-      if (dot(away, ray) > nearer_tolerance * norm(away) * norm(ray)) return true;
+      if (comes_nearer(away, ray)) return true;
   }
   return false;
 }
