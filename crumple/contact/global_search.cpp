@@ -218,11 +218,12 @@ void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
       if (counts(surface_->place[node], s)) segment_[next[surface_->place[node]]++] = s;
 }
 
-double GlobalSearch::distance_of(const SurfaceAt& reference, Index place, Index segment) const {
+double GlobalSearch::distance_of(const SurfaceAt& reference, Index place, Index segment,
+                                 NearestPointKernel nearest) const {
   const double full = surface_->contact_distance(place, segment);
   if (!next_neighbour(*surface_, place, segment)) return full;
   const Vec3 origin = reference.x[surface_->nodes[place]];
-  return std::min(full, std::sqrt(nearest_point(reference.shape(segment), origin).distance_squared));
+  return std::min(full, std::sqrt(nearest(reference.shape(segment), origin).distance_squared));
 }
 
 /// Most pairs are candidates in one search after the other, and their contact distance depends on the
@@ -235,13 +236,14 @@ void GlobalSearch::keep_distances(bool surface_changed) {
 }
 
 /// Contact distances of the pairs of a node; both searches have its segments in ascending order.
-void GlobalSearch::measure_distances(const SurfaceAt& reference, Index place) {
+void GlobalSearch::measure_distances(const SurfaceAt& reference, Index place, NearestPointKernel nearest) {
   std::int64_t earlier = earlier_first_.empty() ? 0 : earlier_first_[place];
   const std::int64_t end = earlier_first_.empty() ? 0 : earlier_first_[place + 1];
   for (std::int64_t pair = first_[place]; pair < first_[place + 1]; ++pair) {
     while (earlier < end && earlier_segment_[earlier] < segment_[pair]) ++earlier;
     const bool known = earlier < end && earlier_segment_[earlier] == segment_[pair];
-    distance_[pair] = known ? earlier_distance_[earlier] : distance_of(reference, place, segment_[pair]);
+    distance_[pair] =
+        known ? earlier_distance_[earlier] : distance_of(reference, place, segment_[pair], nearest);
   }
 }
 
@@ -249,15 +251,16 @@ void GlobalSearch::measure_slack(const Kinematics& motion) {
   const Index places = surface_->node_count();
   const SurfaceAt at{surface_, {motion.position.data(), motion.velocity.data(), 0}};
   const SurfaceAt reference{surface_, {motion.reference.data(), motion.velocity.data(), 0}};
+  const NearestPointKernel nearest_of = nearest_point_kernel(motion.isa);
   distance_.resize(segment_.size());
   slack_.resize(segment_.size());
   node_slack_.resize(places);
   parallel_for(pieces(places, piece), threads_, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
-      measure_distances(reference, i);
+      measure_distances(reference, i, nearest_of);
       double smallest = std::numeric_limits<double>::max();
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
-        const NearestPoint nearest = nearest_point(at.shape(segment_[pair]), at.x[surface_->nodes[i]]);
+        const NearestPoint nearest = nearest_of(at.shape(segment_[pair]), at.x[surface_->nodes[i]]);
         slack_[pair] =
             std::sqrt(nearest.distance_squared) - distance_[pair] - surface_->watch(segment_[pair]);
         smallest = std::min(smallest, slack_[pair]);

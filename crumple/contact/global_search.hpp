@@ -13,6 +13,7 @@
 #include "base/index.hpp"
 #include "contact/inside_outside.hpp"
 #include "contact/kinematics.hpp"
+#include "contact/nearest_point_kernel.hpp"
 #include "contact/statistics.hpp"
 #include "contact/surface.hpp"
 #include "contact/travel.hpp"
@@ -81,9 +82,10 @@ class GlobalSearch {
     const double* x = motion_.reference().data() + 3 * static_cast<std::size_t>(place);
     return {x[0], x[1], x[2]};
   }
-  double distance_of(const SurfaceAt& reference, Index place, Index segment) const;
+  double distance_of(const SurfaceAt& reference, Index place, Index segment,
+                     NearestPointKernel nearest) const;
   void keep_distances(bool surface_changed);
-  void measure_distances(const SurfaceAt& reference, Index place);
+  void measure_distances(const SurfaceAt& reference, Index place, NearestPointKernel nearest);
   Vec3 step_motion(const Kinematics& motion) const;
   bool listed(Index place, Index segment) const;
 
