@@ -54,7 +54,7 @@ def node_list(nodes):
 
 def tubes(cycles, rows=5, width=60.0, around=100, high=40):
     """rows x rows square tubes beside each other, nodes shared round each corner, each with 5 kg on its upper rim, which
-    drive two thirds of it into folds."""
+    fold it until they are almost at rest."""
     yield head(title=f"{rows * rows} square tubes onto a rigid wall", end_time=8.0, cycles=cycles, thickness=1.0)
     edge = 4 * width / around
     per_tube = around * (high + 1)

@@ -21,10 +21,10 @@ struct RestartInterval {
 /// "500" are cycles; "90s", "30min", "2h" are wall time. Empty if it is neither.
 std::optional<RestartInterval> parse_restart_interval(const std::string& text);
 
-/// What the user asks for on the command line. What is absent is left to the deck, then to the program.
 /// Elements in the largest group of `--trace-energy`.
 inline constexpr int largest_traced_group = 512;
 
+/// What the user asks for on the command line. What is absent is left to the deck, then to the program.
 struct Options {
   std::filesystem::path deck;     ///< of a restart that of the changes, if any
   std::filesystem::path restart;  ///< file or folder to take a run up from; empty begins a new one

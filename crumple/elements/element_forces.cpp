@@ -19,26 +19,21 @@ namespace {
 using domain::Chunk;
 using domain::Domain;
 
-/// Whether a step's way through nodes and elements is longer than what a core's caches hold. Below, asking
-/// ahead costs a tenth of the time.
-bool exceeds_caches(Domain& domain) {
-  constexpr std::size_t most_bytes = std::size_t{16} << 20;
-  constexpr std::size_t per_node = 256;
-  std::size_t bytes = per_node * static_cast<std::size_t>(domain.nodes.count());
-  for (const domain::ElementBlock* block : domain.blocks())
-    bytes += block->float_state.size() * sizeof(float) + block->double_state.size() * sizeof(double);
-  return bytes > most_bytes;
-}
-
 /// Constants of all blocks in the precision of the run, and the kernels that go with them.
 template <class Real>
 class Pass {
  public:
-  explicit Pass(Domain& domain) : domain_(domain), from_memory_(exceeds_caches(domain)) {
-    for (const domain::ShellBlock& block : domain.shells)
+  explicit Pass(Domain& domain) : domain_(domain) {
+    std::size_t bytes = bytes_per_node * static_cast<std::size_t>(domain.nodes.count());
+    for (domain::ShellBlock& block : domain.shells) {
       shells_.push_back(from_numbers<ShellConstants<Real>>(block.element_constants));
-    for (const domain::SolidBlock& block : domain.solids)
+      bytes += domain::state_of<Real>(block).size() * sizeof(Real);
+    }
+    for (domain::SolidBlock& block : domain.solids) {
       solids_.push_back(from_numbers<SolidConstants<Real>>(block.element_constants));
+      bytes += domain::state_of<Real>(block).size() * sizeof(Real);
+    }
+    from_memory_ = bytes > most_cached_bytes;
     for (const domain::BeamBlock& block : domain.beams)
       beams_.push_back(beam_constants(block.element_constants));
   }
@@ -90,8 +85,13 @@ class Pass {
     beam_kernel(domain_.execution.isa, block.formulation)(task, sums);
   }
 
+  /// What a core's caches hold of a step's way through nodes and elements. Below it, asking ahead costs a
+  /// tenth of the time.
+  static constexpr std::size_t most_cached_bytes = std::size_t{16} << 20;
+  static constexpr std::size_t bytes_per_node = 256;
+
   Domain& domain_;
-  bool from_memory_;
+  bool from_memory_ = false;
   std::vector<ShellConstants<Real>> shells_;
   std::vector<SolidConstants<Real>> solids_;
   std::vector<BeamConstants> beams_;

@@ -15,7 +15,7 @@ namespace crumple::elements {
 /// Finds where the energy balance of elements goes wrong. Their energy comes from stresses and strains, the
 /// kinetic energy of the nodes from the forces that follow from these: what elements gain must be what their
 /// forces take from the nodes. Per chunk of elements (neighbours of one part, up to
-/// lanes * groups_per_chunk)
+/// lanes * Execution::groups_per_chunk, or what the size of the model gives)
 ///
 ///     residual = gain of internal and hourglass energy + sum over its nodes and steps of
 ///                (f(n) + f(n+1)) / 2 . (x(n+1) - x(n)) and the same of moments,

@@ -50,16 +50,6 @@ model::Model crushed_tube(ShellFormulation formulation, const model::Constitutiv
   return model;
 }
 
-model::PlasticKinematic kinematic_steel() {
-  model::PlasticKinematic steel;
-  steel.youngs_modulus = 210;
-  steel.poissons_ratio = 0.3;
-  steel.yield_stress = 0.25;
-  steel.tangent_modulus = 1.0;
-  steel.isotropic_fraction = 0.5;
-  return steel;
-}
-
 model::Model tube_of_belytschko_tsay() {
   return crushed_tube(ShellFormulation::BelytschkoTsay, kinematic_steel());
 }
@@ -189,6 +179,16 @@ model::Model bent_laminate() {
 }
 
 }  // namespace
+
+model::PlasticKinematic kinematic_steel() {
+  model::PlasticKinematic steel;
+  steel.youngs_modulus = 210;
+  steel.poissons_ratio = 0.3;
+  steel.yield_stress = 0.25;
+  steel.tangent_modulus = 1.0;
+  steel.isotropic_fraction = 0.5;
+  return steel;
+}
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> shells{{"crushed_tube_BelytschkoTsay", tube_of_belytschko_tsay},

@@ -15,6 +15,9 @@ struct Case {
   bool erodes = false;  ///< some of its elements fail
 };
 
+/// A law with isotropic and kinematic hardening.
+model::PlasticKinematic kinematic_steel();
+
 /// Those without shells.
 const std::vector<Case>& solid_cases();
 

@@ -7,8 +7,8 @@
 
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "golden/cases.hpp"
 #include "support/meshes.hpp"
 #include "timeloop/simulation.hpp"
 
@@ -17,13 +17,8 @@ namespace {
 
 /// A square sheet in waves that is thrown into others.
 model::Model sheet(Index columns) {
-  model::PlasticKinematic steel;
-  steel.youngs_modulus = 210;
-  steel.poissons_ratio = 0.3;
-  steel.yield_stress = 0.25;
-  steel.tangent_modulus = 1.0;
-  model::Model model = test::one_part({.id = 1, .title = "steel", .density = 7.85e-6, .law = steel},
-                                      test::shell_section(1.0, 3));
+  model::Model model = test::one_part(
+      {.id = 1, .title = "steel", .density = 7.85e-6, .law = kinematic_steel()}, test::shell_section(1.0, 3));
   test::add_grid(model, 0, columns, columns, [&](double u, double v) {
     return test::Point{4.0 * columns * u, 4.0 * columns * v, 0.5 * std::sin(60 * u) * std::sin(50 * v)};
   });
