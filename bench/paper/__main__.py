@@ -9,6 +9,7 @@ docs/paper.md with its pictures. One thread, held to one processor; the machine 
 """
 
 import argparse
+import importlib.util
 import json
 import os
 import platform
@@ -79,6 +80,9 @@ def main():
     parser.add_argument("--page-only", action="store_true", help="no runs: the page from the results of the last ones")
     parser.add_argument("--work", type=Path, default=ROOT / "out" / "paper", help="folder of the runs [out/paper]")
     arguments = parser.parse_args()
+    if not arguments.only and importlib.util.find_spec("matplotlib") is None:
+        sys.exit(f"bench/paper: {sys.executable} has no matplotlib for the pictures; on Debian install python3-matplotlib "
+                 "and call /usr/bin/python3 bench/paper")
     arguments.work.mkdir(parents=True, exist_ok=True)
     stored = arguments.work / "results.json"
     if arguments.only:
