@@ -121,7 +121,7 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     return {over_both * b, over_both * a};
   }
 
-  /// The way to the consistency parameter; stresses over the old radius.
+  /// The way to the consistency parameter, lane by lane; stresses over the old radius, strains as such [-].
   struct Return {
     Pack sum_square, rest_square;
     Pack old_strain;
@@ -136,7 +136,8 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     int steps;       ///< that may still be made
   };
 
-  /// Starts where Newton's method is after its first step from zero, which needs no division of its own.
+  /// Starts where Newton's method is after its first step from zero: there the trial has all that the step
+  /// needs, and one division does for it.
   CRUMPLE_INLINE void begin_return(const Trial& t, const Mask& mask, const History& history,
                                    Return& r) const {
     constexpr int most_steps = 60;
