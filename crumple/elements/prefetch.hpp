@@ -10,11 +10,11 @@
 namespace crumple::elements {
 
 /// Asks for `count` objects from the first of each of their cache lines, to be changed or only read.
-template <bool to_write, class T>
+template <bool ToWrite, class T>
 CRUMPLE_INLINE void prefetch(const T* first, std::ptrdiff_t count) {
   const char* const start = reinterpret_cast<const char*>(first);
   const std::ptrdiff_t bytes = count * static_cast<std::ptrdiff_t>(sizeof(T));
-  for (std::ptrdiff_t at = 0; at < bytes; at += cache_line) __builtin_prefetch(start + at, to_write, 3);
+  for (std::ptrdiff_t at = 0; at < bytes; at += cache_line) __builtin_prefetch(start + at, ToWrite, 3);
 }
 
 /// The groups that a task works off next, while those before are worked off: the processor follows neither
