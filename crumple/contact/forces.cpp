@@ -8,12 +8,31 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 #include "contact/penalty.hpp"
 
 namespace crumple::contact {
 namespace {
 
 constexpr Index piece = 64;
+
+/// By how many touches or places data are asked for before they are needed. In a large model they come from
+/// memory.
+constexpr std::size_t ahead = 8;
+
+/// Calls ask(place) for the nodes of a touch soon after `i`.
+template <class Ask>
+void ask_after(std::size_t i, std::span<const Touch> touches, const Ask& ask) {
+  if (i + ahead >= touches.size()) return;
+  const Touch& touch = touches[i + ahead];
+  for (int k = 0; k < touch.nodes; ++k) ask(touch.place[k]);
+}
+
+/// Calls ask(place) for one soon after place `i` of a list.
+template <class Ask>
+void ask_after(std::size_t i, const std::vector<Index>& places, const Ask& ask) {
+  if (i + ahead < places.size()) ask(places[i + ahead]);
+}
 
 /// Weight with which a touch counts at one of its nodes: a little more than the node's own, as the couple of
 /// friction acts on all of them.
@@ -85,8 +104,16 @@ void Forces::add(domain::Domain& domain, std::span<Touch> touches, domain::Conta
   count_touches(touches);
   is_limited_.resize(touches.size());
   parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
-    for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i)
+    for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i) {
+      ask_after(i, touches, [&](Index place) {
+        const Index node = surface_->nodes[place];
+        prefetch<false>(&domain.nodes.mass[node], 1);
+        prefetch<false>(&domain.nodes.position[node], 1);
+        prefetch<false>(&domain.nodes.velocity[node], 1);
+        prefetch<false>(&touches_[place], 1);
+      });
       is_limited_[i] = evaluate(domain, touches[i]) ? 1 : 0;
+    }
   });
   limited_ = static_cast<Index>(std::count(is_limited_.begin(), is_limited_.end(), 1));
   for (const Touch& touch : touches)
@@ -103,7 +130,12 @@ void Forces::apply(domain::Domain& domain, std::span<const Touch> touches, domai
 /// With how much weight touches act on each node: its mass is shared out among them in that proportion when
 /// stability is judged. A touch that comes or goes at the rim of a segment so changes nothing at once.
 void Forces::count_touches(std::span<const Touch> touches) {
-  for (const Touch& touch : touches) {
+  for (std::size_t t = 0; t < touches.size(); ++t) {
+    ask_after(t, touches, [&](Index place) {
+      prefetch<true>(&touches_[place], 1);
+      prefetch<false>(&surface_->nodes[place], 1);
+    });
+    const Touch& touch = touches[t];
     if (touch.penetration <= 0) continue;
     for (int i = 0; i < touch.nodes; ++i) touches_[touch.place[i]] += lent(touch.weight[i]);
   }
@@ -255,7 +287,13 @@ Vec3 Forces::friction(const Touch& touch, double normal_force, double stiffness,
 void Forces::scatter(std::span<const Touch> touches) {
   active_.clear();
   const auto is_zero = [](const Vec3& a) { return a.x == 0 && a.y == 0 && a.z == 0; };
-  for (const Touch& touch : touches) {
+  for (std::size_t t = 0; t < touches.size(); ++t) {
+    ask_after(t, touches, [&](Index place) {
+      prefetch<true>(&normal_[place], 1);
+      prefetch<true>(&friction_[place], 1);
+      prefetch<true>(&marked_[place], 1);
+    });
+    const Touch& touch = touches[t];
     if (is_zero(touch.normal_force) && is_zero(touch.friction)) continue;
     for (int i = 0; i < touch.nodes; ++i) {
       const Index place = touch.place[i];
@@ -280,7 +318,13 @@ void Forces::add_work(const domain::Domain& domain, domain::ContactReport& repor
                  std::back_inserter(both_));
   double normal = 0;
   double friction = 0;
-  for (const Index place : both_) {
+  for (std::size_t i = 0; i < both_.size(); ++i) {
+    ask_after(i, both_, [&](Index next) {
+      prefetch<false>(&domain.nodes.velocity[surface_->nodes[next]], 1);
+      prefetch<true>(&previous_normal_[next], 1);
+      prefetch<true>(&previous_friction_[next], 1);
+    });
+    const Index place = both_[i];
     const Vec3& v = domain.nodes.velocity[surface_->nodes[place]];
     normal += dot(previous_normal_[place] + normal_[place], v);
     friction += dot(previous_friction_[place] + friction_[place], v);
@@ -291,7 +335,12 @@ void Forces::add_work(const domain::Domain& domain, domain::ContactReport& repor
 
 /// Adds the sums to the domain and makes them the previous ones.
 void Forces::hand_over(domain::Domain& domain) {
-  for (const Index place : active_) {
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    ask_after(i, active_, [&](Index next) {
+      prefetch<true>(&domain.contact_force[surface_->nodes[next]], 1);
+      prefetch<true>(&domain.nodes.force[surface_->nodes[next]], 1);
+    });
+    const Index place = active_[i];
     const Index node = surface_->nodes[place];
     const Vec3 sum = normal_[place] + friction_[place];
     domain.contact_force[node] += sum;

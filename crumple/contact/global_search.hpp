@@ -11,6 +11,7 @@
 #include <cellsearch/search.hpp>
 
 #include "base/index.hpp"
+#include "base/prefetch.hpp"
 #include "contact/inside_outside.hpp"
 #include "contact/kinematics.hpp"
 #include "contact/nearest_point_kernel.hpp"
@@ -46,6 +47,15 @@ class GlobalSearch {
   Index next_awake(Index place, Index end) const {
     while (place < end && node_slack_[place] > consumed_) ++place;
     return place;
+  }
+  /// Ask for where the candidates of a node begin, and then for them: in a large model they come from memory.
+  void ask_for_first(Index place) const { prefetch<false>(&first_[place], 2); }
+  void ask_for_candidates(Index place) const {
+    const std::int64_t first = first_[place];
+    const std::int64_t count = first_[place + 1] - first;
+    prefetch<true>(&slack_[first], count);
+    prefetch<false>(&segment_[first], count);
+    prefetch<false>(&distance_[first], count);
   }
   /// Bound on the way of any two nodes relative to each other since the search, or in the step before it if
   /// there was one just now [length].

@@ -171,7 +171,10 @@ struct Interface::Implementation {
   /// The pairs as the forces see them.
   void collect_touches(std::span<const ContactPair> pairs) {
     touches.clear();
-    for (const ContactPair& pair : pairs) touches.push_back(touch_of(surface, pair));
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      ask_for_touch_after(surface, pairs, i);
+      touches.push_back(touch_of(surface, pairs[i]));
+    }
     edges.append_touches(touches);
     if (pinballs) pinballs->append_touches(touches);
   }

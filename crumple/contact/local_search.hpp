@@ -14,6 +14,8 @@
 
 namespace crumple::contact {
 
+struct StepView;
+
 /// The local search: which candidates are in contact now, where, and how deep. A node has a contact with
 /// every segment that is a nearest place of the surface around it; of connected segments that push in almost
 /// the same direction the dividing planes choose one (docs/theory/contact.md).
@@ -29,6 +31,9 @@ class LocalSearch {
                               std::span<const RememberedPair> remembered, bool tracking);
 
  private:
+  /// The contacts of the nodes of one part, into its list.
+  void find_in(Index part, const StepView& view, std::span<const RememberedPair> remembered);
+
   const Surface* surface_;
   std::vector<std::vector<ContactPair>> parts_;
   std::vector<ContactPair> pairs_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/prefetch.hpp"
 #include "contact/contact_pair.hpp"
 #include "contact/segment_shape.hpp"
 #include "contact/surface.hpp"
@@ -38,6 +39,24 @@ Touch touch_of(const Surface& surface, const ContactPair& pair) {
   touch.friction = pair.friction;
   touch.penalty = pair.penalty;
   return touch;
+}
+
+void ask_for_touch_after(const Surface& surface, std::span<const ContactPair> pairs, std::size_t i) {
+  constexpr std::size_t ahead = 8;
+  if (i + 2 * ahead < pairs.size()) {
+    const ContactPair& pair = pairs[i + 2 * ahead];
+    prefetch<false>(surface.segment(pair.segment), 4);
+    prefetch<false>(&surface.stiffness[pair.segment], 1);
+    prefetch<false>(&surface.area[pair.segment], 1);
+    prefetch<false>(&surface.face[pair.segment], 1);
+    prefetch<false>(&surface.node_stiffness[pair.node], 1);
+    prefetch<false>(&surface.topology.first_at_node[pair.node], 1);
+  }
+  if (i + ahead < pairs.size()) {
+    const ContactPair& pair = pairs[i + ahead];
+    for (int k = 0; k < 4; ++k) prefetch<false>(&surface.place[surface.segment(pair.segment)[k]], 1);
+    prefetch<false>(surface.topology.at_node(pair.node).data(), 1);
+  }
 }
 
 }  // namespace crumple::contact

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 #include "base/index.hpp"
 #include "contact/penalty.hpp"
@@ -50,6 +52,10 @@ struct Touch {
 
 /// A node and a segment.
 Touch touch_of(const Surface& surface, const ContactPair& pair);
+
+/// Asks for what touch_of() and node_stiffness() will read of the surface for pairs soon after `i`: in a
+/// large model it comes from memory.
+void ask_for_touch_after(const Surface& surface, std::span<const ContactPair> pairs, std::size_t i);
 
 /// Penalty stiffness of the node of a pair. A node of solids has a share of each of its faces, as far as they
 /// look against the pair's normal: a quarter of all that meet in it, which in the middle of a plane is one

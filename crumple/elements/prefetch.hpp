@@ -3,19 +3,11 @@
 
 #include <cstddef>
 
-#include "base/aligned_array.hpp"
 #include "base/pack.hpp"
+#include "base/prefetch.hpp"
 #include "elements/element_task.hpp"
 
 namespace crumple::elements {
-
-/// Asks for `count` objects from the first of each of their cache lines, to be changed or only read.
-template <bool ToWrite, class T>
-CRUMPLE_INLINE void prefetch(const T* first, std::ptrdiff_t count) {
-  const char* const start = reinterpret_cast<const char*>(first);
-  const std::ptrdiff_t bytes = count * static_cast<std::ptrdiff_t>(sizeof(T));
-  for (std::ptrdiff_t at = 0; at < bytes; at += cache_line) __builtin_prefetch(start + at, ToWrite, 3);
-}
 
 /// The groups that a task works off next, while those before are worked off: the processor follows neither
 /// nodes nor the rows of a state by itself. To be asked for in three portions with work between them, as one
