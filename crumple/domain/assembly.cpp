@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/parallel.hpp"
+#include "base/prefetch.hpp"
 
 namespace crumple::domain {
 namespace {
@@ -92,9 +93,12 @@ void Assembly::build(const std::vector<ElementBlock*>& blocks, Index nodes, Inde
 
 void Assembly::gather_interface(AlignedArray<NodeForce>& force, int threads) const {
   constexpr Index piece = 1024;
+  constexpr Index ahead = 8;
   const auto count = static_cast<Index>(interface_node_.size());
   parallel_for(pieces(count, piece), threads, [&](Index p) {
     for (Index i = p * piece; i < std::min((p + 1) * piece, count); ++i) {
+      // The chunks' sums lie side by side, but not the nodes.
+      if (i + ahead < count) prefetch<true>(&force[interface_node_[i + ahead]], 1);
       NodeForce& node = force[interface_node_[i]];
       for (Index s = first_slot_[i]; s < first_slot_[i + 1]; ++s) {
         for (int axis = 0; axis < 3; ++axis) {

@@ -2,6 +2,7 @@
 // The motion of the nodes: one item (a position, a velocity) per vector.
 #include <cmath>
 
+#include "base/prefetch.hpp"
 #include "math/small_vectors.hpp"
 #include "timeloop/node_kernels.hpp"
 
@@ -151,6 +152,14 @@ class Kicker {
         inertia_(nodes.inertia.data()),
         fixed_(nodes.fixed.data()) {}
 
+  /// Asks for what the nodes i to i + 3 need: there are more rows of numbers than the processor follows.
+  CRUMPLE_INLINE void ask_for_four(std::ptrdiff_t i) const {
+    prefetch<true>(forces_ + i, 4);
+    prefetch<true>(velocity_ + 3 * i, 12);
+    prefetch<true>(angular_ + 3 * i, 12);
+    prefetch<false>(mass_ + i, 4);
+    prefetch<false>(inertia_ + i, 4);
+  }
   CRUMPLE_INLINE void one(std::ptrdiff_t i);
   /// Whether the nodes i to i + 3 are free in all respects and have mass, and all or none of them turn.
   CRUMPLE_INLINE bool are_plain(std::ptrdiff_t i) const;
@@ -247,9 +256,11 @@ KickSums Kicker::sums() const {
 }
 
 KickSums kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
+  constexpr std::ptrdiff_t ahead = 64;
   Kicker kicker(nodes, kick);
   std::ptrdiff_t i = range.first;
   for (; i + 4 <= range.last; i += 4) {
+    if (i + ahead + 4 <= range.last) kicker.ask_for_four(i + ahead);
     if (kicker.are_plain(i))
       kicker.four_plain(i);
     else
