@@ -3,6 +3,7 @@
 """Writes the large decks of whole_runs.py. Units: kg, mm, ms.
 
     ./make_decks.py tubes > tubes.k      25 square tubes of 4000 shells run onto a wall and fold, self-contact
+    ./make_decks.py tubes --rows 16      256 of them, a million shells
     ./make_decks.py sheet > sheet.k      1000 x 1000 shells, clamped along one edge, set swinging
     ./make_decks.py block > block.k      8000 hexahedra that strike a wall at 100 m/s
 """
@@ -154,8 +155,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("deck", choices=tuple(DECKS))
     parser.add_argument("--cycles", type=int, default=0, help="stop after so many (default: run to the end time)")
+    parser.add_argument("--rows", type=int, help="of tubes, with as many in each (default 5)")
     arguments = parser.parse_args()
-    for line in DECKS[arguments.deck](arguments.cycles):
+    if arguments.rows is not None and arguments.deck != "tubes":
+        parser.error("only tubes stand in rows")
+    rows = {} if arguments.rows is None else {"rows": arguments.rows}
+    for line in DECKS[arguments.deck](arguments.cycles, **rows):
         print(line)
 
 

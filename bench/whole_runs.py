@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whole runs of the program, timed: the box beam of the paper at 5, 2.5 and 1.25 mm, 25 tubes of 4000 shells that
-fold with self-contact, a sheet of a million shells, a block of solids. Prints one line per run: time per element and
-cycle, in all and by stage, from run.json.
+"""Whole runs of the program, timed: the box beam of the paper at 5, 2.5 and 1.25 mm, 25 and 256 tubes of 4000 shells
+that fold with self-contact, a sheet of a million shells, a block of solids. Prints one line per run: time per element
+and cycle, in all and by stage, from run.json.
 
     bench/whole_runs.py build/release/crumple                        the quick ones, minutes
     bench/whole_runs.py build/release/crumple --all -t 2             every one, long
-    bench/whole_runs.py build/release/crumple --only tubes --cycles 2000
+    bench/whole_runs.py build/release/crumple --only "tubes 100k" --cycles 2000
 """
 
 import argparse
@@ -27,6 +27,7 @@ RUNS = {
     "box beam 2.5 mm": ([BOX_BEAM, "--element-size", "0.0025"], False, False),
     "box beam 1.25 mm": ([BOX_BEAM, "--element-size", "0.00125"], False, False),
     "tubes 100k": ([HERE / "make_decks.py", "tubes"], True, True),
+    "tubes 1M": ([HERE / "make_decks.py", "tubes", "--rows", "16"], True, False),
     "sheet 1M": ([HERE / "make_decks.py", "sheet"], True, True),
     "block 8k": ([HERE / "make_decks.py", "block"], True, True),
 }

@@ -53,9 +53,9 @@ class GlobalSearch {
   void ask_for_candidates(Index place) const {
     const std::int64_t first = first_[place];
     const std::int64_t count = first_[place + 1] - first;
-    prefetch<true>(&slack_[first], count);
-    prefetch<false>(&segment_[first], count);
-    prefetch<false>(&distance_[first], count);
+    prefetch<true>(slack_.data() + first, count);
+    prefetch<false>(segment_.data() + first, count);
+    prefetch<false>(distance_.data() + first, count);
   }
   /// Bound on the way of any two nodes relative to each other since the search, or in the step before it if
   /// there was one just now [length].
