@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/bench_command.hpp"
 
-#include <fmt/ostream.h>
-
 #include <algorithm>
 #include <array>
 #include <cellsearch/search.hpp>
@@ -11,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/print.hpp"
 #include "app/shell_benchmark.hpp"
 #include "app/solid_benchmark.hpp"
 #include "base/stopwatch.hpp"
@@ -26,14 +25,14 @@ constexpr Index large_side = 316;  ///< 100 000 elements: out of it
 void print_shells(std::ostream& out, const NamedFormulation& formulation, const NamedLaw& law, Isa isa,
                   int threads) {
   constexpr double seconds = 0.4;
-  fmt::print(out, "  {:<30} {:>7}", formulation.name, threads);
+  print(out, "  {:<30} {:>7}", formulation.name, threads);
   for (const Precision precision : {Precision::Mixed, Precision::Double})
     for (const Index side : {small_side, large_side}) {
       const ShellBenchmark benchmark{side, formulation.formulation, law.law, 3, {precision, isa, threads}};
-      fmt::print(out, " {:>12.1f}", measure_shells(benchmark, seconds).wall);
+      print(out, " {:>12.1f}", measure_shells(benchmark, seconds).wall);
       out.flush();
     }
-  fmt::print(out, "\n");
+  print(out, "\n");
 }
 
 /// One line: mixed and double, small and large.
@@ -41,15 +40,14 @@ void print_solids(std::ostream& out, const NamedSolid& solid, Isa isa, int threa
   constexpr Index small_block = 10;
   constexpr Index large_block = 46;
   constexpr double seconds = 0.4;
-  fmt::print(out, "  {:<30} {:>7}", solid.name, threads);
+  print(out, "  {:<30} {:>7}", solid.name, threads);
   for (const Precision precision : {Precision::Mixed, Precision::Double})
     for (const Index side : {small_block, large_block}) {
       const Index hexahedra = model::is_tetrahedral(solid.formulation) ? side * 55 / 100 : side;
-      fmt::print(out, " {:>12.1f}",
-                 measure_solids({hexahedra, solid, {precision, isa, threads}}, seconds).wall);
+      print(out, " {:>12.1f}", measure_solids({hexahedra, solid, {precision, isa, threads}}, seconds).wall);
       out.flush();
     }
-  fmt::print(out, "\n");
+  print(out, "\n");
 }
 
 /// Two sheets of n x n segments, half an edge apart.
@@ -90,8 +88,8 @@ void print_search(std::ostream& out, cellsearch::Method method, cellsearch::Inde
     search.find(scene);
     best = std::min(best, watch.seconds());
   }
-  fmt::print(out, "  {:<30} {:>7} {:>12.1f}\n", cellsearch::name_of(method), threads,
-             1e9 * best / (static_cast<double>(sheets.connectivity.size()) / 4));
+  print(out, "  {:<30} {:>7} {:>12.1f}\n", cellsearch::name_of(method), threads,
+        1e9 * best / (static_cast<double>(sheets.connectivity.size()) / 4));
 }
 
 }  // namespace
@@ -104,20 +102,20 @@ ExitCode bench_machine(const Options& options, const Console& console) {
   const auto plastic = std::find_if(laws.begin(), laws.end(), [](const NamedLaw& law) {
     return std::holds_alternative<model::PlasticKinematic>(law.law);
   });
-  fmt::print(out,
-             "{}, {}\n\nTime step without contact, 3 points, one fifth yielding [ns per shell and cycle]\n"
-             "  {:<30} {:>7} {:>12} {:>12} {:>12} {:>12}\n",
-             program_version(), isa_name(isa), "formulation", "threads", "mixed 1k", "mixed 100k",
-             "double 1k", "double 100k");
+  print(out,
+        "{}, {}\n\nTime step without contact, 3 points, one fifth yielding [ns per shell and cycle]\n"
+        "  {:<30} {:>7} {:>12} {:>12} {:>12} {:>12}\n",
+        program_version(), isa_name(isa), "formulation", "threads", "mixed 1k", "mixed 100k", "double 1k",
+        "double 100k");
   std::vector<int> thread_counts{1};
   if (most_threads > 1) thread_counts.push_back(most_threads);
   for (const NamedFormulation& formulation : benchmark_formulations())
     for (const int threads : thread_counts) print_shells(out, formulation, *plastic, isa, threads);
-  fmt::print(out, "\nThe same of solids [ns per element and cycle]\n");
+  print(out, "\nThe same of solids [ns per element and cycle]\n");
   for (const NamedSolid& solid : benchmark_solids())
     for (const int threads : thread_counts) print_solids(out, solid, isa, threads);
-  fmt::print(out, "\nContact search, two sheets of 100k segments [ns per segment]\n  {:<30} {:>7} {:>12}\n",
-             "method", "threads", "time");
+  print(out, "\nContact search, two sheets of 100k segments [ns per segment]\n  {:<30} {:>7} {:>12}\n",
+        "method", "threads", "time");
   for (const cellsearch::Method method : cellsearch::methods()) {
     if (method == cellsearch::Method::BruteForce) continue;  // minutes
     for (const int threads : thread_counts) print_search(out, method, large_side, threads);

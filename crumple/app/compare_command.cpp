@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/compare_command.hpp"
 
-#include <fmt/ostream.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
 
+#include "app/print.hpp"
 #include "base/error.hpp"
 #include "compare/comparison.hpp"
 #include "compare/comparison_json.hpp"
@@ -53,7 +52,7 @@ compare::ComparisonSettings settings_of(const CompareOptions& options) {
 
 /// `rwforc   normal fx fy fz   [1 2]`: one line for each group, as histories of many nodes have many names.
 void print_names(const compare::CurveSet& set, const Console& console) {
-  fmt::print(console.out, "{}:\n", set.source);
+  print(console.out, "{}:\n", set.source);
   std::vector<std::string> groups;
   for (const compare::Curve& curve : set.curves)
     if (std::find(groups.begin(), groups.end(), curve.group) == groups.end()) groups.push_back(curve.group);
@@ -68,24 +67,24 @@ void print_names(const compare::CurveSet& set, const Console& console) {
       add_once(quantities, curve.quantity);
       if (!curve.item.empty()) add_once(items, curve.item);
     }
-    fmt::print(console.out, "  {}.\n", group);
-    for (const std::string& quantity : quantities) fmt::print(console.out, "    {}\n", quantity);
+    print(console.out, "  {}.\n", group);
+    for (const std::string& quantity : quantities) print(console.out, "    {}\n", quantity);
     if (items.empty()) continue;
-    fmt::print(console.out, "    each of");
-    for (const std::string& item : items) fmt::print(console.out, " [{}]", item);
-    fmt::print(console.out, "\n");
+    print(console.out, "    each of");
+    for (const std::string& item : items) print(console.out, " [{}]", item);
+    print(console.out, "\n");
   }
 }
 
 void print_notes(const compare::CurveSet& set, const Console& console) {
-  for (const std::string& note : set.notes) fmt::print(console.err, "crumple: warning: {}\n", note);
+  for (const std::string& note : set.notes) print(console.err, "crumple: warning: {}\n", note);
 }
 
 /// One line that is written over on a terminal; nothing elsewhere.
 compare::CompareProgress progress_on(const Console& console, bool quiet) {
   return [&console, quiet](std::size_t done, std::size_t all) {
     if (quiet || !console.terminal || (done % 64 != 0 && done != all)) return;
-    fmt::print(console.out, "\rcurve {} of {}\x1b[K{}", done, all, done == all ? "\r\x1b[K" : "");
+    print(console.out, "\rcurve {} of {}\x1b[K{}", done, all, done == all ? "\r\x1b[K" : "");
     console.out.flush();
   };
 }
@@ -123,11 +122,11 @@ ExitCode compare_sides(const CompareOptions& options, const Sides& sides, const 
                 << std::flush;
   write_files(options, comparison, sides, settings);
   if (comparison.curves.empty() && comparison.negligible.empty()) {
-    fmt::print(console.err,
-               "crumple: error: The two have no curve in common{}. --list shows what they have, --pair "
-               "brings curves "
-               "of different names together.\n",
-               options.quantities.empty() ? "" : " among those asked for");
+    print(console.err,
+          "crumple: error: The two have no curve in common{}. --list shows what they have, --pair "
+          "brings curves "
+          "of different names together.\n",
+          options.quantities.empty() ? "" : " among those asked for");
     return ExitCode::Input;
   }
   return options.tolerance && !comparison.within(*options.tolerance) ? ExitCode::Input : ExitCode::Normal;
@@ -151,10 +150,10 @@ ExitCode compare_results(const CompareOptions& options, const Console& console) 
     }
     return compare_sides(options, sides, console);
   } catch (const output::WriteError& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return ExitCode::Output;
   } catch (const Error& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return ExitCode::Usage;
   }
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/keywords_command.hpp"
 
-#include <fmt/ostream.h>
-
 #include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
@@ -10,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/print.hpp"
 #include "deck/keyword_cards.hpp"
 
 namespace crumple::app {
@@ -99,24 +98,23 @@ std::string words_of(const Field& field) {
 
 void print_cards(const Keyword& keyword, std::ostream& out) {
   const deck::KeywordForm form = cards_of(keyword);
-  fmt::print(out, "*{}\n", keyword.name);
-  if (keyword.heading == HeadingKind::Title)
-    fmt::print(out, "  with _TITLE: a line of text before the cards\n");
+  print(out, "*{}\n", keyword.name);
+  if (keyword.heading == HeadingKind::Title) print(out, "  with _TITLE: a line of text before the cards\n");
   if (keyword.heading == HeadingKind::Identity)
-    fmt::print(out, "  with _ID or _TITLE: a card with a number and a text before the others\n");
+    print(out, "  with _ID or _TITLE: a card with a number and a text before the others\n");
   for (const deck::KeywordCard& card : form.cards) {
     const char* const again = card.repeats    ? ", as often as needed"
                               : card.optional ? ", may be left out"
                                               : "";
     if (card.number == 0)
-      fmt::print(out, "  line: {}{}\n", card.text, again);
+      print(out, "  line: {}{}\n", card.text, again);
     else
-      fmt::print(out, "  card {}{}\n", card.number, again);
+      print(out, "  card {}{}\n", card.number, again);
     for (const Field& field : card.fields)
-      fmt::print(out, "    {:<10} {:<12} default {:<8} {}\n", field.name, type_word(field.type),
-                 default_of(field), words_of(field));
+      print(out, "    {:<10} {:<12} default {:<8} {}\n", field.name, type_word(field.type), default_of(field),
+            words_of(field));
   }
-  if (form.repeats) fmt::print(out, "  all of it again for each further item\n");
+  if (form.repeats) print(out, "  all of it again for each further item\n");
 }
 
 std::string upper(std::string name) {
@@ -133,18 +131,18 @@ ExitCode list_keywords(const KeywordsOptions& options, const Console& console) {
     return ExitCode::Normal;
   }
   if (options.names.empty())
-    for (const Keyword& keyword : deck::keyword_table()) fmt::print(console.out, "{}\n", keyword.name);
+    for (const Keyword& keyword : deck::keyword_table()) print(console.out, "{}\n", keyword.name);
   ExitCode code = ExitCode::Normal;
   for (const std::string& given : options.names) {
     const std::string name = upper(given);
     if (const auto found = deck::find_keyword(name)) {
       print_cards(*found->keyword, console.out);
     } else if (const deck::IgnoredRow* row = deck::find_ignored(name)) {
-      fmt::print(console.out, "*{}\n  is left out with a warning: {}\n", name, row->reason);
+      print(console.out, "*{}\n  is left out with a warning: {}\n", name, row->reason);
     } else {
       const std::string related = deck::related_keywords(name);
-      fmt::print(console.err, "crumple: *{} is not supported{}{}\n", name,
-                 related.empty() ? "" : "; supported are ", related);
+      print(console.err, "crumple: *{} is not supported{}{}\n", name,
+            related.empty() ? "" : "; supported are ", related);
       code = ExitCode::Input;
     }
   }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/live_pages.hpp"
 
-#include <fmt/ostream.h>
-
 #include <chrono>
 #include <ostream>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "app/print.hpp"
 #include "app/stop_signals.hpp"
 #include "base/error.hpp"
 #include "live/folder_status.hpp"
@@ -36,11 +35,11 @@ std::unique_ptr<live::LivePage> open_live_page(const std::filesystem::path& fold
                                 live::find_live_template()};
     auto page = std::make_unique<live::LivePage>(files, port, std::move(status));
     // Also when quiet: nobody knows port 0 otherwise.
-    fmt::print(console.out, "Live page: {}\n", page->address());
+    print(console.out, "Live page: {}\n", page->address());
     console.out.flush();
     return page;
   } catch (const Error& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return nullptr;
   }
 }
@@ -48,8 +47,8 @@ std::unique_ptr<live::LivePage> open_live_page(const std::filesystem::path& fold
 ExitCode serve_results(const ReportOptions& options, const Console& console) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(options.folder, ignored)) {
-    fmt::print(console.err, "crumple: error: {} is no folder; name that of a run's results.\n",
-               options.folder.string());
+    print(console.err, "crumple: error: {} is no folder; name that of a run's results.\n",
+          options.folder.string());
     return ExitCode::Input;
   }
   const StopSignals signals;

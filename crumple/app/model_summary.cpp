@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/model_summary.hpp"
 
-#include <fmt/ostream.h>
-
 #include <algorithm>
 #include <ostream>
 
 #include "app/bounding_box.hpp"
 #include "app/part_tables.hpp"
+#include "app/print.hpp"
 #include "base/counted.hpp"
 
 namespace crumple::app {
@@ -78,28 +77,27 @@ void print_rigid_bodies(std::ostream& out, const model::Model& model, const doma
   const auto& bodies = domain.rigid_bodies;
   const std::size_t count = model.rigid_bodies.size();
   if (count == 0) return;
-  fmt::print(out, "  {:>10} {:>8} {:>11}  {:<35} {:<35} held\n", "rigid body", "nodes", "mass",
-             "centre of mass", "principal moments of inertia");
+  print(out, "  {:>10} {:>8} {:>11}  {:<35} {:<35} held\n", "rigid body", "nodes", "mass", "centre of mass",
+        "principal moments of inertia");
   const auto three = [](const math::Vec3& v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); };
   for (std::size_t b = 0; b < std::min(rows, count); ++b)
-    fmt::print(out, "  {:>10} {:>8} {:>11.4g}  {:<35} {:<35} {}\n", bodies[b].id, bodies[b].nodes.size(),
-               bodies[b].mass, three(bodies[b].centre), three(bodies[b].principal_inertia),
-               held_words(bodies[b]));
-  if (count > rows) fmt::print(out, "  ... and {} more\n", count - rows);
+    print(out, "  {:>10} {:>8} {:>11.4g}  {:<35} {:<35} {}\n", bodies[b].id, bodies[b].nodes.size(),
+          bodies[b].mass, three(bodies[b].centre), three(bodies[b].principal_inertia), held_words(bodies[b]));
+  if (count > rows) print(out, "  ... and {} more\n", count - rows);
 }
 
 /// Nodes that were meant to be tied and are too far away, furthest first.
 void print_untied(std::ostream& out, const domain::Tie& tie) {
   constexpr std::size_t shown = 5;
   if (tie.tied_elsewhere > 0)
-    fmt::print(out, "    WARNING: {} tied by an earlier contact already, left out here\n",
-               tie.tied_elsewhere == 1 ? "1 node is" : fmt::format("{} nodes are", tie.tied_elsewhere));
+    print(out, "    WARNING: {} tied by an earlier contact already, left out here\n",
+          tie.tied_elsewhere == 1 ? "1 node is" : fmt::format("{} nodes are", tie.tied_elsewhere));
   if (tie.untied.empty()) return;
-  fmt::print(out, "    WARNING: {} not tied, too far away:",
-             tie.untied.size() == 1 ? "1 node is" : fmt::format("{} nodes are", tie.untied.size()));
+  print(out, "    WARNING: {} not tied, too far away:",
+        tie.untied.size() == 1 ? "1 node is" : fmt::format("{} nodes are", tie.untied.size()));
   for (std::size_t i = 0; i < std::min(shown, tie.untied.size()); ++i)
-    fmt::print(out, "{} {} by {:.4g}", i == 0 ? "" : ",", tie.untied[i].node, tie.untied[i].distance);
-  fmt::print(out, "{}\n", tie.untied.size() > shown ? ", ..." : "");
+    print(out, "{} {} by {:.4g}", i == 0 ? "" : ",", tie.untied[i].node, tie.untied[i].distance);
+  print(out, "{}\n", tie.untied.size() > shown ? ", ..." : "");
 }
 
 /// Nodes that the contact would turn with segments that do not turn.
@@ -112,60 +110,59 @@ void print_hinges(std::ostream& out, const domain::Domain& domain, const domain:
   };
   const auto count = std::count_if(tie.nodes.begin(), tie.nodes.end(), hinged);
   if (count > 0)
-    fmt::print(out, "    WARNING: {} free to turn: the segments, of solids, have no rotations\n",
-               count == 1 ? "1 node is" : fmt::format("{} nodes are", count));
+    print(out, "    WARNING: {} free to turn: the segments, of solids, have no rotations\n",
+          count == 1 ? "1 node is" : fmt::format("{} nodes are", count));
 }
 
 void print_ties(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
   for (std::size_t i = 0; i < domain.ties.size(); ++i) {
     const domain::Tie& tie = domain.ties[i];
     const bool constraint = tie.method == model::TieMethod::Constraint;
-    fmt::print(out, "  tied contact {:<8} by {}, {} to {}", tie.id, constraint ? "constraint" : "penalty",
-               counted(tie.nodes.size(), "node"), counted(tie.segments, "segment"));
+    print(out, "  tied contact {:<8} by {}, {} to {}", tie.id, constraint ? "constraint" : "penalty",
+          counted(tie.nodes.size(), "node"), counted(tie.segments, "segment"));
     if (tie.largest_move > 0)
-      fmt::print(out, ", moved by up to {:.4g} (node {})", tie.largest_move, tie.moved_node);
-    fmt::print(out, "\n");
+      print(out, ", moved by up to {:.4g} (node {})", tie.largest_move, tie.moved_node);
+    print(out, "\n");
     print_untied(out, tie);
     if (model.tied_contacts[i].ties_rotations) print_hinges(out, domain, tie);
   }
 }
 
 void print_conditions(std::ostream& out, const model::Model& model) {
-  fmt::print(out, "  nodes held            {}\n", model.fixed_nodes.size());
-  fmt::print(out, "  initial velocities    {}\n", model.initial_velocities.size());
-  if (!model.nodal_loads.empty()) fmt::print(out, "  nodal loads           {}\n", model.nodal_loads.size());
-  if (!model.pressure_loads.empty())
-    fmt::print(out, "  pressure loads        {}\n", model.pressure_loads.size());
-  if (!model.body_loads.empty()) fmt::print(out, "  body loads            {}\n", model.body_loads.size());
+  print(out, "  nodes held            {}\n", model.fixed_nodes.size());
+  print(out, "  initial velocities    {}\n", model.initial_velocities.size());
+  if (!model.nodal_loads.empty()) print(out, "  nodal loads           {}\n", model.nodal_loads.size());
+  if (!model.pressure_loads.empty()) print(out, "  pressure loads        {}\n", model.pressure_loads.size());
+  if (!model.body_loads.empty()) print(out, "  body loads            {}\n", model.body_loads.size());
   if (!model.rigid_body_loads.empty())
-    fmt::print(out, "  loads on rigid bodies {}\n", model.rigid_body_loads.size());
+    print(out, "  loads on rigid bodies {}\n", model.rigid_body_loads.size());
   if (!model.prescribed_motions.empty())
-    fmt::print(out, "  prescribed motions    {}\n", model.prescribed_motions.size());
-  if (!model.spot_welds.empty()) fmt::print(out, "  spot welds            {}\n", model.spot_welds.size());
-  if (!model.rivets.empty()) fmt::print(out, "  rivets                {}\n", model.rivets.size());
+    print(out, "  prescribed motions    {}\n", model.prescribed_motions.size());
+  if (!model.spot_welds.empty()) print(out, "  spot welds            {}\n", model.spot_welds.size());
+  if (!model.rivets.empty()) print(out, "  rivets                {}\n", model.rivets.size());
   if (!model.constrained_node_sets.empty())
-    fmt::print(out, "  constrained sets      {}\n", model.constrained_node_sets.size());
+    print(out, "  constrained sets      {}\n", model.constrained_node_sets.size());
   for (const model::RigidWall& wall : model.rigid_walls)
-    fmt::print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
-               describe_motion(wall), counted(wall.nodes.size(), "node"), wall.friction);
+    print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
+          describe_motion(wall), counted(wall.nodes.size(), "node"), wall.friction);
   for (const model::Contact& contact : model.contacts)
-    fmt::print(out, "  contact {:<13} {}, friction {:g}/{:g}\n", contact.id, describe(contact),
-               contact.static_friction, contact.dynamic_friction);
+    print(out, "  contact {:<13} {}, friction {:g}/{:g}\n", contact.id, describe(contact),
+          contact.static_friction, contact.dynamic_friction);
   for (const model::ForceTransducer& transducer : model.force_transducers)
-    fmt::print(out, "  transducer {:<10} {}{}\n", transducer.id, describe(transducer.side[0]),
-               transducer.side[1].empty() ? "" : ", from " + describe(transducer.side[1]));
-  if (model.contacts.empty()) fmt::print(out, "  contact               none\n");
+    print(out, "  transducer {:<10} {}{}\n", transducer.id, describe(transducer.side[0]),
+          transducer.side[1].empty() ? "" : ", from " + describe(transducer.side[1]));
+  if (model.contacts.empty()) print(out, "  contact               none\n");
 }
 
 }  // namespace
 
 void print_reading(std::ostream& out, const deck::ReadResult& deck) {
-  for (const auto& file : deck.files) fmt::print(out, "Read {}\n", file.string());
-  if (!deck.unit_system.empty()) fmt::print(out, "Units seem to be {}\n", deck.unit_system);
+  for (const auto& file : deck.files) print(out, "Read {}\n", file.string());
+  if (!deck.unit_system.empty()) print(out, "Units seem to be {}\n", deck.unit_system);
   for (const deck::IgnoredKeyword& keyword : deck.ignored_keywords)
-    fmt::print(out, "{} {} ({}, first at {}:{})\n",
-               keyword.changes_physics ? "LEFT OUT, although it changes the result:" : "Ignored:",
-               keyword.keyword, counted(keyword.count, "time"), keyword.file, keyword.line);
+    print(out, "{} {} ({}, first at {}:{})\n",
+          keyword.changes_physics ? "LEFT OUT, although it changes the result:" : "Ignored:", keyword.keyword,
+          counted(keyword.count, "time"), keyword.file, keyword.line);
 }
 
 void print_model(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
@@ -175,18 +172,18 @@ void print_model(std::ostream& out, const model::Model& model, const domain::Dom
   double mass = 0;
   for (const double nodal : domain.nodes.mass) mass += nodal;
   const BoundingBox box = bounding_box(model);
-  if (!model.title.empty()) fmt::print(out, "\n{}\n", model.title);
-  fmt::print(out, "\nModel\n");
-  fmt::print(out, "  nodes                 {}\n", model.nodes.count());
-  fmt::print(out, "  shells                {} ({} of them {})\n", model.shells.size(), triangles,
-             triangles == 1 ? "a triangle" : "triangles");
-  if (!model.solids.empty()) fmt::print(out, "  solids                {}\n", model.solids.size());
-  if (!model.beams.empty()) fmt::print(out, "  beams                 {}\n", model.beams.size());
-  if (!model.discretes.empty()) fmt::print(out, "  discrete elements     {}\n", model.discretes.size());
-  fmt::print(out, "  mass                  {:.6g}, of it lumped {:.6g} at {}, added {:.4g}\n", mass,
-             lumped_mass(model), counted(model.lumped_masses.size(), "node"), domain.added_mass);
-  fmt::print(out, "  box                   x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n",
-             box.lowest[0], box.highest[0], box.lowest[1], box.highest[1], box.lowest[2], box.highest[2]);
+  if (!model.title.empty()) print(out, "\n{}\n", model.title);
+  print(out, "\nModel\n");
+  print(out, "  nodes                 {}\n", model.nodes.count());
+  print(out, "  shells                {} ({} of them {})\n", model.shells.size(), triangles,
+        triangles == 1 ? "a triangle" : "triangles");
+  if (!model.solids.empty()) print(out, "  solids                {}\n", model.solids.size());
+  if (!model.beams.empty()) print(out, "  beams                 {}\n", model.beams.size());
+  if (!model.discretes.empty()) print(out, "  discrete elements     {}\n", model.discretes.size());
+  print(out, "  mass                  {:.6g}, of it lumped {:.6g} at {}, added {:.4g}\n", mass,
+        lumped_mass(model), counted(model.lumped_masses.size(), "node"), domain.added_mass);
+  print(out, "  box                   x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n",
+        box.lowest[0], box.highest[0], box.lowest[1], box.highest[1], box.lowest[2], box.highest[2]);
   print_conditions(out, model);
   print_ties(out, model, domain);
   print_parts(out, model, domain);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/monitor.hpp"
 
-#include <fmt/ostream.h>
-
 #include <ostream>
 
+#include "app/print.hpp"
 #include "elements/elements.hpp"
 
 namespace crumple::app {
@@ -27,7 +26,7 @@ Monitor::Monitor(const timeloop::Simulation& simulation, const Console& console,
       quiet_(quiet),
       earlier_seconds_(earlier_seconds),
       speed_cycle_(simulation.domain().clock.cycle) {
-  if (!quiet_) fmt::print(console_.out, "\n{}\n", status_header());
+  if (!quiet_) print(console_.out, "\n{}\n", status_header());
 }
 
 void Monitor::update_speed() {
@@ -51,14 +50,14 @@ Progress Monitor::progress() const {
 }
 
 void Monitor::clear_bar() {
-  if (bar_shown_) fmt::print(console_.out, "\r\x1b[K");
+  if (bar_shown_) print(console_.out, "\r\x1b[K");
   bar_shown_ = false;
 }
 
 void Monitor::print_line() {
   clear_bar();
   line_cycle_ = simulation_.domain().clock.cycle;
-  fmt::print(console_.out, "{}\n", status_line(simulation_.domain(), progress()));
+  print(console_.out, "{}\n", status_line(simulation_.domain(), progress()));
   console_.out.flush();
 }
 
@@ -86,7 +85,7 @@ void Monitor::print_due(double now) {
     next_line_seconds_ = now + seconds_between_lines;
   }
   if (console_.terminal && now >= next_bar_seconds_) {
-    fmt::print(console_.out, "\r{}\x1b[K", progress_bar(simulation_.domain(), progress()));
+    print(console_.out, "\r{}\x1b[K", progress_bar(simulation_.domain(), progress()));
     console_.out.flush();
     bar_shown_ = true;
     next_bar_seconds_ = now + seconds_between_bars;

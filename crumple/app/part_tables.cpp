@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/part_tables.hpp"
 
-#include <fmt/ostream.h>
-
 #include <algorithm>
 #include <ostream>
 #include <variant>
 #include <vector>
 
+#include "app/print.hpp"
 #include "base/counted.hpp"
 #include "elements/beam_kernel_list.hpp"
 #include "elements/registry.hpp"
@@ -90,25 +89,24 @@ void print_make(std::ostream& out, const model::Model& model, const domain::Doma
   for (const model::SolidElement& solid : model.solids) ++elements[solid.part];
   for (const model::BeamElement& beam : model.beams) ++elements[beam.part];
   for (const model::DiscreteElement& discrete : model.discretes) ++elements[discrete.part];
-  fmt::print(out, "  {:>8} {:>8}  {:<29} {:<27} {:>12} {:>14} {:>11}  title\n", "part", "elements", "element",
-             "material", "points", "thickness", "mass");
+  print(out, "  {:>8} {:>8}  {:<29} {:<27} {:>12} {:>14} {:>11}  title\n", "part", "elements", "element",
+        "material", "points", "thickness", "mass");
   for (Index p = 0; p < rows; ++p) {
     const model::Part& part = model.parts[p];
     const ElementWords words = element_words(model, part);
-    fmt::print(out, "  {:>8} {:>8}  {:<26} {:<23} {:>12} {:>14} {:>11.4g}  {}\n", part.id, elements[p],
-               words.kind, material_words(model, part), words.points, thickness_range(model, p),
-               masses.mass(p), part.title);
+    print(out, "  {:>8} {:>8}  {:<26} {:<23} {:>12} {:>14} {:>11.4g}  {}\n", part.id, elements[p], words.kind,
+          material_words(model, part), words.points, thickness_range(model, p), masses.mass(p), part.title);
   }
 }
 
 void print_options(std::ostream& out, const model::Model& model, Index rows) {
-  fmt::print(out, "  {:>8} {:>8}  {:<29} {}\n", "part", "NLOC", "hourglass control", "strain rate effect");
+  print(out, "  {:>8} {:>8}  {:<29} {}\n", "part", "NLOC", "hourglass control", "strain rate effect");
   for (Index p = 0; p < rows; ++p) {
     const model::Part& part = model.parts[p];
     const std::string place =
         !is_shell(part) ? "-" : fmt::format("{:.4g}", model.shell_sections[part.section].node_place);
-    fmt::print(out, "  {:>8} {:>8}  {:<29} {}\n", part.id, place, hourglass_words(model, part),
-               part.material == no_index ? "-" : rate_words(model.materials[part.material].law));
+    print(out, "  {:>8} {:>8}  {:<29} {}\n", part.id, place, hourglass_words(model, part),
+          part.material == no_index ? "-" : rate_words(model.materials[part.material].law));
   }
 }
 
@@ -172,7 +170,7 @@ void print_parts(std::ostream& out, const model::Model& model, const domain::Dom
   print_make(out, model, domain, rows);
   print_options(out, model, rows);
   if (rows < static_cast<Index>(model.parts.size()))
-    fmt::print(out, "  ... and {} more\n", counted(static_cast<Index>(model.parts.size()) - rows, "part"));
+    print(out, "  ... and {} more\n", counted(static_cast<Index>(model.parts.size()) - rows, "part"));
 }
 
 }  // namespace crumple::app

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/preparation.hpp"
 
-#include <fmt/ostream.h>
-
 #include <cellsearch/method.hpp>
 #include <ostream>
 
 #include "app/perturbation.hpp"
+#include "app/print.hpp"
 #include "base/error.hpp"
 #include "base/pack.hpp"
 
@@ -37,12 +36,11 @@ deck::ReadOptions reading_of(const Options& options) {
 /// Tells what is wrong, and puts what the command line asks for into the model.
 deck::ReadResult with_options(deck::ReadResult deck, const Options& options, const Console& console) {
   for (const deck::Diagnostic& diagnostic : deck.diagnostics)
-    fmt::print(console.err, "{}\n", deck::to_string(diagnostic));
+    print(console.err, "{}\n", deck::to_string(diagnostic));
   if (!deck.model) return deck;
   apply_options(options, *deck.model);
   const std::vector<std::string> faults = model::faults(*deck.model);
-  for (const std::string& fault : faults)
-    fmt::print(console.err, "{}: error: {}\n", options.deck.string(), fault);
+  for (const std::string& fault : faults) print(console.err, "{}: error: {}\n", options.deck.string(), fault);
   if (!faults.empty()) deck.model.reset();
   return deck;
 }

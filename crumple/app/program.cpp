@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/program.hpp"
 
-#include <fmt/ostream.h>
-
 #include <exception>
 #include <ostream>
 
@@ -11,6 +9,7 @@
 #include "app/command_line.hpp"
 #include "app/compare_command.hpp"
 #include "app/keywords_command.hpp"
+#include "app/print.hpp"
 #include "app/report_command.hpp"
 #include "app/run_command.hpp"
 
@@ -42,7 +41,7 @@ ExitCode run_program(const std::vector<std::string>& arguments, const Console& c
   } catch (const std::exception& fault) {
     // What comes this far is no input error, which the commands report themselves, but a bug or lack of
     // memory.
-    fmt::print(console.err, "crumple: internal error: {}\n", fault.what());
+    print(console.err, "crumple: internal error: {}\n", fault.what());
   }
   return ExitCode::Numerical;
 }

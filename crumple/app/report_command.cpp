@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/report_command.hpp"
 
-#include <fmt/ostream.h>
-
 #include <algorithm>
 #include <ostream>
 
 #include "app/live_pages.hpp"
+#include "app/print.hpp"
 #include "app/report_pictures.hpp"
 #include "base/error.hpp"
 #include "output/write_error.hpp"
@@ -20,7 +19,7 @@ namespace {
 report::Progress progress_on(const Console& console, bool quiet) {
   return [&console, quiet](const std::string& what, std::size_t done, std::size_t all) {
     if (quiet || !console.terminal) return;
-    fmt::print(console.out, "\r{}: frame {} of {}\x1b[K{}", what, done, all, done == all ? "\r\x1b[K" : "");
+    print(console.out, "\r{}: frame {} of {}\x1b[K{}", what, done, all, done == all ? "\r\x1b[K" : "");
     console.out.flush();
   };
 }
@@ -38,11 +37,11 @@ ExitCode draw(const std::filesystem::path& file, const ReportOptions& options,
       std::find(known.begin(), known.end(), *pictures.field) == known.end()) {
     std::string names = "none";
     for (const std::string& name : known) names += ", " + name;
-    fmt::print(console.err, "crumple: error: There is no field {}; there are {}.\n", *pictures.field, names);
+    print(console.err, "crumple: error: There is no field {}; there are {}.\n", *pictures.field, names);
     return ExitCode::Usage;
   }
   for (const std::filesystem::path& picture : draw_pictures(file, pictures))
-    if (!options.quiet) fmt::print(console.out, "{}\n", picture.string());
+    if (!options.quiet) print(console.out, "{}\n", picture.string());
   return ExitCode::Normal;
 }
 
@@ -53,7 +52,7 @@ bool report_can_be_made(const ReportOptions& options, const Console& console) {
     const report::PageTemplate page(page_of(options));
     return true;
   } catch (const Error& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return false;
   }
 }
@@ -66,14 +65,14 @@ ExitCode report_results(const ReportOptions& options, const Console& console) {
     const report::ReportContent content =
         report::write_report(options.folder, page_of(options), file, progress_on(console, options.quiet));
     if (!options.quiet)
-      fmt::print(console.out, "{}   {:.1f} MB, open in a browser\n", file.string(),
-                 static_cast<double>(std::filesystem::file_size(file)) / 1e6);
+      print(console.out, "{}   {:.1f} MB, open in a browser\n", file.string(),
+            static_cast<double>(std::filesystem::file_size(file)) / 1e6);
     return options.pictures.wanted ? draw(file, options, content, console) : ExitCode::Normal;
   } catch (const output::WriteError& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return ExitCode::Output;
   } catch (const Error& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return ExitCode::Input;
   }
 }

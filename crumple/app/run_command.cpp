@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run_command.hpp"
+#include "app/print.hpp"
 #include "contact/move_apart.hpp"
-
-#include <fmt/ostream.h>
 
 #include <memory>
 #include <ostream>
@@ -27,7 +26,7 @@ constexpr const char* error_termination = " E r r o r    t e r m i n a t i o n";
 ExitCode end_with(ExitCode code, const Console& console) {
   const bool good = code == ExitCode::Normal || code == ExitCode::Stopped || code == ExitCode::Interrupt ||
                     code == ExitCode::Terminate;
-  fmt::print(console.out, "\n{}\n", good ? normal_termination : error_termination);
+  print(console.out, "\n{}\n", good ? normal_termination : error_termination);
   console.out.flush();
   return code;
 }
@@ -38,13 +37,13 @@ ExitCode run_model(const Options& options, const deck::ReadResult& deck, const C
     RunSession session(options, deck, console, wall, restart, board);
     return session.run();
   } catch (const output::WriteError& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return ExitCode::Output;
   } catch (const NumericalError& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return ExitCode::Numerical;
   } catch (const Error& fault) {
-    fmt::print(console.err, "{}: error: {}\n", options.deck.string(), fault.what());
+    print(console.err, "{}: error: {}\n", options.deck.string(), fault.what());
     return ExitCode::Input;
   }
 }
@@ -53,11 +52,11 @@ void move_overlaps_apart(const Options& options, model::Model& model, const Cons
   const contact::MovedApart moved = contact::move_apart(model, choose_execution(options, model));
   if (options.quiet) return;
   if (moved.nodes > 0)
-    fmt::print(console.out, "Moved {} apart, by up to {:.4g} (node {})\n", counted(moved.nodes, "node"),
-               moved.farthest, moved.farthest_node);
+    print(console.out, "Moved {} apart, by up to {:.4g} (node {})\n", counted(moved.nodes, "node"),
+          moved.farthest, moved.farthest_node);
   else
-    fmt::print(console.out, "No nodes had to be moved apart\n");
-  if (moved.left > 0) fmt::print(console.out, "Overlaps of up to {:.4g} are left\n", moved.left);
+    print(console.out, "No nodes had to be moved apart\n");
+  if (moved.left > 0) print(console.out, "Overlaps of up to {:.4g} are left\n", moved.left);
 }
 
 }  // namespace
@@ -75,14 +74,14 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
                   const Console& console) {
   const Stopwatch wall;
   if (!options.quiet)
-    fmt::print(console.out, "{}: explicit finite element solver for crash and contact-impact\n\n",
-               program_version());
-  for (const std::string& note : options.notes) fmt::print(console.err, "note: {}\n", note);
+    print(console.out, "{}: explicit finite element solver for crash and contact-impact\n\n",
+          program_version());
+  for (const std::string& note : options.notes) print(console.err, "note: {}\n", note);
   deck::ReadResult deck = restart == nullptr ? read_with_options(options, console)
                                              : read_again(options, changes, restart->settings.texts, console);
   if (!deck.model) {
-    fmt::print(console.err, "{} in the deck: nothing was run, nothing was written.\n",
-               counted(std::max(1, deck::error_count(deck.diagnostics)), "error"));
+    print(console.err, "{} in the deck: nothing was run, nothing was written.\n",
+          counted(std::max(1, deck::error_count(deck.diagnostics)), "error"));
     return end_with(ExitCode::Input, console);
   }
   if (!options.quiet) print_reading(console.out, deck);
@@ -120,10 +119,10 @@ ExitCode run_deck(const Options& options, const Console& console) {
   if (options.restart.empty()) return run_with(options, {}, nullptr, console);
   try {
     const Restart restart = read_restart(options.restart);
-    if (!restart.note.empty()) fmt::print(console.err, "warning: {}\n", restart.note);
+    if (!restart.note.empty()) print(console.err, "warning: {}\n", restart.note);
     return run_with(continued_options(options, restart), options.deck, &restart, console);
   } catch (const Error& fault) {
-    fmt::print(console.err, "crumple: error: {}\n", fault.what());
+    print(console.err, "crumple: error: {}\n", fault.what());
     return end_with(ExitCode::Input, console);
   }
 }

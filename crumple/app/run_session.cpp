@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run_session.hpp"
 
-#include <fmt/ostream.h>
 #include <sys/resource.h>
 
 #include <numeric>
@@ -10,6 +9,7 @@
 #include "app/live_pages.hpp"
 #include "app/model_summary.hpp"
 #include "app/preparation.hpp"
+#include "app/print.hpp"
 #include "app/run_command.hpp"
 #include "app/run_limits.hpp"
 #include "app/run_summary.hpp"
@@ -101,8 +101,8 @@ void RunSession::take_up(const Restart& restart) {
   restart.content.files.put_back_known(own_state());
   warnings_ = restart.settings.warnings;
   if (options_.quiet) return;
-  fmt::print(console_.out, "Taken up from {}: cycle {}, time {:.6g}\n", restart.file.string(),
-             simulation_.domain().clock.cycle, simulation_.domain().clock.time);
+  print(console_.out, "Taken up from {}: cycle {}, time {:.6g}\n", restart.file.string(),
+        simulation_.domain().clock.cycle, simulation_.domain().clock.time);
 }
 
 /// A run that is taken up goes on in the files of its folder, and begins new ones in another.
@@ -129,7 +129,7 @@ void RunSession::open_files(const Restart* restart) {
 }
 
 void RunSession::warn(std::string text) {
-  fmt::print(console_.err, "warning: {}\n", text);
+  print(console_.err, "warning: {}\n", text);
   warnings_.push_back(std::move(text));
 }
 
@@ -203,13 +203,13 @@ std::optional<Ending> RunSession::asked_to_stop() {
       break;
     case Switch::Restart:
       write_restart(RestartKind::Newest);
-      fmt::print(console_.out, "Restart file {}\n", restart_writer_->newest().string());
+      print(console_.out, "Restart file {}\n", restart_writer_->newest().string());
       break;
     case Switch::Frame:
       recorder_->write_frame(view());
       break;
     case Switch::Unknown:
-      fmt::print(console_.err, "note: d3kil holds none of sw1, sw2, sw3, sw4; the run goes on.\n");
+      print(console_.err, "note: d3kil holds none of sw1, sw2, sw3, sw4; the run goes on.\n");
       break;
   }
   return std::nullopt;
@@ -294,6 +294,8 @@ void RunSession::finish(Ending& ending) {
       if (positions_are_finite(simulation_.domain().nodes) && ending.code != ExitCode::Output)
         recorder_->write_last(view());
     }
+    // What is written last is output of the run, too.
+    loop_seconds_ = monitor_->seconds();
     write_record(ending);
   } catch (const output::WriteError& fault) {
     if (ending.code != ExitCode::Output) ending = {"error", fault.what(), ExitCode::Output};
@@ -320,9 +322,9 @@ ExitCode RunSession::run() {
     print_files(console_.out, folder_, written_files());
   }
   if (ending.code == ExitCode::Normal)
-    fmt::print(console_.out, "\n *** termination time reached ***\n");
+    print(console_.out, "\n *** termination time reached ***\n");
   else
-    fmt::print(console_.err, "\ncrumple: {}: {}\n", ending.termination, ending.reason);
+    print(console_.err, "\ncrumple: {}: {}\n", ending.termination, ending.reason);
   return ending.code;
 }
 

@@ -2,7 +2,7 @@
 #include "deck/build.hpp"
 #include "deck/coordinates.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace crumple::deck {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spot welds, rivets and constrained sets of nodes.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Beams, springs and dampers: elements between two nodes.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prescribed motions, body loads, and loads on rigid bodies.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "deck/build.hpp"
 

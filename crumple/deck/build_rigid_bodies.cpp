@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rigid bodies: parts of rigid material, what is merged with them or tied to them, and sets of nodes.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers of materials that are right one by one and hardly so together.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <variant>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a part puts together: elements, material and equation of state.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <variant>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *ELEMENT_BEAM, *SECTION_BEAM, *MAT_RESULTANT_PLASTICITY.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *CONTACT of surfaces that push each other, and force transducers.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *DEFINE_CURVE, *DEFINE_TABLE.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

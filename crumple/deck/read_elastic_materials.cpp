@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *MAT_ORTHOTROPIC_ELASTIC, *MAT_NULL.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_PIECEWISE_LINEAR_PLASTICITY.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "deck/families.hpp"
 #include "deck/material_cards.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *NODE, *ELEMENT_SHELL, *ELEMENT_MASS.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *MAT_POWER_LAW_PLASTICITY, *MAT_JOHNSON_COOK, *MAT_SIMPLIFIED_JOHNSON_COOK.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

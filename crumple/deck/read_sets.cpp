@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *SET_NODE, *SET_PART, *SET_SHELL, *SET_SOLID, *SET_BEAM, *SET_DISCRETE, *SET_SEGMENT, *DEFINE_BOX.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *MAT_BLATZ-KO_RUBBER, *MAT_MOONEY-RIVLIN_RUBBER, *MAT_CRUSHABLE_FOAM.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "deck/families.hpp"
 #include "deck/material_cards.hpp"

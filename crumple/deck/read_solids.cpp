@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *ELEMENT_SOLID, *SECTION_SOLID.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>
