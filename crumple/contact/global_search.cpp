@@ -128,12 +128,12 @@ void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
   if (statistics_.searches > 0) {
     bool due = false;
     try {
-      travel_.update(motion.position);
+      travel_.update(motion.position, motion.way);
       // Nobody is further away than the way was long.
       if (travel_.length() > safe_length_) {
         motion_.update(view(motion.position));
         due = motion_.due();
-        safe_length_ = travel_.length() + almost * motion_.left();
+        safe_length_ = travel_.length_to_meet(almost * motion_.left());
       }
     } catch (const cellsearch::Error& error) {
       rethrow(error, *surface_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "domain/domain.hpp"
@@ -20,6 +21,8 @@ struct Kinematics {
   long cycle = 0;
   int threads = 1;
   Isa isa = Isa::Scalar;
+  /// No two nodes moved further relative to each other in that step, but for rounding [length].
+  double way = std::numeric_limits<double>::infinity();
 };
 
 /// The present state: x(n), v(n-1/2).
@@ -31,7 +34,8 @@ inline Kinematics present(const domain::Domain& domain) {
           domain.clock.step,
           domain.clock.cycle,
           domain.execution.threads,
-          domain.execution.isa};
+          domain.execution.isa,
+          domain.clock.way};
 }
 
 }  // namespace crumple::contact

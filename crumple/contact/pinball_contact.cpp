@@ -84,7 +84,7 @@ void PinballContact::update(const Kinematics& motion, bool surface_changed) {
   try {
     if (searches_ > 0) {
       motion_.update(view(motion.position));
-      travel_.update(motion.position);
+      travel_.update(motion.position, motion.way);
     }
     if (motion_.due() || surface_changed) search(motion);
   } catch (const cellsearch::Error& error) {

@@ -49,10 +49,15 @@ NodeKernels node_kernels(Isa isa) {
   }
 }
 
-void move_nodes(domain::Domain& domain, double step) {
+VelocityRange move_nodes(domain::Domain& domain, double step) {
   const NodeKernels kernels = node_kernels(domain.execution.isa);
-  for_each_piece(domain.nodes.count(), domain.execution.threads,
-                 [&](Index, NodeRange range) { kernels.drift(domain.nodes, range, step); });
+  const Index count = domain.nodes.count();
+  std::vector<VelocityRange> ranges(pieces(count, piece));
+  for_each_piece(count, domain.execution.threads,
+                 [&](Index p, NodeRange range) { ranges[p] = kernels.drift(domain.nodes, range, step); });
+  VelocityRange all;
+  for (const VelocityRange& range : ranges) all.include(range);
+  return all;
 }
 
 KickSums accelerate_nodes(domain::Domain& domain, const Kick& kick) {

@@ -9,8 +9,8 @@ namespace crumple::timeloop {
 /// Central differences over all nodes. Each function works in fixed pieces of nodes whose sums are added in
 /// order, so that results are bitwise the same for any number of threads.
 
-/// x(n+1) = x(n) + step v(n+1/2); writes the node records.
-void move_nodes(domain::Domain& domain, double step);
+/// x(n+1) = x(n) + step v(n+1/2); writes the node records. Returns the range of the velocities.
+VelocityRange move_nodes(domain::Domain& domain, double step);
 
 /// v(n+1/2) = v(n-1/2) + interval f(n) / m, likewise the rotations; holds fixed degrees of freedom and clears
 /// the forces. Nodes of rigid bodies stay as they are. Returns the kinetic energy of time n.

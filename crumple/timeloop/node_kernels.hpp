@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "base/isa.hpp"
 #include "domain/node_fields.hpp"
 
@@ -10,6 +13,28 @@ namespace crumple::timeloop {
 struct NodeRange {
   Index first = 0;
   Index last = 0;
+};
+
+/// Smallest and largest velocity of a run of nodes, by axis [length/time].
+struct VelocityRange {
+  static constexpr double largest = std::numeric_limits<double>::max();
+
+  domain::Vec3 low{largest, largest, largest};
+  domain::Vec3 high{-largest, -largest, -largest};
+  bool finite = true;  ///< whether all velocities are; the rest means nothing if not
+
+  void include(const VelocityRange& other) {
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], other.low[axis]);
+      high[axis] = std::max(high[axis], other.high[axis]);
+    }
+    finite = finite && other.finite;
+  }
+  /// No two nodes are faster relative to each other; infinite where a velocity is not a finite number.
+  double relative_speed() const {
+    if (!finite) return std::numeric_limits<double>::infinity();
+    return low.x > high.x ? 0 : norm(high - low);
+  }
 };
 
 /// Energies of a kick, in the product form that balances trapezoidal work [energy]: 1/2 m v(n-1/2).v(n+1/2)
@@ -31,7 +56,7 @@ struct Kick {
 /// in a fixed order: every variant gives the same bits.
 struct NodeKernels {
   /// x += step v, and the record that the elements gather from.
-  void (*drift)(domain::NodeFields& nodes, NodeRange range, double step);
+  VelocityRange (*drift)(domain::NodeFields& nodes, NodeRange range, double step);
   /// v += interval f / m, likewise the rotations; holds fixed degrees of freedom and clears the forces.
   KickSums (*kick)(domain::NodeFields& nodes, NodeRange range, const Kick& kick);
 };

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <string>
 
 namespace crumple::timeloop {
 namespace {
@@ -134,6 +137,31 @@ TEST_P(NodeKernelsOf, DriftMovesNodesAndWritesTheirRecords) {
       EXPECT_EQ(nodes.double_records[i].position[axis], x);
       EXPECT_EQ(nodes.double_records[i].velocity[axis], before.velocity[i][axis]);
       EXPECT_EQ(nodes.double_records[i].angular_velocity[axis], before.angular_velocity[i][axis]);
+    }
+}
+
+TEST_P(NodeKernelsOf, DriftTellsTheRangeOfVelocities) {
+  NodeFields nodes = some_nodes(37);
+  nodes.velocity[36] = {1e6, 1e6, 1e6};  // not of the range
+  const VelocityRange range = node_kernels(GetParam()).drift(nodes, {1, 36}, interval);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto by_axis = [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; };
+    const auto [low, high] = std::minmax_element(&nodes.velocity[1], &nodes.velocity[36], by_axis);
+    EXPECT_EQ(range.low[axis], (*low)[axis]);
+    EXPECT_EQ(range.high[axis], (*high)[axis]);
+  }
+  EXPECT_TRUE(range.finite);
+  EXPECT_EQ(range.relative_speed(), math::norm(range.high - range.low));
+}
+
+TEST_P(NodeKernelsOf, DriftTellsOfVelocitiesThatAreNotFinite) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
+    for (int axis = 0; axis < 3; ++axis) {
+      NodeFields nodes = some_nodes(9);
+      nodes.velocity[4][axis] = bad;
+      EXPECT_EQ(node_kernels(GetParam()).drift(nodes, {0, 9}, interval).relative_speed(), infinity);
+      EXPECT_TRUE(node_kernels(GetParam()).drift(nodes, {5, 9}, interval).finite);
     }
 }
 

@@ -83,6 +83,9 @@ class MotionTracker {
   /// What may still be used up [length]; negative once it is too late.
   double left() const { return room_ - used(); }
 
+  /// Bound on the rounding in what the functions above say, and in moving a node once [length].
+  double rounding() const { return rounding_; }
+
   /// True if a search is needed before the candidates may be used again. Rounding is on the safe side: a
   /// search is due a few units in the last place of the largest coordinate before c - h is used up.
   bool due() const;

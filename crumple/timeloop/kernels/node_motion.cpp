@@ -12,6 +12,7 @@ namespace {
 using domain::NodeFields;
 using domain::NodeForce;
 using domain::NodeRecord;
+using domain::Vec3;
 using math::Double4;
 
 /// The instruction set's value, spelled as the build names it.
@@ -57,25 +58,40 @@ CRUMPLE_INLINE void write_motion(NodeRecord<double>& record, const Double4& velo
   math::write(record.angular_velocity, angular);
 }
 
+CRUMPLE_INLINE Double4 larger(const Double4& a, const Double4& b) {
+  return a > b ? a : b;
+}
+CRUMPLE_INLINE Double4 smaller(const Double4& a, const Double4& b) {
+  return a < b ? a : b;
+}
+CRUMPLE_INLINE Vec3 vector_of(const Double4& a) {
+  return {a[0], a[1], a[2]};
+}
+
 template <class Record>
-CRUMPLE_INLINE void drift_all(NodeFields& nodes, Record* records, NodeRange range, double step) {
+CRUMPLE_INLINE VelocityRange drift_all(NodeFields& nodes, Record* records, NodeRange range, double step) {
   double* const position = &nodes.position.data()->x;
   const double* const velocity = &nodes.velocity.data()->x;
   const double* const angular = &nodes.angular_velocity.data()->x;
+  Double4 low = Double4{} + VelocityRange::largest;
+  Double4 high = -low;
+  Double4 zero{};  // unless a velocity is not finite
   for (std::ptrdiff_t i = range.first; i < range.last; ++i) {
     const Double4 v = read3(velocity + 3 * i);
     const Double4 x = read3(position + 3 * i) + step * v;
     write3(position + 3 * i, x);
     math::write(records[i].position, x);
     write_motion(records[i], v, read3(angular + 3 * i));
+    low = smaller(v, low);
+    high = larger(v, high);
+    zero += v - v;
   }
+  return {vector_of(low), vector_of(high), zero[0] + zero[1] + zero[2] == 0};
 }
 
-void drift(NodeFields& nodes, NodeRange range, double step) {
-  if (!nodes.float_records.empty())
-    drift_all(nodes, nodes.float_records.data(), range, step);
-  else
-    drift_all(nodes, nodes.double_records.data(), range, step);
+VelocityRange drift(NodeFields& nodes, NodeRange range, double step) {
+  if (!nodes.float_records.empty()) return drift_all(nodes, nodes.float_records.data(), range, step);
+  return drift_all(nodes, nodes.double_records.data(), range, step);
 }
 
 CRUMPLE_INLINE double sum3(const Double4& v) {
@@ -120,9 +136,6 @@ CRUMPLE_INLINE FourNodes operator*(const FourNodes& a, const FourNodes& b) {
 }
 CRUMPLE_INLINE FourNodes operator*(double a, const FourNodes& b) {
   return {a * b.first, a * b.second, a * b.third};
-}
-CRUMPLE_INLINE Double4 larger(const Double4& a, const Double4& b) {
-  return a > b ? a : b;
 }
 CRUMPLE_INLINE FourNodes larger(const FourNodes& a, const FourNodes& b) {
   return {larger(a.first, b.first), larger(a.second, b.second), larger(a.third, b.third)};
