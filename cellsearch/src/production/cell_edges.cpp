@@ -5,31 +5,22 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace cellsearch::production {
 namespace {
 
 constexpr Index most_samples = 2048;
-constexpr int classes = 96;
+/// Small models are told apart by this and a quarter of their segments; more would be felt in their searches.
+constexpr Index few_samples = 256;
+constexpr int classes = TerritorySample::classes;
 constexpr double classes_per_octave = 4.0;
 /// Cells per node that are always affordable, with a grid of its own for what is crowded.
 constexpr double most_cells_per_node = 5.0;
 
-/// Territories of about one size.
-struct SizeClass {
-  double weight = 0.0;   ///< share of the segments
-  double along = 0.0;    ///< mean extent along the run axis [length]
-  double across = 0.0;   ///< mean of the larger of the other extents [length]
-  double spacing = 0.0;  ///< mean distance of nodes [length]
-};
-
-struct Sample {
-  std::array<SizeClass, classes> sizes{};
-  double largest = 0.0;
-  double typical = 0.0;  ///< geometric mean
-  double smallest = std::numeric_limits<double>::infinity();
-  int run_axis = 0;
-};
+Index samples_of(Index segments) {
+  return std::min({segments, most_samples, few_samples + segments / 4});
+}
 
 /// Segment `number` of `count` samples: spread evenly, but not in step with the rows of a mesh.
 Index sampled_segment(Index number, Index count, Index segments) {
@@ -55,11 +46,57 @@ int numbering_axis(const Scene& scene, Index samples, Index segments) {
   return static_cast<int>(std::max_element(moved.begin(), moved.end()) - moved.begin());
 }
 
-Sample take_sample(const FinderInput& input) {
+/// Nodes expected in a run through the cells of a territory, if surfaces were single.
+double single_run(const TerritorySize& size, const CellEdges& edges) {
+  return (size.along + edges.run) * edges.cross / (size.spacing * size.spacing);
+}
+
+double rows_of(const TerritorySize& size, const CellEdges& edges) {
+  const double across = 1.0 + size.across / edges.cross;
+  return across * across;
+}
+
+/// Estimated time for a segment [ns]. The constants were set by hand, from runs with given cells on one
+/// machine; only the place of the minimum matters, and it is flat.
+double query_cost(const TerritorySize& size, const CellEdges& edges, double layers) {
+  const double across = size.across / edges.cross;
+  const double rows = rows_of(size, edges);
+  const double in_run = layers * single_run(size, edges);
+  const double third_row = std::clamp(across - 1.0, 0.0, 1.0);
+  const double wide = 1.0 - (1.0 - third_row) * (1.0 - third_row);
+  const double long_run = std::clamp((in_run - 6.0) / 14.0, 0.0, 1.0);
+  const double tests = rows * (1.0 + in_run / 16.0);
+  double cost = 20.0 + wide * (20.0 + 2.5 * tests) + long_run * (6.0 + 5.0 * rows * in_run / 16.0);
+  // Beyond what the bytes of the lattice tell apart, rows are visited one by one.
+  if (across > 2.9 || size.along / edges.run > 5.0) cost += 40.0 + rows * (10.0 + 2.0 * in_run);
+  return cost;
+}
+
+double cost_of(const TerritorySample& sample, const CellEdges& edges, double layers, double cells_per_node) {
+  double cost = 2.0 * cells_per_node;
+  for (const TerritorySize& size : sample.sizes()) cost += size.weight * query_cost(size, edges, layers);
+  return cost;
+}
+
+/// Edges that make about `cells` cells, for nodes of which nothing better is known.
+CellEdges edges_for(const Box& box, int run_axis, double cells) {
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, 0.5 * box.hi[axis] - 0.5 * box.lo[axis]);
+  CellEdges edges{run_axis, longest / 2048.0, longest / 1024.0};
+  while (cells_for(box, edges) > cells && edges.run < longest) {
+    edges.run *= 1.1;
+    edges.cross *= 1.1;
+  }
+  return edges;
+}
+
+}  // namespace
+
+TerritorySample sample_territories(const FinderInput& input) {
   const Scene& scene = input.scene;
   const Index segments = static_cast<Index>(scene.segments.count());
-  const Index samples = std::min(segments, most_samples);
-  Sample sample;
+  const Index samples = samples_of(segments);
+  TerritorySample sample;
   sample.run_axis = numbering_axis(scene, samples, segments);
   const std::size_t run = static_cast<std::size_t>(sample.run_axis);
   struct One {
@@ -85,78 +122,33 @@ Sample take_sample(const FinderInput& input) {
     const One& one = all[static_cast<std::size_t>(i)];
     const double longest = std::max(one.along, one.across);
     if (!(longest > 0.0) || !std::isfinite(sample.largest)) continue;
-    octaves_below += std::log2(sample.largest / longest);
-    const double octaves = std::log2(sample.largest / longest) * classes_per_octave;
-    SizeClass& size = sample.sizes[static_cast<std::size_t>(std::min(octaves, double{classes - 1}))];
+    const double octaves = std::log2(sample.largest / longest);
+    octaves_below += octaves;
+    const double place = std::min(octaves * classes_per_octave, double{classes - 1});
+    TerritorySize& size = sample.of_size[static_cast<std::size_t>(place)];
     size.weight += 1.0;
     size.along += one.along;
     size.across += one.across;
     size.spacing += one.spacing;
   }
   sample.typical = sample.largest * std::exp2(-octaves_below / samples);
-  for (SizeClass& size : sample.sizes) {
+  for (const TerritorySize& size : sample.of_size) {
     if (!(size.weight > 0.0)) continue;
-    size.along /= size.weight;
-    size.across /= size.weight;
-    size.spacing /= size.weight;
-    size.weight /= samples;
+    sample.of_size[static_cast<std::size_t>(sample.found)] = {size.weight / samples, size.along / size.weight,
+                                                              size.across / size.weight,
+                                                              size.spacing / size.weight};
+    ++sample.found;
   }
   return sample;
 }
 
-/// Nodes expected in a run through the cells of a territory, if surfaces were single.
-double single_run(const SizeClass& size, const CellEdges& edges) {
-  return (size.along + edges.run) * edges.cross / (size.spacing * size.spacing);
+double affordable_cells(Index nodes) {
+  return most_cells_per_node * nodes + 1024.0;
 }
 
-double rows_of(const SizeClass& size, const CellEdges& edges) {
-  const double across = 1.0 + size.across / edges.cross;
-  return across * across;
-}
-
-/// Estimated time for a segment [ns]. The constants were set by hand, from runs with given cells on one
-/// machine; only the place of the minimum matters, and it is flat.
-double query_cost(const SizeClass& size, const CellEdges& edges, double layers) {
-  const double across = size.across / edges.cross;
-  const double rows = rows_of(size, edges);
-  const double in_run = layers * single_run(size, edges);
-  const double third_row = std::clamp(across - 1.0, 0.0, 1.0);
-  const double wide = 1.0 - (1.0 - third_row) * (1.0 - third_row);
-  const double long_run = std::clamp((in_run - 6.0) / 14.0, 0.0, 1.0);
-  const double tests = rows * (1.0 + in_run / 16.0);
-  double cost = 20.0 + wide * (20.0 + 2.5 * tests) + long_run * (6.0 + 5.0 * rows * in_run / 16.0);
-  // Beyond what the bytes of the lattice tell apart, rows are visited one by one.
-  if (across > 2.9 || size.along / edges.run > 5.0) cost += 40.0 + rows * (10.0 + 2.0 * in_run);
-  return cost;
-}
-
-double cost_of(const Sample& sample, const CellEdges& edges, double layers, double cells_per_node) {
-  double cost = 2.0 * cells_per_node;
-  for (const SizeClass& size : sample.sizes) {
-    if (size.weight > 0.0) cost += size.weight * query_cost(size, edges, layers);
-  }
-  return cost;
-}
-
-/// Edges that make about `cells` cells, for nodes of which nothing better is known.
-CellEdges edges_for(const Box& box, int run_axis, double cells) {
-  double longest = 0.0;
-  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, 0.5 * box.hi[axis] - 0.5 * box.lo[axis]);
-  CellEdges edges{run_axis, longest / 2048.0, longest / 1024.0};
-  while (cells_for(box, edges) > cells && edges.run < longest) {
-    edges.run *= 1.1;
-    edges.cross *= 1.1;
-  }
-  return edges;
-}
-
-}  // namespace
-
-CellEdges choose_edges(const FinderInput& input, const Box& box, Index nodes, double layers) {
-  const double affordable = most_cells_per_node * nodes + 1024.0;
-  if (nodes == 0 || input.scene.segments.count() == 0) return edges_for(box, 0, 0.25 * nodes + 1.0);
-  const Sample sample = take_sample(input);
-  if (!(sample.largest > 0.0) || !std::isfinite(sample.largest))
+CellEdges choose_edges(const TerritorySample& sample, const Box& box, Index nodes, double layers) {
+  const double affordable = affordable_cells(nodes);
+  if (nodes == 0 || !(sample.largest > 0.0) || !std::isfinite(sample.largest))
     return edges_for(box, sample.run_axis, 0.25 * nodes + 1.0);
   CellEdges best;
   double least = std::numeric_limits<double>::infinity();
@@ -181,15 +173,14 @@ CellEdges choose_edges(const FinderInput& input, const Box& box, Index nodes, do
   return best;
 }
 
-double measure_layers(const FinderInput& input, const NodeGrid& grid, const CellEdges& edges) {
+double measure_layers(const FinderInput& input, const TerritorySample& sample, const NodeGrid& grid,
+                      const CellEdges& edges) {
   if (input.scene.participants() == 0 || input.scene.segments.count() == 0) return usual_layers;
-  const Sample sample = take_sample(input);
   double expected = 0.0;
-  for (const SizeClass& size : sample.sizes) {
-    if (size.weight > 0.0) expected += size.weight * rows_of(size, edges) * single_run(size, edges);
-  }
+  for (const TerritorySize& size : sample.sizes())
+    expected += size.weight * rows_of(size, edges) * single_run(size, edges);
   const Index segments = static_cast<Index>(input.scene.segments.count());
-  const Index samples = std::min(segments, most_samples);
+  const Index samples = samples_of(segments);
   Offset nodes = 0;
   Offset cells = 0;
   const auto count = [&](std::uint32_t first, std::uint32_t last) { nodes += last - first; };

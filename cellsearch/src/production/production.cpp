@@ -35,7 +35,8 @@ void Production::build(const FinderInput& input) {
   nodes.set = set_;
   nodes.threads = input.threads;
   nodes.edges = edges_;
-  if (!sort_again(nodes)) sort_anew(nodes);
+  const bool keep_edges = may_keep_edges();
+  if (!keep_edges || !sort_again(nodes)) sort_anew(nodes, keep_edges);
   edges_ = nodes.edges;
   out_of_lattice_ = reaches_out();
   sizes_.clear();
@@ -46,15 +47,18 @@ void Production::build(const FinderInput& input) {
   }
 }
 
-/// Sorts into the cells of the last build, if it is of the same kind, not too many builds ago, and the nodes
-/// have not moved far. False if not.
-bool Production::sort_again(const NodeGridInput& nodes) {
+/// True if this build is of the same kind as the last one, whose cells were chosen not too many builds ago.
+bool Production::may_keep_edges() {
   const Scene& scene = input_.scene;
   const Layout layout{scene.positions.count(), scene.participants(), scene.segments.count(), scene.expansion};
   const bool usable = layout == layout_ && builds_left_ > 0;
   layout_ = layout;
-  if (!usable) return false;
-  --builds_left_;
+  if (usable) --builds_left_;
+  return usable;
+}
+
+/// Sorts into the cells of the last build. False if the nodes have moved too far for it.
+bool Production::sort_again(const NodeGridInput& nodes) {
   const production::NodeRange range = grid_.build_again(nodes);
   if (!range.finite) return false;
   all_nodes_ = range.box;
@@ -68,31 +72,34 @@ bool Production::sort_again(const NodeGridInput& nodes) {
   return true;
 }
 
-void Production::sort_anew(NodeGridInput& nodes) {
+/// Lays cells over where the nodes are now; they may have the edges of those before.
+void Production::sort_anew(NodeGridInput& nodes, bool keep_edges) {
   const Scene& scene = input_.scene;
   box_ = measure(nodes);
   // Without a node the box is empty; any other serves as well then.
   if (box_.empty()) box_ = Box{{0, 0, 0}, {0, 0, 0}};
   nodes.box = box_;
   const Index count = static_cast<Index>(scene.participants());
+  if (keep_edges && production::cells_for(box_, edges_) <= production::affordable_cells(count)) {
+    all_nodes_ = grid_.build(nodes).box;
+    return;
+  }
+  builds_left_ = builds_with_same_cells;
   if (input_.asked_cell_edge > 0.0) {
     nodes.edges = {0, input_.asked_cell_edge, input_.asked_cell_edge};
     while (production::cells_for(nodes.box, nodes.edges) > most_asked_cells * count + 1024.0) {
       nodes.edges.run *= 1.2;
       nodes.edges.cross *= 1.2;
     }
-  } else {
-    nodes.edges = production::choose_edges(input_, nodes.box, count, layers_);
+    all_nodes_ = grid_.build(nodes).box;
+    return;
   }
+  const production::TerritorySample sample = production::sample_territories(input_);
+  nodes.edges = production::choose_edges(sample, nodes.box, count, layers_);
   all_nodes_ = grid_.build(nodes).box;
-  if (!(input_.asked_cell_edge > 0.0)) correct_edges(nodes, count);
-  builds_left_ = builds_with_same_cells;
-}
-
-/// How crowded the territories are shows only when the nodes are sorted.
-void Production::correct_edges(NodeGridInput& nodes, Index count) {
-  layers_ = production::measure_layers(input_, grid_, nodes.edges);
-  const CellEdges better = production::choose_edges(input_, nodes.box, count, layers_);
+  // How crowded the territories are shows only when the nodes are sorted.
+  layers_ = production::measure_layers(input_, sample, grid_, nodes.edges);
+  const CellEdges better = production::choose_edges(sample, nodes.box, count, layers_);
   const auto differ = [](double a, double b) { return std::max(a, b) > 1.1 * std::min(a, b); };
   if (!differ(better.cross, nodes.edges.cross) && !differ(better.run, nodes.edges.run)) return;
   nodes.edges = better;

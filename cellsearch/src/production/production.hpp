@@ -24,9 +24,9 @@ class Production final : public Finder, private production::QueryHelp {
  private:
   void collect(Index segment, FoundRows& rows) const override;
   bool accepts(Index segment, Index node) const override;
+  bool may_keep_edges();
   bool sort_again(const production::NodeGridInput& nodes);
-  void sort_anew(production::NodeGridInput& nodes);
-  void correct_edges(production::NodeGridInput& nodes, Index count);
+  void sort_anew(production::NodeGridInput& nodes, bool keep_edges);
   Box measure(const production::NodeGridInput& nodes);
   Box box_of(std::span<const Index> nodes) const;
   bool reaches_out() const;
@@ -44,7 +44,7 @@ class Production final : public Finder, private production::QueryHelp {
 
   InstructionSet set_;
   Layout layout_;
-  int builds_left_ = 0;          ///< that may use the same cells
+  int builds_left_ = 0;          ///< that may use cells of the same edges
   double layers_ = 2.0;          ///< see measure_layers()
   production::CellEdges edges_;  ///< of the cells in use
   bool out_of_lattice_ = false;
