@@ -302,22 +302,29 @@ void RigidBodies::carry_nodes(Domain& domain, double interval, double next_step)
   }
 }
 
-void RigidBodies::place_nodes(Domain& domain) const {
+double RigidBodies::place_nodes(Domain& domain) const {
   NodeFields& nodes = domain.nodes;
+  double largest = 0;
+  std::vector<double> moved;
   for (RigidBody& body : domain.rigid_bodies) {
     if (!body.active) continue;
     body.centre += domain.clock.step * body.velocity;
     body.turn = body.next_turn;
     const Matrix3 axes = math::matrix_of(body.turn);
     const auto count = static_cast<Index>(body.nodes.size());
+    moved.assign(pieces(count, piece), 0);
     parallel_for(pieces(count, piece), domain.execution.threads, [&](Index p) {
       for (Index i = p * piece; i < std::min((p + 1) * piece, count); ++i) {
         const Index node = body.nodes[i];
+        const Vec3 drifted = nodes.position[node];
         nodes.position[node] = body.centre + axes * body.arm[i];
+        moved[p] = std::max(moved[p], norm(nodes.position[node] - drifted));
         nodes.publish(node);
       }
     });
+    for (const double way : moved) largest = std::max(largest, way);
   }
+  return largest;
 }
 
 double RigidBodies::kinetic_energy(const Domain& domain) {

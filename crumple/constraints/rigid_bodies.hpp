@@ -35,8 +35,9 @@ class RigidBodies {
   /// and the work of what is prescribed. `interval` is that of the kick.
   void carry_nodes(domain::Domain& domain, double interval, double next_step) const;
 
-  /// Moves the bodies to n+1 and puts their nodes where they belong, to round-off.
-  void place_nodes(domain::Domain& domain) const;
+  /// Moves the bodies to n+1 and puts their nodes, which are there to round-off, where they belong. Returns
+  /// how far it moved any of them at most [length].
+  double place_nodes(domain::Domain& domain) const;
 
   /// Of all active bodies at time n [energy].
   static double kinetic_energy(const domain::Domain& domain);

@@ -307,16 +307,19 @@ void TiedNodes::follow(Domain& domain, double interval) {
     nodes.acceleration[members_[m]] = (1 / interval) * (nodes.velocity[members_[m]] - before_[m]);
 }
 
-void TiedNodes::place_nodes(Domain& domain) const {
+double TiedNodes::place_nodes(Domain& domain) const {
   NodeFields& nodes = domain.nodes;
+  double largest = 0;
   for (std::size_t i = links_.size(); i-- > 0;) {
     const Link& link = links_[i];
     if (active_[i] == 0) continue;
     Vec3 position;
     for (std::size_t k = 0; k < 4; ++k) position += link.weight[k] * nodes.position[members_[link.corner[k]]];
+    largest = std::max(largest, norm(position - nodes.position[members_[link.node]]));
     nodes.position[members_[link.node]] = position;
     nodes.publish(members_[link.node]);
   }
+  return largest;
 }
 
 KineticChange TiedNodes::carried_energy(const Domain& domain) const {

@@ -44,8 +44,9 @@ class TiedNodes {
   /// Makes the tied nodes follow; forces go to domain.ties. `interval` is that of the kick.
   void follow(domain::Domain& domain, double interval);
 
-  /// Puts the tied nodes where they belong, to round-off.
-  void place_nodes(domain::Domain& domain) const;
+  /// Puts the tied nodes, which are there to round-off, where they belong. Returns how far it moved any of
+  /// them at most [length].
+  double place_nodes(domain::Domain& domain) const;
 
   /// What the nodes of the segments have more than sum of 1/2 m v.v of all nodes, because they carry the
   /// masses of the tied ones; of the remembered velocities times the present ones [energy].

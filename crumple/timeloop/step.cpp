@@ -71,14 +71,11 @@ void Simulation::drift() {
   const StageTimer timer(domain_.times.integrate);
   domain::Clock& clock = domain_.clock;
   const VelocityRange velocities = move_nodes(domain_, next_step_);
-  // Rigid bodies and ties place their nodes where these velocities alone do not take them.
-  const bool known = domain_.rigid_bodies.empty() && tied_nodes_.empty();
-  clock.way = known ? next_step_ * velocities.relative_speed() : std::numeric_limits<double>::infinity();
   clock.step = next_step_;
   clock.time += next_step_;
   ++clock.cycle;
-  rigid_bodies_.place_nodes(domain_);
-  tied_nodes_.place_nodes(domain_);
+  const double placed = rigid_bodies_.place_nodes(domain_) + tied_nodes_.place_nodes(domain_);
+  clock.way = clock.step * velocities.relative_speed() + 2 * placed;
 }
 
 void Simulation::compute_forces() {
