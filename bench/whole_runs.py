@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Whole runs of the program, timed: the box beam of the paper at 5, 2.5 and 1.25 mm, 25 and 256 tubes of 4000 shells
-that fold with self-contact, a sheet of a million shells, a block of solids. Prints one line per run: time per element
+that fold with self-contact, a sheet of a million shells, 16 tubes filled with foam under a rigid press, a block of
+solids. Prints one line per run: time per element
 and cycle, in all and by stage, from run.json.
 
     bench/whole_runs.py build/release/crumple                        the quick ones, minutes
@@ -29,6 +30,7 @@ RUNS = {
     "tubes 100k": ([HERE / "make_decks.py", "tubes"], True, True),
     "tubes 1M": ([HERE / "make_decks.py", "tubes", "--rows", "16"], True, False),
     "sheet 1M": ([HERE / "make_decks.py", "sheet"], True, True),
+    "filled 137k": ([HERE / "make_decks.py", "filled"], True, True),
     "block 8k": ([HERE / "make_decks.py", "block"], True, True),
 }
 
@@ -48,7 +50,7 @@ def add_options(parser):
     parser.add_argument("program", help="the crumple program")
     parser.add_argument("--all", action="store_true", help="the long runs, too")
     parser.add_argument("--only", help="runs whose name holds this")
-    parser.add_argument("--cycles", type=int, default=200, help="of tubes, sheet and block (default 200; 0 is all)")
+    parser.add_argument("--cycles", type=int, default=200, help="of tubes, sheet and blocks (default 200; 0 is all)")
     parser.add_argument("--precision", choices=("mixed", "double"), help="(default both)")
     parser.add_argument("-t", "--threads", default="1")
 
