@@ -9,6 +9,8 @@
 #include "materials/linear_polynomial.hpp"
 #include "materials/motion_driver.hpp"
 #include "support/copper.hpp"
+#include "support/drawn.hpp"
+#include "support/largest.hpp"
 
 namespace crumple::materials::testing {
 namespace {
@@ -43,6 +45,8 @@ EosPoint<double> polynomial_at(const model::LinearPolynomial& law, double mu) {
 
 /// Rankine & Hugoniot: with eta = u / U, rho0 U u is the pressure, u^2/2 per mass the energy.
 TEST(Gruneisen, HasTheHugoniotOfItsShockVelocity) {
+  test::Largest off("Gruneisen: pressure on the Hugoniot, relative error",
+                    "Rankine and Hugoniot; Steinberg 1991", 1e-13);
   for (const model::Gruneisen& law : {copper(), model::Gruneisen{3.94, {1.489, 0, 0}, 2.02, 0},
                                       model::Gruneisen{1.48, {2.56, -1.986, 0.2268}, 0.5, 0}})
     for (const double eta : {0.01, 0.05, 0.15, 0.3}) {
@@ -52,32 +56,60 @@ TEST(Gruneisen, HasTheHugoniotOfItsShockVelocity) {
       const double particle = eta * speed;
       const double energy = 0.5 * density * particle * particle;
       const auto at = gruneisen_at(law, eta / (1 - eta));
-      EXPECT_NEAR((at.cold + at.thermal * energy) / (density * speed * particle), 1, 1e-13);
+      off.compare((at.cold + at.thermal * energy) / (density * speed * particle), 1);
     }
+}
+
+/// What a point reaches in one step along the Rayleigh line, drawn over the Hugoniot of U = C + S u.
+TEST(Gruneisen, HugoniotIsDrawn) {
+  test::Points exact;
+  test::Points found;
+  const auto law = equation(copper());
+  test::Largest off("Gruneisen, copper, in one step to 30 %: pressure over that of the Hugoniot, error",
+                    "Rankine and Hugoniot", 1e-12);
+  for (int i = 0; i <= 30; ++i) {
+    const double eta = 0.01 * i;
+    const double speed = 3.94 / (1 - 1.489 * eta);
+    const double pressure = density * speed * speed * eta;
+    exact.push_back({eta, pressure});
+    if (i % 2 != 0 || i == 0) continue;
+    MotionDriver<double> point(fluid(), Isa::Scalar, &law);
+    point.move_to(volumetric(1 - eta), 1, 0);
+    off.compare(point.pressure(), pressure, pressure);
+    found.push_back({eta, point.pressure()});
+  }
+  test::drawn("Copper compressed along the Rayleigh line", "1 - V / V0", "pressure [GPa]")
+      .accepted("Hugoniot of U = C + S u", exact)
+      .found("one step of one point", found)
+      .note();
 }
 
 TEST(Gruneisen, IsLinearInTension) {
   const auto at = gruneisen_at(copper(), -0.1);
-  EXPECT_NEAR(at.cold, -0.1 * density * 3.94 * 3.94, 1e-12);
+  test::verified("Gruneisen, 10 % expansion: cold pressure [GPa]", "rho c^2 mu")
+      .near(at.cold, -0.1 * density * 3.94 * 3.94, 1e-12);
   EXPECT_NEAR(at.thermal, 2.02 - 0.047, 1e-15);
 }
 
 TEST(LinearPolynomial, DropsItsSquaresInTension) {
   const model::LinearPolynomial law{{0.1, 80, 120, 200, 1.5, 0.7, 0.3}};
   const auto squeezed = polynomial_at(law, 0.2);
-  EXPECT_NEAR(squeezed.cold, 0.1 + 16 + 4.8 + 1.6, 1e-13);
+  test::verified("linear polynomial, 20 % compression: cold pressure [GPa]", "closed form")
+      .near(squeezed.cold, 0.1 + 16 + 4.8 + 1.6, 1e-13);
   EXPECT_NEAR(squeezed.thermal, 1.5 + 0.14 + 0.012, 1e-15);
   const auto pulled = polynomial_at(law, -0.2);
-  EXPECT_NEAR(pulled.cold, 0.1 - 16 - 1.6, 1e-13);
+  test::verified("linear polynomial, 20 % expansion, without squares: cold pressure [GPa]", "closed form")
+      .near(pulled.cold, 0.1 - 16 - 1.6, 1e-13);
   EXPECT_NEAR(pulled.thermal, 1.5 - 0.14, 1e-15);
 }
 
 TEST(EquationOfState, SlopesAreThoseOfTheCurves) {
   const model::LinearPolynomial law{{0.1, 80, 120, 200, 1.5, 0.7, 0.3}};
-  const auto check = [](const std::function<EosPoint<double>(double)>& at, double mu) {
+  test::Largest off("both equations of state, -30 % to 40 %: slope of the cold pressure, relative error",
+                    "central differences", 1e-7);
+  const auto check = [&](const std::function<EosPoint<double>(double)>& at, double mu) {
     constexpr double h = 1e-5;
-    EXPECT_NEAR((at(mu + h).cold - at(mu - h).cold) / (2 * h), at(mu).cold_slope,
-                1e-7 * std::fabs(at(mu).cold_slope));
+    off.compare((at(mu + h).cold - at(mu - h).cold) / (2 * h), at(mu).cold_slope, at(mu).cold_slope);
     EXPECT_NEAR((at(mu + h).thermal - at(mu - h).thermal) / (2 * h), at(mu).thermal_slope, 1e-8);
   };
   for (const double mu : {-0.3, -0.01, 0.01, 0.1, 0.4}) {
@@ -93,6 +125,11 @@ INSTANTIATE_TEST_SUITE_P(All, Eos, ::testing::ValuesIn(available_isas()),
 
 /// A gamma-law gas: p v^1.4 stays what it is, and c^2 = 1.4 p / rho. V0 other than 1 shifts the start.
 TEST_P(Eos, GasFollowsItsIsentropeWithSecondOrder) {
+  const std::string moved = "gamma-law gas, compressed to 0.4 and expanded to 2: ";
+  test::Largest off(moved + "pressure after 400 steps, relative error", "isentrope p V^1.4", 1e-5);
+  test::Largest orders(moved + "error of 200 steps over that of 400, off 4", "second order", 0.1);
+  test::Largest speeds(moved + "wave speed, error [mm/microsecond]", "c^2 = 1.4 p / rho", 1e-10);
+  test::Largest works(moved + "work against internal energy, difference [GPa]", "first law", 1e-6);
   for (const double start : {1.0, 0.8})
     for (const double end : {0.4, 2.0}) {
       double error[2];
@@ -106,12 +143,12 @@ TEST_P(Eos, GasFollowsItsIsentropeWithSecondOrder) {
         const double expected = 0.4 * 0.25 / start * std::pow(end, -1.4);
         error[fine] = point.pressure() / expected - 1;
         const double rho = density / (start * end);
-        EXPECT_NEAR(point.wave_speed(), std::sqrt(1.4 * point.pressure() / rho), 1e-10);
+        speeds.compare(point.wave_speed(), std::sqrt(1.4 * point.pressure() / rho));
         // Work per volume at time zero is energy per reference volume over V0.
-        EXPECT_NEAR(point.work(), point.item("internal_energy") / start, 1e-6);
+        works.compare(point.work(), point.item("internal_energy") / start);
       }
-      EXPECT_LT(std::fabs(error[1]), 1e-5);
-      EXPECT_NEAR(error[0] / error[1], 4, 0.1);
+      off.add(std::fabs(error[1]));
+      orders.compare(error[0] / error[1], 4);
     }
 }
 
@@ -121,6 +158,12 @@ TEST_P(Eos, GruneisenFollowsItsIsentrope) {
     const auto at = gruneisen_at(copper(), 1 / v - 1);
     return at.cold + at.thermal * e;
   };
+  const std::string moved = "Gruneisen, copper, isentropes to 0.75 and 1.15: ";
+  const char* const source = "Runge-Kutta integration of dE = -p dV";
+  test::Largest pressures(moved + "pressure after 1000 steps, relative error", source, 3e-6);
+  test::Largest energies(moved + "energy after 1000 steps, relative error", source, 3e-6);
+  test::Largest singles(moved + "pressure in single precision, relative error", "double precision", 3e-6);
+  test::Largest speeds(moved + "wave speed, relative error", "differences along the isentrope", 1e-3);
   for (const double end : {0.75, 1.15}) {
     double energy = 0;
     const int pieces = 2000;
@@ -140,9 +183,9 @@ TEST_P(Eos, GruneisenFollowsItsIsentrope) {
       point.move_to(volumetric(1 + (end - 1) * i / 1000));
       coarse.move_to(volumetric(1 + (end - 1) * i / 1000));
     }
-    EXPECT_NEAR(point.pressure() / pressure(end, energy), 1, 3e-6);
-    EXPECT_NEAR(point.item("internal_energy") / energy, 1, 3e-6);
-    EXPECT_NEAR(coarse.pressure() / point.pressure(), 1, 3e-6);
+    pressures.compare(point.pressure() / pressure(end, energy), 1);
+    energies.compare(point.item("internal_energy") / energy, 1);
+    singles.compare(coarse.pressure() / point.pressure(), 1);
     EXPECT_NEAR(coarse.item("internal_energy") / point.item("internal_energy"), 1, 3e-6);
     // Tangent at constant entropy: dp/dv along the path.
     const double near = 1e-4;
@@ -150,7 +193,7 @@ TEST_P(Eos, GruneisenFollowsItsIsentrope) {
     const double speed = point.wave_speed();
     point.move_to(volumetric(end * (1 + near)));
     const double bulk = -(point.pressure() - p_end) / near;
-    EXPECT_NEAR(speed, std::sqrt(bulk * end / density), 1e-3 * speed);
+    speeds.compare(speed, std::sqrt(bulk * end / density), speed);
   }
 }
 
@@ -164,8 +207,11 @@ TEST_P(Eos, ViscousWorkTakesTheStateToTheHugoniot) {
   MotionDriver<double> point(fluid(), GetParam(), &law);
   // Half of (0 + p_H) is the trapezoid of the pressure; the rest of p_H / 2 on average is viscosity's.
   point.move_to(volumetric(1 - eta), 1, 0);
-  EXPECT_NEAR(point.pressure(), pressure, 1e-12 * pressure);
-  EXPECT_NEAR(point.item("internal_energy"), pressure * eta / 2, 1e-12);
+  const char* const source = "Rankine and Hugoniot";
+  test::verified("shock of 15 % in copper in one step: pressure [GPa]", source)
+      .within(point.pressure(), pressure, 1e-12);
+  test::verified("shock of 15 % in copper in one step: energy [GPa]", source)
+      .near(point.item("internal_energy"), pressure * eta / 2, 1e-12);
   // A viscosity that adds as much as a half sine would.
   MotionDriver<double> other(fluid(), GetParam(), &law);
   other.move_to(volumetric(1 - eta), 1, 0.1 * pressure);
@@ -179,6 +225,8 @@ TEST_P(Eos, JohnsonCookKeepsItsDeviator) {
   const auto metal = material(test::ofhc_copper());
   MotionDriver<double> point(metal, GetParam(), &law);
   MotionDriver<double> elastic(metal, GetParam());
+  test::Largest off("Johnson-Cook with Gruneisen: deviator, difference [GPa]",
+                    "the law without an equation of state", 1e-12);
   for (int i = 1; i <= 200; ++i) {
     const Matrix f{{{1 - 8e-4 * i, 5e-4 * i, 0}, {0, 1 + 1e-4 * i, 0}, {2e-4 * i, 0, 1}}};
     point.move_to(f, 1e-3);
@@ -191,13 +239,15 @@ TEST_P(Eos, JohnsonCookKeepsItsDeviator) {
       da[k] -= mean(a);
       db[k] -= mean(b);
     }
-    EXPECT_LT(largest_difference(da, db), 1e-12);
+    off.add(largest_difference(da, db));
   }
   const double volume = determinant(point.at());
   const double energy = point.item("internal_energy");
   const auto at = gruneisen_at(copper(), 1 / volume - 1);
-  EXPECT_NEAR(point.pressure(), at.cold + at.thermal * energy, 1e-12);
-  EXPECT_NEAR(point.work(), energy, 1e-5 * energy);
+  test::verified("Johnson-Cook with Gruneisen: pressure at its energy and volume [GPa]", "equation of state")
+      .near(point.pressure(), at.cold + at.thermal * energy, 1e-12);
+  test::verified("Johnson-Cook with Gruneisen: work over internal energy", "first law")
+      .near(point.work() / energy, 1, 1e-5);
   EXPECT_GT(point.item("plastic_strain"), 0.1);
 }
 
@@ -208,7 +258,8 @@ TEST_P(Eos, PressureCutOffIsKept) {
   EXPECT_EQ(water.pressure(), -0.5);
   // Back to the volume at rest: the energy spent in tension stays, and it has some pressure.
   water.move_in_steps(volumetric(1.0), 50);
-  EXPECT_NEAR(water.pressure(), 2.02 * water.item("internal_energy"), 1e-9);
+  test::verified("cut-off in tension and back to the volume at rest: pressure [GPa]", "Gruneisen, gamma E")
+      .near(water.pressure(), 2.02 * water.item("internal_energy"), 1e-9);
   for (const auto spall : {model::JohnsonCook::Spall::None, model::JohnsonCook::Spall::Stress,
                            model::JohnsonCook::Spall::Pressure}) {
     auto metal = test::ofhc_copper();
@@ -247,7 +298,12 @@ TEST_P(Eos, SpallByStressLooksAtTheLargestPrincipalStress) {
         const double tension = spall == model::JohnsonCook::Spall::Stress
                                    ? mean(whole.stress()) + 2.0 / 3 * equivalent(whole.stress())
                                    : mean(whole.stress());
-        EXPECT_NEAR(tension, 1.2, 3e-3);
+        test::verified(
+            std::string("spall by ") +
+                (spall == model::JohnsonCook::Spall::Stress ? "largest principal stress" : "pressure") +
+                ": tension when it comes [GPa]",
+            "the bound")
+            .near(tension, 1.2, 3e-3);
         return determinant(f);
       }
       if (i > 10000) return 0.0;
@@ -265,7 +321,8 @@ TEST_P(Eos, FluidHasTheViscousDeviatorAndErodesByVolume) {
   MotionDriver<double> point(viscous, GetParam(), &law);
   const double step = 0.01;
   point.move_to({{{1, 1e-3, 0}, {0, 1, 0}, {0, 0, 1}}}, step);
-  EXPECT_NEAR(point.stress()[3], 0.02 * 1e-3 / step, 1e-12);
+  test::verified("viscous fluid in shear: shear stress [GPa]", "viscosity times rate")
+      .near(point.stress()[3], 0.02 * 1e-3 / step, 1e-12);
   point.move_in_steps(volumetric(1.09), 10, step);
   EXPECT_TRUE(point.intact());
   point.move_to(volumetric(1.11), step);
@@ -284,7 +341,8 @@ TEST(EosStart, GivesDensityAndWaveSpeed) {
   metal.shear_modulus = 47;
   const SolidStart start = solid_start(material(metal), &law);
   EXPECT_TRUE(start.varies);
-  EXPECT_NEAR(start.wave_speed, std::sqrt(3.94 * 3.94 + 4.0 / 3 * 47 / density), 1e-12);
+  test::verified("copper with Gruneisen at rest: wave speed [mm/microsecond]", "sqrt(c^2 + 4/3 G / rho)")
+      .near(start.wave_speed, std::sqrt(3.94 * 3.94 + 4.0 / 3 * 47 / density), 1e-12);
   const auto squeezed = equation(copper(), 1.0, 0.9);
   EXPECT_NEAR(solid_start(fluid(), &squeezed).density, density / 0.9, 1e-12);
   const auto cold_gas = equation(model::LinearPolynomial{{0, 0, 0, 0, 0.4, 0.4, 0}});

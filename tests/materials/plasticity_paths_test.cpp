@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "materials/point_driver.hpp"
+#include "support/largest.hpp"
 
 namespace crumple::materials::testing {
 namespace {
@@ -16,6 +17,10 @@ INSTANTIATE_TEST_SUITE_P(All, EveryIsa, ::testing::ValuesIn(available_isas()),
 
 /// Proportional paths are exact however long the step: 2 % strain in one step or in 7.
 TEST_P(EveryIsa, UniaxialTensionFollowsTheBilinearCurve) {
+  const std::string tension = "plane stress, uniaxial tension to 2 %, three kinds of hardening: ";
+  test::Largest stresses(tension + "stress, relative error", "bilinear curve", 1e-9);
+  test::Largest across(tension + "lateral stress over the axial one", "uniaxial stress", 1e-9);
+  test::Largest strains(tension + "plastic strain, error", "bilinear curve", 1e-11);
   for (const double beta : {0.0, 0.4, 1.0})
     for (const int steps : {1, 7}) {
       PointDriver<double> point(plastic_kinematic(tangent, beta), GetParam());
@@ -23,13 +28,17 @@ TEST_P(EveryIsa, UniaxialTensionFollowsTheBilinearCurve) {
       for (int i = 0; i < steps; ++i) point.apply_uniaxial(strain / steps, poissons_ratio);
       const double at_yield = initial_yield / youngs_modulus;
       const double expected = initial_yield + tangent * (strain - at_yield);
-      EXPECT_NEAR(point.stress()[0], expected, 1e-9 * expected) << "beta " << beta << " steps " << steps;
-      EXPECT_NEAR(point.stress()[1], 0, 1e-9 * expected);
-      EXPECT_NEAR(point.item("plastic_strain"), strain - expected / youngs_modulus, 1e-11);
+      stresses.compare(point.stress()[0], expected, expected,
+                       "beta " + std::to_string(beta) + " steps " + std::to_string(steps));
+      across.compare(point.stress()[1], 0, expected);
+      strains.compare(point.item("plastic_strain"), strain - expected / youngs_modulus);
     }
 }
 
 TEST_P(EveryIsa, EquibiaxialTensionIsExact) {
+  const std::string tension = "plane stress, equibiaxial tension to 1 %, three kinds of hardening: ";
+  test::Largest stresses(tension + "stress, relative error", "closed form", 1e-11);
+  test::Largest strains(tension + "plastic strain, error", "closed form", 1e-12);
   for (const double beta : {0.0, 0.4, 1.0})
     for (const int steps : {1, 7}) {
       PointDriver<double> point(plastic_kinematic(tangent, beta), GetParam());
@@ -39,13 +48,16 @@ TEST_P(EveryIsa, EquibiaxialTensionIsExact) {
       const double h = plastic_modulus(tangent);
       const double compliance = (1 - poissons_ratio) / youngs_modulus;
       const double expected = (strain + initial_yield / (2 * h)) / (compliance + 1 / (2 * h));
-      EXPECT_NEAR(point.stress()[0], expected, 1e-11 * expected);
-      EXPECT_NEAR(point.stress()[1], expected, 1e-11 * expected);
-      EXPECT_NEAR(point.item("plastic_strain"), (expected - initial_yield) / h, 1e-12);
+      stresses.compare(point.stress()[0], expected, expected);
+      stresses.compare(point.stress()[1], expected, expected);
+      strains.compare(point.item("plastic_strain"), (expected - initial_yield) / h);
     }
 }
 
 TEST_P(EveryIsa, EachPureShearIsExact) {
+  const std::string sheared = "plane stress, each pure shear to 2 %, three kinds of hardening: ";
+  test::Largest stresses(sheared + "stress, relative error", "bilinear curve", 1e-11);
+  test::Largest strains(sheared + "plastic strain, error", "bilinear curve", 1e-12);
   for (const double beta : {0.0, 0.4, 1.0})
     for (int shear = 2; shear < components; ++shear)
       for (const int steps : {1, 7}) {
@@ -56,14 +68,19 @@ TEST_P(EveryIsa, EachPureShearIsExact) {
         // q = sqrt(3) tau, engineering plastic shear is sqrt(3) times the effective strain.
         const double h = plastic_modulus(tangent);
         const double expected = (0.02 + std::sqrt(3.0) * initial_yield / h) / (1 / shear_modulus + 3 / h);
-        EXPECT_NEAR(point.stress()[shear], expected, 1e-11 * expected);
-        EXPECT_NEAR(point.item("plastic_strain"), (std::sqrt(3.0) * expected - initial_yield) / h, 1e-12);
+        stresses.compare(point.stress()[shear], expected, expected);
+        strains.compare(point.item("plastic_strain"), (std::sqrt(3.0) * expected - initial_yield) / h);
       }
 }
 
 /// Tension to 1 % and back: with kinematic hardening the elastic range stays 2 sigma_0 wide, with isotropic
 /// hardening it grows (Bauschinger effect).
 TEST_P(EveryIsa, ReversedLoadingYieldsWhereTheHardeningSays) {
+  const std::string reversed = "plane stress, tension to 1 % and back, three kinds of hardening: ";
+  test::Largest ends(reversed + "stress before the reversed yield, relative error", "Bauschinger effect",
+                     1e-9);
+  test::Largest flows(reversed + "stress beyond the reversed yield, relative error", "Bauschinger effect",
+                      1e-8);
   for (const double beta : {0.0, 0.5, 1.0}) {
     PointDriver<double> point(plastic_kinematic(tangent, beta), GetParam());
     for (int i = 0; i < 10; ++i) point.apply_uniaxial(0.001, poissons_ratio);
@@ -72,9 +89,10 @@ TEST_P(EveryIsa, ReversedLoadingYieldsWhereTheHardeningSays) {
     const double radius = initial_yield + beta * plastic_modulus(tangent) * (0.01 - peak / youngs_modulus);
     const double range = 2 * radius / youngs_modulus;
     point.apply_uniaxial(-0.999 * range, poissons_ratio);
-    EXPECT_NEAR(point.stress()[0], peak - 0.999 * 2 * radius, 1e-9 * peak) << "still elastic, beta " << beta;
+    ends.compare(point.stress()[0], peak - 0.999 * 2 * radius, peak, "beta " + std::to_string(beta));
     point.apply_uniaxial(-0.001 * range - 0.004, poissons_ratio);
-    EXPECT_NEAR(point.stress()[0], peak - 2 * radius - tangent * 0.004, 1e-8 * peak) << "beta " << beta;
+    flows.compare(point.stress()[0], peak - 2 * radius - tangent * 0.004, peak,
+                  "beta " + std::to_string(beta));
   }
 }
 
@@ -83,16 +101,20 @@ TEST_P(EveryIsa, KinematicLoopsAreStable) {
   PointDriver<double> point(plastic_kinematic(tangent, 0), GetParam());
   for (int i = 0; i < 10; ++i) point.apply_uniaxial(0.0005, poissons_ratio);
   const double peak = point.stress()[0];
+  test::Largest peaks("plane stress, twenty loops with kinematic hardening: peak stress, relative change",
+                      "stable loop", 1e-8);
   for (int cycle = 0; cycle < 20; ++cycle) {
     for (int i = 0; i < 20; ++i) point.apply_uniaxial(-0.0005, poissons_ratio);
-    EXPECT_NEAR(point.stress()[0], -peak, 1e-8 * peak);
+    peaks.compare(point.stress()[0], -peak, peak);
     for (int i = 0; i < 20; ++i) point.apply_uniaxial(0.0005, poissons_ratio);
-    EXPECT_NEAR(point.stress()[0], peak, 1e-8 * peak);
+    peaks.compare(point.stress()[0], peak, peak);
   }
 }
 
 TEST_P(EveryIsa, CowperSymondsScalesTheYieldStress) {
   // Mild steel: C = 40.4 1/s, p = 5.
+  test::Largest off("plane stress, mild steel at 0.1 to 3000 per s: yield stress in shear, relative error",
+                    "Cowper and Symonds", 1e-12);
   for (const double rate : {0.1, 40.4, 3000.0}) {
     PointDriver<double> point(plastic_kinematic(0, 1, 40.4, 5), GetParam());
     const double step = 1e-6;
@@ -100,7 +122,7 @@ TEST_P(EveryIsa, CowperSymondsScalesTheYieldStress) {
     const double steps = 0.01 / shear;
     for (int i = 0; i < 20; ++i) point.apply({0, 0, 0.0005, 0, 0}, steps / 20 * step);
     const double expected = initial_yield * (1 + std::pow(rate / 40.4, 0.2)) / std::sqrt(3.0);
-    EXPECT_NEAR(point.stress()[2], expected, 1e-12 * expected) << "rate " << rate;
+    off.compare(point.stress()[2], expected, expected, "rate " + std::to_string(rate));
   }
 }
 
@@ -115,6 +137,9 @@ TEST_P(EveryIsa, TabulatedHardeningIsExactAcrossKinks) {
     if (k + 1 == strain.size()) return stress[k];
     return stress[k] + (stress[k + 1] - stress[k]) / (strain[k + 1] - strain[k]) * (at - strain[k]);
   };
+  const std::string kinks = "plane stress, hardening table with kinks, steps from 0.0004 to 0.3: ";
+  test::Largest sums(kinks + "elastic and plastic strain less the total", "additive strains", 1e-12);
+  test::Largest stresses(kinks + "stress over 250 MPa, error", "table", 1e-11);
   for (const double increment : {0.0004, 0.003, 0.02, 0.3}) {
     PointDriver<double> point(tabulated(strain, stress), GetParam());
     double total = 0;
@@ -123,10 +148,8 @@ TEST_P(EveryIsa, TabulatedHardeningIsExactAcrossKinks) {
       point.apply({0, 0, increment, 0, 0});
       const double plastic = point.item("plastic_strain");
       const double tau = point.stress()[2];
-      EXPECT_NEAR(tau / shear_modulus + std::sqrt(3.0) * plastic, total, 1e-12);
-      if (plastic > 0) {
-        EXPECT_NEAR(std::sqrt(3.0) * tau, table(plastic), 1e-11 * initial_yield);
-      }
+      sums.compare(tau / shear_modulus + std::sqrt(3.0) * plastic, total);
+      if (plastic > 0) stresses.compare(std::sqrt(3.0) * tau, table(plastic), initial_yield);
     }
   }
 }
@@ -146,7 +169,8 @@ TEST_P(EveryIsa, ThicknessStrainIsElasticPlusIncompressible) {
   const double elastic_sum = (s[0] + s[1]) * (1 - poissons_ratio) / youngs_modulus;
   const double elastic_zz = -(s[0] + s[1]) * poissons_ratio / youngs_modulus;
   EXPECT_GT(point.item("plastic_strain"), 0.01);
-  EXPECT_NEAR(zz, elastic_zz - (sum - elastic_sum), 1e-14);
+  test::verified("plane stress, plastic flow: thickness strain", "elastic part, incompressible flow")
+      .near(zz, elastic_zz - (sum - elastic_sum), 1e-14);
 }
 
 TEST(PlasticityInput, BadNumbersAreNamed) {

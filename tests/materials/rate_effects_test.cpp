@@ -7,6 +7,8 @@
 #include "base/error.hpp"
 #include "materials/point_driver.hpp"
 #include "materials/rate_cases.hpp"
+#include "support/drawn.hpp"
+#include "support/largest.hpp"
 
 namespace crumple::materials::testing {
 namespace {
@@ -48,18 +50,25 @@ double worst_excess(const Case& one, bool viscoplastic, Isa isa, int flows) {
 
 TEST(RateEffects, StressLiesOnTheYieldSurfaceOfTheRate) {
   for (const bool viscoplastic : {false, true})
-    for (const Case& one : cases(viscoplastic))
+    for (const Case& one : cases(viscoplastic)) {
+      const std::string law = std::string("plane stress, ") + one.name + ", " +
+                              (viscoplastic ? "plastic" : "total") + " rate: stress off the yield surface, ";
+      test::Largest doubles(law + "double precision", "yield stress, written anew", 1e-12);
+      test::Largest singles(law + "single precision", "yield stress, written anew", 1e-6);
       for (const Isa isa : available_isas()) {
-        const std::string name =
-            std::string(one.name) + (viscoplastic ? " viscoplastic " : " ") + std::string(isa_name(isa));
-        EXPECT_LE(worst_excess<double>(one, viscoplastic, isa, 60), 1e-12) << name;
+        const std::string place(isa_name(isa));
+        doubles.add(worst_excess<double>(one, viscoplastic, isa, 60), place);
         // In float the increment of plastic strain can be told from the state in the first step only.
-        EXPECT_LE(worst_excess<float>(one, viscoplastic, isa, viscoplastic ? 1 : 60), 1e-6) << name;
+        singles.add(worst_excess<float>(one, viscoplastic, isa, viscoplastic ? 1 : 60), place);
       }
+    }
 }
 
 /// Shear at a constant rate: the plastic rate is the total less what the hardening stretches elastically.
 TEST(RateEffects, PlasticRateFollowsTheTotalOneInSteadyFlow) {
+  const std::string steady = "plane stress, eight laws in steady flow at 0.01 to 5000 per s: ";
+  test::Largest flows(steady + "plastic rate over the total one, error", "rate equation", 2e-4);
+  test::Largest stresses(steady + "stress [MPa], error", "yield stress, written anew", 1e-9);
   for (const double rate : {0.01, 5.0, 300.0, 5000.0}) {
     const double dt = 1e-4 / rate;
     for (const Case& one : cases(true)) {
@@ -73,8 +82,8 @@ TEST(RateEffects, PlasticRateFollowsTheTotalOneInSteadyFlow) {
       const double p = point.item("plastic_strain");
       // d q = 3 G (d e - d p) and d q = dY/dp d p.
       const double hardening = (one.yield(p, flow) - one.yield(p - 1e-5, flow)) / 1e-5;
-      EXPECT_NEAR(flow, rate / (1 + hardening / (3 * shear_modulus)), 2e-4 * rate) << one.name;
-      EXPECT_NEAR(root3 * point.stress()[2], one.yield(p, flow), 1e-9) << one.name;
+      flows.compare(flow, rate / (1 + hardening / (3 * shear_modulus)), rate, one.name);
+      stresses.compare(root3 * point.stress()[2], one.yield(p, flow), 1, one.name);
     }
   }
 }
@@ -87,6 +96,8 @@ TEST(RateEffects, ViscoplasticYieldStressMayFallWithTheRate) {
   law.factor_rate = {0, 1, 50, 1000};
   law.rate_factor = {2, 1.6, 1.3, 1};
   law.viscoplastic = true;
+  test::Largest off("plane stress, yield stress that falls with the plastic rate: stress [MPa], error",
+                    "yield stress, written anew", 1e-9);
   for (const double rate : {5.0, 300.0, 5000.0}) {
     PointDriver<double> point(material, available_isas().back());
     const double strain = 0.02;
@@ -96,7 +107,7 @@ TEST(RateEffects, ViscoplasticYieldStressMayFallWithTheRate) {
                          interpolated({0, 1, 50, 1000}, {2, 1.6, 1.3, 1}, p / strain * rate);
     EXPECT_GT(p, 0.8 * strain);
     EXPECT_LT(yield, 2 * 250);
-    EXPECT_NEAR(root3 * point.stress()[2], yield, 1e-9) << rate;
+    off.compare(root3 * point.stress()[2], yield, 1, std::to_string(rate));
   }
 }
 
@@ -119,9 +130,12 @@ TEST(RateEffects, OverstressRelaxesExponentially) {
     const double exact = initial_yield + (start - initial_yield) * std::exp(-1.0);
     errors[run++] = std::fabs(root3 * point.stress()[2] - exact);
   }
-  EXPECT_LT(errors[2], 1e-3 * initial_yield);
   EXPECT_NEAR(errors[0] / errors[1], 2, 0.1);
-  EXPECT_NEAR(errors[1] / errors[2], 2, 0.05);
+  const std::string relaxed = "plane stress, relaxation of the overstress: ";
+  test::verified(relaxed + "stress over the yield stress after 400 steps, error", "exponential decay")
+      .below(errors[2] / initial_yield, 1e-3);
+  test::verified(relaxed + "error of 200 steps over that of 400", "first order")
+      .near(errors[1] / errors[2], 2, 0.05);
 }
 
 /// The rate equations of Perzyna's form in five components, integrated independently (Runge-Kutta).
@@ -190,11 +204,14 @@ TEST(RateEffects, NonProportionalViscoplasticPathHasFirstOrder) {
     for (int k = 0; k < components; ++k) error = std::max(error, std::fabs(point.stress()[k] - exact.s[k]));
     errors[run++] = error / initial_yield;
   }
-  RecordProperty("relative_error_1600", std::to_string(errors[2]));
-  EXPECT_LT(errors[2], 5e-3);
   EXPECT_GT(errors[2], 1e-8);
   EXPECT_NEAR(errors[0] / errors[1], 2, 0.3);
-  EXPECT_NEAR(errors[1] / errors[2], 2, 0.2);
+  const std::string path = "viscoplastic in plane stress, path that turns while it yields: ";
+  test::verified(path + "stress over the yield stress after 1600 steps, error",
+                 "Perzyna's equations by Runge-Kutta")
+      .below(errors[2], 5e-3);
+  test::verified(path + "error of 800 steps over that of 1600", "first order")
+      .near(errors[1] / errors[2], 2, 0.2);
 }
 
 /// Adiabatic shear: heat softens. The rate equations in one variable, integrated independently.
@@ -224,6 +241,11 @@ TEST(JohnsonCook, AdiabaticHeatingConvergesWithFirstOrder) {
   }
   const double exact = yield(plastic, temperature);
   EXPECT_GT(temperature, 100);
+  const std::string heated = "Johnson-Cook steel 4340, adiabatic shear to 60 %: ";
+  const char* const source = "rate equation by Runge-Kutta";
+  test::Largest temperatures(heated + "rise of temperature, relative error", source, 0.01);
+  test::Largest stresses(heated + "stress after 800 steps, relative error", source, 1e-3);
+  test::Largest orders(heated + "error of 400 steps over that of 800, off 2", "first order", 0.2);
   for (const Isa isa : available_isas()) {
     double errors[3];
     int run = 0;
@@ -231,11 +253,11 @@ TEST(JohnsonCook, AdiabaticHeatingConvergesWithFirstOrder) {
       PointDriver<double> point(material, isa);
       for (int i = 0; i < steps; ++i) point.apply({0, 0, root3 * total / steps, 0, 0}, total / steps / rate);
       errors[run++] = std::fabs(root3 * point.stress()[2] - exact) / exact;
-      EXPECT_NEAR(point.item("temperature_rise"), temperature, 0.01 * temperature);
+      temperatures.compare(point.item("temperature_rise"), temperature, temperature);
     }
-    EXPECT_LT(errors[2], 1e-3);
+    stresses.add(errors[2]);
     EXPECT_NEAR(errors[0] / errors[1], 2, 0.2);
-    EXPECT_NEAR(errors[1] / errors[2], 2, 0.2);
+    orders.compare(errors[1] / errors[2], 2);
   }
 }
 
@@ -250,6 +272,8 @@ TEST(JohnsonCook, FractureStrainDependsOnTriaxialityAndRate) {
     Five strain;
     double triaxiality;
   };
+  test::Largest off("Johnson-Cook in plane stress, three triaxialities, two rates: fracture strain, error",
+                    "closed form", 1.1e-4);
   for (const Path& path : {Path{{0, 0, root3, 0, 0}, 0}, Path{{0.5, 0.5, 0, 0, 0}, 2.0 / 3},
                            Path{{-0.5, -0.5, 0, 0, 0}, -2.0 / 3}})
     for (const double rate : {0.1, 1000.0})
@@ -265,12 +289,14 @@ TEST(JohnsonCook, FractureStrainDependsOnTriaxialityAndRate) {
         do point.apply(strain, dt);
         while (point.intact() && ++steps < 20000);
         EXPECT_FALSE(point.intact());
-        EXPECT_NEAR(point.item("plastic_strain"), expected, 1.1 * size) << path.triaxiality;
+        off.compare(point.item("plastic_strain"), expected, 1, std::to_string(path.triaxiality));
         EXPECT_EQ(point.stress(), Five{});
       }
 }
 
 TEST(JohnsonCook, StressIsBoundedBeforeAndAfterTheRateEffect) {
+  test::Largest off("Johnson-Cook, bounded before and after the rate effect: stress, relative error",
+                    "the bound", 1e-11);
   for (const double rate : {0.5, 1000.0}) {
     const double factor = 1 + 0.014 * std::log(std::max(rate, 1.0));
     for (const bool saturation : {false, true}) {
@@ -279,7 +305,7 @@ TEST(JohnsonCook, StressIsBoundedBeforeAndAfterTheRateEffect) {
       PointDriver<double> point(johnson_cook(law), available_isas().back());
       for (int i = 0; i < 4000; ++i) point.apply({0, 0, root3 * 1e-4, 0, 0}, 1e-4 / rate);
       const double expected = saturation ? 1000 : 1000 * factor;
-      EXPECT_NEAR(root3 * point.stress()[2], expected, 1e-11 * expected);
+      off.compare(root3 * point.stress()[2], expected, expected);
     }
   }
 }
@@ -298,6 +324,44 @@ TEST(JohnsonCook, StressIsBoundedWhereTheRateEffectAloneExceedsTheBound) {
     EXPECT_LE(root3 * point.stress()[2], 250 * (1 + 1e-11)) << strain;
     EXPECT_GT(root3 * point.stress()[2], 0.5 * 250) << strain;
   }
+}
+
+/// Mild steel with a table of hardening, sheared at four rates; the total rate is that of the law.
+TEST(RateEffects, StressOverStrainIsDrawn) {
+  model::Material material = tabulated({0, 0.02, 0.1, 0.3}, {250, 300, 350, 420});
+  auto& law = std::get<model::PiecewiseLinearPlasticity>(material.law);
+  law.cowper_symonds_rate = 40.4;
+  law.cowper_symonds_exponent = 5;
+  auto picture = test::drawn("Mild steel sheared at 0, 1, 40 and 1000 per s", "effective strain",
+                             "effective stress [MPa]");
+  test::Largest off(
+      "plane stress, piecewise linear with Cowper and Symonds, four rates: stress over strain, error",
+      "closed form", 1e-9);
+  for (const double rate : {1e-12, 1.0, 40.0, 1000.0}) {
+    PointDriver<double> point(material, available_isas().back());
+    const double factor = 1 + std::pow(rate / 40.4, 0.2);
+    test::Points exact;
+    test::Points found;
+    for (int i = 1; i <= 100; ++i) {
+      point.apply({0, 0, root3 * 2e-3, 0, 0}, 2e-3 / rate);
+      const double strain = 2e-3 * i;
+      // q = 3 G (e - p) and q = factor Y(p): the plastic strain by bisection.
+      double low = 0;
+      double high = strain;
+      for (int k = 0; k < 100; ++k) {
+        const double p = 0.5 * (low + high);
+        const double yield = factor * interpolated({0, 0.02, 0.1, 0.3}, {250, 300, 350, 420}, p);
+        (3 * shear_modulus * (strain - p) > yield ? low : high) = p;
+      }
+      const double stress = 3 * shear_modulus * (strain - low);
+      off.compare(root3 * point.stress()[2], stress, stress);
+      exact.push_back({strain, stress});
+      if (i % 12 == 0) found.push_back({strain, root3 * point.stress()[2]});
+    }
+    picture.accepted(rate < 1 ? "Cowper and Symonds" : "", exact)
+        .found(rate < 1 ? "one point of a shell" : "", found);
+  }
+  picture.note();
 }
 
 TEST(RateInput, BadNumbersAreNamed) {

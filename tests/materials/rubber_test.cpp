@@ -7,6 +7,8 @@
 
 #include "base/error.hpp"
 #include "materials/motion_driver.hpp"
+#include "support/drawn.hpp"
+#include "support/largest.hpp"
 
 namespace crumple::materials::testing {
 namespace {
@@ -100,7 +102,10 @@ INSTANTIATE_TEST_SUITE_P(All, Rubber, ::testing::ValuesIn(available_isas()),
 
 TEST_P(Rubber, StressIsTheDerivativeOfTheEnergyWhateverThePath) {
   std::mt19937 generator(7);
-  for (const Case& c : cases())
+  for (const Case& c : cases()) {
+    const std::string law = std::string(c.name) + ", random motions: ";
+    test::Largest off(law + "stress over the stiffness, error", "derivative of the strain energy", 1e-8);
+    test::Largest paths(law + "stress after a detour over the stiffness, change", "straight path", 1e-12);
     for (int i = 0; i < 10; ++i) {
       const Matrix end = random_gradient(generator, 0.2);
       MotionDriver<double> straight(c.material, GetParam());
@@ -109,9 +114,10 @@ TEST_P(Rubber, StressIsTheDerivativeOfTheEnergyWhateverThePath) {
       for (int k = 0; k < 8; ++k) detour.move_to(random_gradient(generator, 0.3));
       detour.move_to(end);
       const Six expected = stress_of(c.energy, end);
-      EXPECT_LT(largest_difference(straight.stress(), expected), 1e-8 * c.stiffness) << c.name;
-      EXPECT_LT(largest_difference(detour.stress(), straight.stress()), 1e-12 * c.stiffness) << c.name;
+      off.add(largest_difference(straight.stress(), expected) / c.stiffness);
+      paths.add(largest_difference(detour.stress(), straight.stress()) / c.stiffness);
     }
+  }
 }
 
 TEST_P(Rubber, KnowsNoRotation) {
@@ -121,47 +127,80 @@ TEST_P(Rubber, KnowsNoRotation) {
     MotionDriver<double> point(c.material, GetParam());
     // Ten whole turns without strain leave no stress.
     for (int i = 1; i <= 600; ++i) point.move_to(rotation(axis, 0.1047197551196598 * i));
-    EXPECT_LT(largest_difference(point.stress(), {}), 1e-12 * c.stiffness) << c.name;
+    const std::string law = c.name;
+    test::verified(law + ", ten turns without strain: stress over the stiffness", "none")
+        .below(largest_difference(point.stress(), {}) / c.stiffness, 1e-12);
     point.move_in_steps(stretched, 3);
     const Matrix stress = matrix_of(point.stress());
     for (int i = 1; i <= 25; ++i) point.move_to(times(rotation(axis, 0.1 * i), stretched));
     const Matrix q = rotation(axis, 2.5);
     const Six expected = six_of(times(q, times(stress, transposed(q))));
-    EXPECT_LT(largest_difference(point.stress(), expected), 1e-12 * c.stiffness) << c.name;
+    test::verified(law + ", stretched, then turned: stress over the stiffness, error", "turned stress")
+        .below(largest_difference(point.stress(), expected) / c.stiffness, 1e-12);
   }
 }
 
 /// Uniaxial stress: s1 - s2 = (2 / J) (l1^2 - l2^2) (A + B l2^2), Rivlin 1948, with s2 = 0 at the right l2.
-TEST_P(Rubber, MooneyRivlinBarFollowsTheClosedForm) {
-  const double poisson = 0.4995;
-  for (const double stretch : {0.6, 1.3, 2.5}) {
-    double across = 1 / std::sqrt(stretch);
-    Six s{};
-    for (int i = 0; i < 30; ++i) {
-      const auto lateral = [&](double side) {
-        MotionDriver<double> point(mooney_rivlin(poisson), GetParam());
-        point.move_to({{{stretch, 0, 0}, {0, side, 0}, {0, 0, side}}});
-        s = point.stress();
-        return s[1];
-      };
-      const double slope = (lateral(across + 1e-7) - lateral(across - 1e-7)) / 2e-7;
-      across -= lateral(across) / slope;
-    }
-    const double volume = stretch * across * across;
-    const double expected =
-        2 / volume * (stretch * stretch - across * across) * (first + second * across * across);
-    EXPECT_NEAR(s[0], expected, 1e-8 * std::fabs(expected));
-    // Incompressible: 2 (l^2 - 1/l) (A + B/l).
-    const double limit = 2 * (stretch * stretch - 1 / stretch) * (first + second / stretch);
-    EXPECT_NEAR(s[0], limit, 0.01 * std::fabs(limit));
+struct Bar {
+  double stress;
+  double across;  ///< lateral stretch without lateral stress
+};
+Bar stretched_bar(double stretch, double poisson, Isa isa) {
+  double across = 1 / std::sqrt(stretch);
+  Six s{};
+  for (int i = 0; i < 30; ++i) {
+    const auto lateral = [&](double side) {
+      MotionDriver<double> point(mooney_rivlin(poisson), isa);
+      point.move_to({{{stretch, 0, 0}, {0, side, 0}, {0, 0, side}}});
+      s = point.stress();
+      return s[1];
+    };
+    const double slope = (lateral(across + 1e-7) - lateral(across - 1e-7)) / 2e-7;
+    across -= lateral(across) / slope;
   }
+  return {s[0], across};
+}
+/// 2 (l^2 - 1/l) (A + B/l).
+double incompressible(double stretch) {
+  return 2 * (stretch * stretch - 1 / stretch) * (first + second / stretch);
+}
+TEST_P(Rubber, MooneyRivlinBarFollowsTheClosedForm) {
+  const std::string bar = "Mooney-Rivlin bar, stretched to 0.6, 1.3 and 2.5: ";
+  test::Largest off(bar + "stress, relative error", "Rivlin 1948", 1e-8);
+  test::Largest limits(bar + "stress, relative difference", "Rivlin 1948, incompressible", 0.01);
+  for (const double stretch : {0.6, 1.3, 2.5}) {
+    const Bar found = stretched_bar(stretch, 0.4995, GetParam());
+    const double square = found.across * found.across;
+    const double expected = 2 / (stretch * square) * (stretch * stretch - square) * (first + second * square);
+    off.compare(found.stress, expected, expected);
+    limits.compare(found.stress, incompressible(stretch), incompressible(stretch));
+  }
+}
+TEST(RubberBar, StressOverStretchIsDrawn) {
+  test::Points exact;
+  test::Points found;
+  test::Largest off("Mooney-Rivlin bar, stretched to 0.5 and to 3: stress over the largest, difference",
+                    "Rivlin 1948, incompressible", 0.01);
+  for (int i = 0; i <= 25; ++i) {
+    const double stretch = 0.5 + 0.1 * i;
+    exact.push_back({stretch, incompressible(stretch)});
+    found.push_back({stretch, i == 5 ? 0 : stretched_bar(stretch, 0.4995, Isa::Scalar).stress});
+    off.compare(found.back()[1], exact.back()[1], incompressible(3));
+  }
+  test::drawn("Rubber bar, A = 0.55 MPa, B = 0.14 MPa", "stretch", "true stress [MPa]")
+      .accepted("Rivlin, incompressible", exact)
+      .found("Poisson's ratio 0.4995", found)
+      .note();
 }
 
 /// Second order in the step, whether the axes turn or not.
 TEST_P(Rubber, WorkIsTheEnergy) {
   const Matrix straight{{{1.3, 0, 0}, {0, 0.9, 0}, {0, 0, 0.87}}};
   const Matrix sheared{{{1.3, 0.3, 0}, {-0.1, 0.9, 0.1}, {0.05, 0, 0.95}}};
-  for (const Case& c : cases())
+  for (const Case& c : cases()) {
+    const std::string work = std::string(c.name) + ", two motions: ";
+    test::Largest off(work + "work of 400 steps, relative error", "strain energy", 1e-4);
+    test::Largest orders(work + "error of 200 steps over that of 400, off 4", "second order", 0.2);
     for (const Matrix& end : {straight, sheared}) {
       double error[2];
       for (const int fine : {0, 1}) {
@@ -169,9 +208,10 @@ TEST_P(Rubber, WorkIsTheEnergy) {
         point.move_in_steps(end, fine == 0 ? 200 : 400);
         error[fine] = point.work() / c.energy(end) - 1;
       }
-      EXPECT_LT(std::fabs(error[1]), 1e-4) << c.name;
-      EXPECT_NEAR(error[0] / error[1], 4, 0.2) << c.name;
+      off.add(std::fabs(error[1]));
+      orders.compare(error[0] / error[1], 4);
     }
+  }
 }
 
 TEST_P(Rubber, StartsAsHookesLawOfItsConstants) {
@@ -184,10 +224,13 @@ TEST_P(Rubber, StartsAsHookesLawOfItsConstants) {
     Matrix f = matrix_of({strain[0], strain[1], strain[2], strain[3] / 2, strain[4] / 2, strain[5] / 2});
     point.move_to(plus(unit, 1, f));
     const double spherical = 2 * g * nu / (1 - 2 * nu) * 4e-7;
-    for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(point.stress()[k], 2 * g * strain[k] + spherical, 1e-5 * std::fabs(spherical)) << c.name;
+    test::Largest off(std::string(c.name) + ", small strains: direct stresses over the mean one, error",
+                      "Hooke's law", 1e-5);
+    for (int k = 0; k < 3; ++k) off.compare(point.stress()[k], 2 * g * strain[k] + spherical, spherical);
     for (int k = 3; k < 6; ++k) EXPECT_NEAR(point.stress()[k], g * strain[k], 1e-11 * c.stiffness) << c.name;
-    EXPECT_NEAR(point.wave_speed() / solid_start(c.material, nullptr).wave_speed, 1, 1e-5) << c.name;
+    test::verified(std::string(c.name) + ", small strains: wave speed over that of Hooke's law",
+                   "closed form")
+        .near(point.wave_speed() / solid_start(c.material, nullptr).wave_speed, 1, 1e-5);
   }
 }
 
@@ -232,7 +275,10 @@ TEST_P(Rubber, FloatDoesNotDriftInManySteps) {
       coarse.move_to(f);
       exact.move_to(f);
     }
-    EXPECT_LT(largest_difference(coarse.stress(), exact.stress()), 3e-6 * c.stiffness) << c.name;
+    test::verified(std::string(c.name) +
+                       ", a hundred thousand steps in single precision: stress over the stiffness, error",
+                   "double precision")
+        .below(largest_difference(coarse.stress(), exact.stress()) / c.stiffness, 3e-6);
   }
 }
 
