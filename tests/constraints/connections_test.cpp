@@ -8,11 +8,15 @@
 #include "constraints/rigid_bodies.hpp"
 #include "constraints/rivets.hpp"
 #include "constraints/spot_welds.hpp"
+#include "support/verified.hpp"
 
 namespace crumple::constraints {
 namespace {
 
 using math::Vec3;
+
+/// Share of a number that four last places are at least.
+constexpr double last_places = 4.4e-16;
 
 /// Two nodes of masses 2 and 3 at a distance of 5 along x; exact answers by hand.
 class ConnectionsTest : public ::testing::Test {
@@ -47,7 +51,8 @@ TEST_F(ConnectionsTest, ANodeSetSharesItsMomentumAlongItsDirections) {
   domain_.nodes.velocity[1] = {0, 2, 5};
   const NodeSets sets(model_, domain_);
   for (Index i = 0; i < 2; ++i) {
-    EXPECT_DOUBLE_EQ(domain_.nodes.velocity[i].x, 4);
+    test::verified("node set of masses 2 and 3: common velocity", "conservation of momentum")
+        .within(domain_.nodes.velocity[i].x, 4, last_places);
     EXPECT_DOUBLE_EQ(domain_.nodes.velocity[i].y, 1.0 + i);
     EXPECT_DOUBLE_EQ(domain_.nodes.velocity[i].z, 3);
   }
@@ -78,8 +83,8 @@ TEST_F(ConnectionsTest, ARivetKeepsTheDistanceToRoundOffAndTheMomentum) {
   rivets.constrain(domain_, step);
   const Vec3 line = (domain_.nodes.position[1] + step * domain_.nodes.velocity[1]) -
                     (domain_.nodes.position[0] + step * domain_.nodes.velocity[0]);
-  EXPECT_NEAR(norm(line), 5, 1e-14);
-  EXPECT_NEAR(norm(momentum() - before), 0, 1e-14);
+  test::verified("rivet: length at the end of a step", "length at first").near(norm(line), 5, 1e-14);
+  test::verified("rivet: momentum, change", "conservation").below(norm(momentum() - before), 1e-14);
   EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].y, 4) << "impulses are along the line";
 }
 
@@ -114,7 +119,8 @@ TEST_F(WeldTest, TensionAndShearAreWhatMovesBothNodesAsOne) {
   put_force(0, {-10, 0, 0});
   put_force(1, {10, 0, 0});
   welds.break_overloaded(domain_);
-  EXPECT_NEAR(domain_.welds[0].axial, 10, 1e-14);
+  test::verified("spot weld pulled by 10: axial force", "equilibrium")
+      .near(domain_.welds[0].axial, 10, 1e-14);
   EXPECT_NEAR(domain_.welds[0].shear, 0, 1e-13);
   // A force of 10 along y on the second node. Centre at 3; inertia about z: 2 * 9 + 3 * 4 + 2 * 0.5 = 31,
   // acceleration 10 / 5 and turning 10 * 2 / 31: 3 (2 + 2 * 20 / 31) - 10.
@@ -122,7 +128,8 @@ TEST_F(WeldTest, TensionAndShearAreWhatMovesBothNodesAsOne) {
   put_force(1, {0, 10, 0});
   welds.break_overloaded(domain_);
   EXPECT_NEAR(domain_.welds[0].axial, 0, 1e-14);
-  EXPECT_NEAR(domain_.welds[0].shear, std::fabs(3 * (2 + 40.0 / 31) - 10), 1e-13);
+  test::verified("spot weld pushed across at one end: shear force", "motion of a rigid body")
+      .near(domain_.welds[0].shear, std::fabs(3 * (2 + 40.0 / 31) - 10), 1e-13);
 }
 
 TEST_F(WeldTest, ATurningWeldCarriesTheCentripetalForce) {
@@ -132,7 +139,8 @@ TEST_F(WeldTest, ATurningWeldCarriesTheCentripetalForce) {
   model_.spot_welds.push_back(weld_);
   const SpotWelds welds(model_, domain_);
   welds.break_overloaded(domain_);
-  EXPECT_NEAR(domain_.welds[0].axial, 3 * 2 * 16, 1e-12);
+  test::verified("spot weld that turns: axial force", "m r omega^2")
+      .near(domain_.welds[0].axial, 3 * 2 * 16, 1e-12);
 }
 
 TEST_F(WeldTest, FailsWhereTheSumOfPowersReachesOne) {

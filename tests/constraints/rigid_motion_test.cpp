@@ -8,6 +8,7 @@
 
 #include "constraints/body_impact.hpp"
 #include "constraints/rigid_bodies.hpp"
+#include "support/verified.hpp"
 
 namespace crumple::constraints {
 namespace {
@@ -41,8 +42,11 @@ TEST_F(Dumbbell, HasTheMomentaOfItsNodes) {
   domain_.nodes.velocity = {{0, 1, 0}, {4, 7, 0}, {}};
   const domain::RigidBody& body = add();
   EXPECT_EQ(body.mass, 4);
-  EXPECT_LT(norm(body.velocity - Vec3{2, 4, 0}), 1e-15);
-  EXPECT_LT(norm(body.angular_momentum - Vec3{0, 0, 36}), 1e-14);
+  const std::string made = "rigid body made of two moving masses: ";
+  test::verified(made + "velocity, error", "conservation of momentum")
+      .below(norm(body.velocity - Vec3{2, 4, 0}), 1e-15);
+  test::verified(made + "moment of momentum, error", "conservation")
+      .below(norm(body.angular_momentum - Vec3{0, 0, 36}), 1e-14);
   EXPECT_LT(norm(body.spin - Vec3{0, 0, 1}), 1e-15);
   // What stretched it is gone.
   EXPECT_LT(norm(domain_.nodes.velocity[0] - Vec3{2, 1, 0}), 1e-15);
@@ -63,12 +67,15 @@ TEST_F(Dumbbell, TurnsByTheForcesOnItsNodes) {
   const model::Model model;
   const RigidBodies bodies(model, domain_);
   bodies.kick(domain_, 0.5);
-  EXPECT_LT(norm(body.velocity - Vec3{0, 0, 1.5}), 1e-15);
-  EXPECT_LT(norm(body.spin - Vec3{0, -0.5, 0}), 1e-15);
+  const std::string kicked = "rigid dumbbell kicked at one end: ";
+  test::verified(kicked + "velocity, error", "closed form")
+      .below(norm(body.velocity - Vec3{0, 0, 1.5}), 1e-15);
+  test::verified(kicked + "spin, error", "closed form").below(norm(body.spin - Vec3{0, -0.5, 0}), 1e-15);
   bodies.carry_nodes(domain_, 0.5, 0.5);
   domain_.clock.step = 0.5;
   bodies.place_nodes(domain_);
-  EXPECT_NEAR(norm(domain_.nodes.position[1] - domain_.nodes.position[0]), 6, 1e-15);
+  test::verified(kicked + "distance of its ends", "rigid")
+      .near(norm(domain_.nodes.position[1] - domain_.nodes.position[0]), 6, 1e-15);
   EXPECT_NEAR(body.centre.z, 0.75, 1e-15);
 }
 
@@ -78,8 +85,10 @@ TEST_F(Dumbbell, ImpactOfOneEndIsThatOfItsEffectiveMass) {
   std::vector<BodyTouch> touches = {{1, {3, 0, 0}, {0, 0, 1}, 0, {}}};
   stop_body(body, {}, touches);
   // 1 / (1 / M + r^2 / J) = 1 / (1/4 + 9/36) = 2: the other mass does not feel it.
-  EXPECT_NEAR(touches[0].impulse.z, 6, 1e-12);
-  EXPECT_NEAR(velocity_at(body, {-3, 0, 0}).z, -3, 1e-12);
+  test::verified("rigid dumbbell strikes with one end: impulse", "effective mass")
+      .near(touches[0].impulse.z, 6, 1e-12);
+  test::verified("rigid dumbbell strikes with one end: velocity of the other", "centre of percussion")
+      .near(velocity_at(body, {-3, 0, 0}).z, -3, 1e-12);
   EXPECT_NEAR(velocity_at(body, {3, 0, 0}).z, 0, 1e-12);
 }
 
@@ -88,8 +97,10 @@ TEST_F(Dumbbell, BothEndsStopIt) {
   domain::RigidBody& body = add();
   std::vector<BodyTouch> touches = {{0, {-3, 0, 0}, {0, 0, 1}, 0, {}}, {1, {3, 0, 0}, {0, 0, 1}, -1, {}}};
   stop_body(body, {}, touches);
-  EXPECT_NEAR(touches[0].impulse.z, 6, 1e-9);
-  EXPECT_NEAR(touches[1].impulse.z, 8, 1e-9);
+  test::verified("rigid dumbbell strikes with both ends: first impulse", "closed form")
+      .near(touches[0].impulse.z, 6, 1e-9);
+  test::verified("rigid dumbbell strikes with both ends: second impulse", "closed form")
+      .near(touches[1].impulse.z, 8, 1e-9);
 }
 
 TEST_F(Dumbbell, FrictionIsBoundByTheNormalImpulse) {
@@ -97,7 +108,8 @@ TEST_F(Dumbbell, FrictionIsBoundByTheNormalImpulse) {
   domain::RigidBody& body = add();
   std::vector<BodyTouch> touches = {{0, {-3, 0, 0}, {0, 0, 1}, 0, {}}, {1, {3, 0, 0}, {0, 0, 1}, 0, {}}};
   stop_body(body, {.velocity = {}, .friction = 0.5}, touches);
-  EXPECT_NEAR(body.velocity.x, 4 - 0.5 * 3, 1e-9);
+  test::verified("rigid dumbbell strikes with friction: velocity along", "Coulomb")
+      .near(body.velocity.x, 4 - 0.5 * 3, 1e-9);
   EXPECT_NEAR(body.velocity.z, 0, 1e-9);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "constraints/rigid_wall.hpp"
+#include "support/verified.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,9 @@ namespace crumple::constraints {
 namespace {
 
 using math::Vec3;
+
+/// Share of a number that four last places are at least.
+constexpr double last_places = 4.4e-16;
 
 /// One free node of mass 2 in front of a wall; exact answers by hand.
 class RigidWallTest : public ::testing::Test {
@@ -60,11 +64,14 @@ TEST_F(RigidWallTest, LetsANodeArriveExactlyAtThePlane) {
   domain_.nodes.position[0] = {0, 0, 5.5};
   domain_.nodes.velocity[0] = {0, 0, -4};
   stop(0.0, 0.25, 0.5);
-  EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].z, -1.0);
-  EXPECT_DOUBLE_EQ(domain_.walls[0].impulse.z, -6.0) << "on the wall: minus the change of momentum";
+  const std::string arrives = "node arrives at a rigid wall: ";
+  test::verified(arrives + "velocity that ends on the plane", "geometry")
+      .within(domain_.nodes.velocity[0].z, -1.0, last_places);
+  test::verified(arrives + "impulse of the wall", "change of momentum")
+      .within(domain_.walls[0].impulse.z, -6.0, last_places);
   EXPECT_DOUBLE_EQ(domain_.walls[0].normal_force, 24.0);
-  EXPECT_DOUBLE_EQ(domain_.walls[0].energy + domain_.walls[0].deferred, 0.5 * 2 * (16 - 1))
-      << "the kinetic energy lost";
+  test::verified(arrives + "energy of the wall", "kinetic energy lost")
+      .within(domain_.walls[0].energy + domain_.walls[0].deferred, 0.5 * 2 * (16 - 1), last_places);
 }
 
 TEST_F(RigidWallTest, FrictionTakesMuTimesTheNormalImpulseAndNoMore) {
@@ -72,7 +79,8 @@ TEST_F(RigidWallTest, FrictionTakesMuTimesTheNormalImpulseAndNoMore) {
   domain_.nodes.velocity[0] = {3, 4, -2};
   stop(0.5, 0.1, 0.1);
   // Slip 5, normal change 2: the slip falls by 0.5 * 2 along its own direction.
-  EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].x, 3 * 0.8);
+  test::verified("node slides on a rigid wall, friction 0.5: velocity along", "Coulomb")
+      .within(domain_.nodes.velocity[0].x, 3 * 0.8, last_places);
   EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].y, 4 * 0.8);
   EXPECT_DOUBLE_EQ(domain_.nodes.velocity[0].z, 0);
 }
@@ -148,8 +156,10 @@ TEST_F(RigidWallTest, AMovingWallPushesWithItsVelocityAndItsWorkIsExternal) {
   EXPECT_DOUBLE_EQ(domain_.walls[0].impulse.z, -6);
   const domain::WallReport& report = domain_.walls[0];
   const double work = domain_.energy.external_work + report.deferred_work;
-  EXPECT_DOUBLE_EQ(work, 6 * 3) << "impulse times velocity of the wall";
-  EXPECT_DOUBLE_EQ(work - report.energy - report.deferred, 0.5 * 2 * 9) << "kinetic energy gained";
+  test::verified("node pushed by a moving wall: external work", "impulse times velocity")
+      .within(work, 6 * 3, last_places);
+  test::verified("node pushed by a moving wall: work less the wall's energy", "kinetic energy gained")
+      .within(work - report.energy - report.deferred, 0.5 * 2 * 9, last_places);
 }
 
 TEST_F(RigidWallTest, ADisplacementCurvePlacesTheWall) {
@@ -160,7 +170,8 @@ TEST_F(RigidWallTest, ADisplacementCurvePlacesTheWall) {
   domain_.nodes.position[0] = {0, 0, 3.5};
   domain_.nodes.velocity[0] = {0, 0, 0};
   stop(wall, 0.1, 0.1);
-  EXPECT_NEAR(domain_.nodes.velocity[0].z, 5, 1e-13);
+  test::verified("node before a wall moved by a curve: velocity that ends on the plane", "geometry")
+      .near(domain_.nodes.velocity[0].z, 5, 1e-13);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "support/verified.hpp"
 
 namespace crumple::constraints {
 namespace {
@@ -75,9 +76,11 @@ TEST_F(TiedNodesTest, ForceAndMassGoToTheSegment) {
   for (const std::size_t k : {0U, 1U, 2U, 3U})
     mean += domain_.ties[0].nodes[0].weight[k] * domain_.nodes.velocity[k].x;
   EXPECT_DOUBLE_EQ(domain_.nodes.velocity[4].x, mean);
-  EXPECT_NEAR(momentum().x, 8, 1e-14);
+  test::verified("tied node is kicked: momentum of node and segment", "conservation")
+      .near(momentum().x, 8, 1e-14);
   // What the tie gave the node is what it misses of its own kick.
-  EXPECT_NEAR(domain_.ties[0].force.x, (mean - 8) / 0.5, 1e-13);
+  test::verified("tied node is kicked: force of the tie", "missing momentum over the step")
+      .near(domain_.ties[0].force.x, (mean - 8) / 0.5, 1e-13);
 }
 
 TEST_F(TiedNodesTest, RotationsFollowWhereTheyAreTied) {
@@ -91,7 +94,8 @@ TEST_F(TiedNodesTest, RotationsFollowWhereTheyAreTied) {
   double moment = 0;
   for (Index i = 0; i < 4; ++i)
     moment += domain_.nodes.moving_inertia(i) * domain_.nodes.angular_velocity[i].y;
-  EXPECT_NEAR(moment, 1.5, 1e-14);
+  test::verified("tied rotations: moment of momentum of the segment", "conservation")
+      .near(moment, 1.5, 1e-14);
 }
 
 TEST_F(TiedNodesTest, VelocitiesAtTheStartKeepTheirMomentum) {
@@ -99,7 +103,8 @@ TEST_F(TiedNodesTest, VelocitiesAtTheStartKeepTheirMomentum) {
   tie_fourth();
   const Vec3 before = momentum();
   const TiedNodes tied(model_, domain_);
-  EXPECT_NEAR(norm(momentum() - before), 0, 1e-14);
+  test::verified("tie of a node that moves at the start: momentum, change", "conservation")
+      .below(norm(momentum() - before), 1e-14);
   EXPECT_GT(domain_.nodes.velocity[0].x, domain_.nodes.velocity[2].x);
 }
 
@@ -111,7 +116,7 @@ TEST_F(TiedNodesTest, ANodeOfASegmentMayBeTiedItself) {
   EXPECT_DOUBLE_EQ(domain_.nodes.moving_mass(4), 1.5);
   EXPECT_DOUBLE_EQ(domain_.nodes.moving_mass(0), 2 + 0.5625 * 1.5);
   kick(tied, {{}, {}, {}, {}, {}, {}, {4, 0, 0}});
-  EXPECT_NEAR(momentum().x, 4, 1e-14);
+  test::verified("node tied to a tied node is kicked: momentum", "conservation").near(momentum().x, 4, 1e-14);
   EXPECT_DOUBLE_EQ(domain_.nodes.velocity[6].x,
                    0.5 * (domain_.nodes.velocity[4].x + domain_.nodes.velocity[5].x));
 }
@@ -131,7 +136,8 @@ TEST_F(TiedNodesTest, TheEndOfATieFreesTheNodeAndBooksItsEnergy) {
   }
   domain_.clock.time = 1;
   tied.release(domain_);
-  EXPECT_NEAR(domain_.ties[0].energy, carried - free, 1e-14);
+  test::verified("end of a tie: its energy", "kinetic energies before and after")
+      .near(domain_.ties[0].energy, carried - free, 1e-14);
   EXPECT_GT(domain_.ties[0].energy, 0);
   EXPECT_EQ(domain_.ties[0].released, 1);
   EXPECT_FALSE(domain_.nodes.is_tied(4));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "constraints/wall_impact.hpp"
+#include "support/verified.hpp"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +74,8 @@ TEST(CommonVelocity, OfAMoteIsThatOfWhatItHits) {
   const std::vector<Mass> masses = {{0.007, -1}, {3, 2}};
   for (const double mass : {1e-12, 1e-9, 1e-6}) {
     const double exact = (mass * 15 - 0.007) / (mass + 0.007);
-    EXPECT_NEAR(common_velocity({mass, 15}, impulse_of(masses)), exact, 1e-14);
+    test::verified("very light wall meets two masses: common velocity", "conservation of momentum")
+        .near(common_velocity({mass, 15}, impulse_of(masses)), exact, 1e-14);
     EXPECT_NEAR(common_velocity({mass, 15, -1}, impulse_of(masses)), exact, 1e-14);
   }
 }
@@ -90,8 +92,9 @@ TEST(CommonVelocity, OfManyMassesIsThatOfTheSetThatIsPushed) {
     const double found = common_velocity({mass, velocity}, impulse_of(masses));
     worst = std::max(worst, std::fabs(found - by_sets(mass, velocity, masses)));
   }
-  RecordProperty("worst", std::to_string(worst));
-  EXPECT_LT(worst, 1e-14);
+  test::verified("wall meets up to 200 masses, 500 samples: common velocity, error",
+                 "the set that is pushed, by trial")
+      .below(worst, 1e-14);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "contact/edge_geometry.hpp"
 #include "contact/edge_search.hpp"
 #include "contact/edges.hpp"
+#include "support/largest.hpp"
 
 namespace crumple {
 namespace {
@@ -67,6 +68,10 @@ TEST(Edges, NearestPointsAreThoseOfFineSampling) {
     return std::sin(12.9898 * i) * 43758.5453 - std::floor(std::sin(12.9898 * i) * 43758.5453);
   };
   const auto point = [&](int i) { return Vec3{number(3 * i), number(3 * i + 1), number(3 * i + 2)}; };
+  test::Largest longer("nearest points of two edges: distance over the least sampled one, excess",
+                       "brute force, 201 samples", 1e-12);
+  test::Largest ends("nearest points of two edges: distance of the points off the distance", "geometry",
+                     1e-12);
   for (int i = 0; i < 200; ++i) {
     contact::EdgeShape a{point(4 * i), point(4 * i + 1)};
     contact::EdgeShape b{point(4 * i + 2), point(4 * i + 3)};
@@ -79,9 +84,9 @@ TEST(Edges, NearestPointsAreThoseOfFineSampling) {
       const double s = static_cast<double>(k) / steps;
       best = std::min(best, norm(a.at(s) - b.at(contact::nearest_fraction(b, a.at(s)))));
     }
-    EXPECT_LE(nearest.distance, best * (1 + 1e-12));
+    longer.add(nearest.distance / best - 1);
     EXPECT_GE(nearest.distance, best - 1.0 / steps);
-    EXPECT_NEAR(norm(a.at(nearest.fraction[0]) - b.at(nearest.fraction[1])), nearest.distance, 1e-12);
+    ends.compare(norm(a.at(nearest.fraction[0]) - b.at(nearest.fraction[1])), nearest.distance);
   }
 }
 
@@ -98,10 +103,13 @@ TEST(Edges, CrossedStripsPushEachOtherApart) {
   EXPECT_EQ(made.contacts[0].active_pairs, 1);
   const double half = 0.05;
   const double force = strip_stiffness() * (0.06 + 0.5 * 9 / half * 0.01 * 0.01);
-  EXPECT_NEAR(cross.on_upper(made).z, force, 1e-12 * force);
-  EXPECT_NEAR(made.contact_force[test::at(made, cross.upper)].z, 0.65 * force, 1e-12 * force);
+  const std::string strips = "two strips edge on edge: ";
+  test::verified(strips + "force", "penalty law").within(cross.on_upper(made).z, force, 1e-12);
+  test::verified(strips + "share of the first node", "lever arms")
+      .near(made.contact_force[test::at(made, cross.upper)].z / force, 0.65, 1e-12);
   EXPECT_LT(norm(test::total_force(made)), 1e-15 * force);
-  EXPECT_LT(norm(test::total_moment(made)), 1e-14 * force);
+  test::verified(strips + "sum of moments over the force", "conservation")
+      .below(norm(test::total_moment(made)) / force, 1e-14);
 }
 
 TEST(Edges, NothingHappensWithoutThem) {
@@ -126,12 +134,15 @@ TEST(Edges, ForceStaysTheSameOverNodes) {
   EXPECT_GT(before, 0);
   const double stored = made.contacts[0].energy;
   ASSERT_GT(stored, 0);
+  test::Largest forces("edge slides over nodes of another: force, relative change", "constant distance",
+                       1e-9);
   for (int i = 0; i < 100; ++i) {
     // Over a node at x = 0.5 and exactly on it on the way.
     test::move_to(touching, made, cross.moved(made, {-0.0042, 0, 0}), 1e-3);
-    EXPECT_NEAR(cross.on_upper(made).z, before, 1e-9 * before) << i;
+    forces.compare(cross.on_upper(made).z, before, before, std::to_string(i));
   }
-  EXPECT_NEAR(made.contacts[0].energy, stored, 1e-9 * stored);
+  test::verified("edge slides over nodes of another: energy of the contact over that before", "conservation")
+      .near(made.contacts[0].energy / stored, 1, 1e-9);
   EXPECT_NEAR(made.contacts[0].friction_energy, 0, 1e-15);
 }
 
@@ -211,12 +222,15 @@ TEST(Edges, FrictionSticksAndSlips) {
   const double normal = cross.on_upper(made).z;
   test::move_to(touching, made, cross.moved(made, {1e-3, 2e-3, 0}), 1e-3);
   Vec3 force = cross.friction_on_upper(touching, made);
-  EXPECT_NEAR(force.x, -strip_stiffness() * 1e-3, 1e-9);
-  EXPECT_NEAR(force.y, -strip_stiffness() * 2e-3, 1e-9);
+  test::verified("edges that stick: friction along", "stiffness times way")
+      .near(force.x, -strip_stiffness() * 1e-3, 1e-9);
+  test::verified("edges that stick: friction across", "stiffness times way")
+      .near(force.y, -strip_stiffness() * 2e-3, 1e-9);
   // Far slips at mu N against the movement; turning both as one changes nothing.
   for (int i = 0; i < 20; ++i) test::move_to(touching, made, cross.moved(made, {0, 0.01, 0}), 1e-3);
   force = cross.friction_on_upper(touching, made);
-  EXPECT_NEAR(std::hypot(force.x, force.y), 0.3 * normal, 1e-9 * normal);
+  test::verified("edges that slip: friction over the normal force", "Coulomb")
+      .near(std::hypot(force.x, force.y) / normal, 0.3, 1e-9);
   EXPECT_LT(force.y, -0.29 * normal);
   EXPECT_GT(made.contacts[0].friction_energy, 0);
   EXPECT_LT(norm(test::total_moment(made)), 1e-12);
@@ -276,8 +290,10 @@ double push(const Bodies& bodies) {
   test::move_to(touching, made, x, 1e-3);
   Vec3 sum;
   for (Index i = 12; i < 24; ++i) sum += made.contact_force[test::at(made, i)];
-  EXPECT_NEAR(norm(test::total_force(made)), 0, 1e-12);
-  EXPECT_NEAR(norm(test::total_moment(made)), 0, 1e-11);
+  test::verified("two roofs or sheets pressed together: sum of forces", "conservation")
+      .below(norm(test::total_force(made)), 1e-12);
+  test::verified("two roofs or sheets pressed together: sum of moments", "conservation")
+      .below(norm(test::total_moment(made)), 1e-11);
   return sum.z;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/bodies.hpp"
+#include "support/largest.hpp"
 
 namespace crumple {
 namespace {
@@ -50,8 +51,10 @@ TEST(FlatPatch, PenaltyForceIsExact) {
   const double square = 0.1 * modulus / std::sqrt(2.0);
   const double triangle = 0.1 * modulus * (std::sqrt(3.0) / 2) / std::sqrt(2.0);
   const double expected = std::min(square, triangle) * depth;
-  EXPECT_NEAR(made.contact_force[at(made, scene.tip_node)].z, expected, 1e-13 * expected);
-  EXPECT_NEAR(made.contacts[0].penetration, depth, 1e-15);
+  test::verified("node pressed on a plate: contact force", "SLSFAC K A / diagonal times depth")
+      .within(made.contact_force[at(made, scene.tip_node)].z, expected, 1e-13);
+  test::verified("node pressed on a plate: penetration", "prescribed")
+      .near(made.contacts[0].penetration, depth, 1e-15);
   EXPECT_EQ(made.contacts[0].active_pairs, 1);
   EXPECT_EQ(made.nodes.force[at(made, scene.tip_node)].force[2],
             made.contact_force[at(made, scene.tip_node)].z);
@@ -68,8 +71,10 @@ TEST(FlatPatch, ForceAndMomentBalanceToRoundOff) {
   put(touching, made, scene.tip_node, 0.07);
   const double size = norm(made.contact_force[at(made, scene.tip_node)]);
   ASSERT_GT(size, 0.1);
-  EXPECT_LT(norm(test::total_force(made)), 1e-14 * size);
-  EXPECT_LT(norm(test::total_moment(made)), 1e-14 * size);
+  test::verified("node pressed on a warped plate: sum of forces over the force", "conservation of momentum")
+      .below(norm(test::total_force(made)) / size, 1e-14);
+  test::verified("node pressed on a warped plate: sum of moments over the force", "conservation")
+      .below(norm(test::total_moment(made)) / size, 1e-14);
 }
 
 TEST(FlatPatch, BothSidesPushAway) {
@@ -102,6 +107,8 @@ TEST(FlatPatch, ThicknessFollowsTheRule) {
 // belong to a segment of the other.
 TEST(FlatPatch, NodeAboveAnInnerEdgeGetsOneForce) {
   const double depth = 0.004;
+  test::Largest off("node above faces, an inner edge, a diagonal and a node: force, error",
+                    "stiffness times depth", 1e-12);
   for (const Vec3& foot : {Vec3{0.1, 0.2, 0}, Vec3{0.5, 0.3, 0}, Vec3{0.5, 0.5, 0}, Vec3{0.25, 0.25, 0}}) {
     Bodies bodies(0.02);
     bodies.sheet(2, 2, [](double u, double v) { return Vec3{u, v, 0}; });
@@ -117,7 +124,7 @@ TEST(FlatPatch, NodeAboveAnInnerEdgeGetsOneForce) {
     const int pairs = foot.x == 0.5 && foot.y == 0.5 ? 2 : 1;
     EXPECT_EQ(made.contacts[0].active_pairs, pairs);
     const double stiffness = 0.1 * (1000.0 / 1.5) * 0.5 / std::sqrt(2.0);
-    EXPECT_NEAR(made.contact_force[at(made, tip)].z, pairs * stiffness * depth, 1e-12);
+    off.compare(made.contact_force[at(made, tip)].z, pairs * stiffness * depth);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "contact/bodies.hpp"
+#include "support/drawn.hpp"
+#include "support/largest.hpp"
 
 namespace crumple {
 namespace {
@@ -56,22 +58,40 @@ TEST(Friction, SticksThenSlips) {
   const double slip_starts = limit / Slider::stiffness();
   double work = 0;
   double before = 0;
+  test::Points exact;
+  test::Points found;
+  const std::string dragged = "tip dragged over a sheet, sticking and slipping: ";
+  test::Largest across(dragged + "friction over mu N, error", "Coulomb with an elastic stick", 1e-9);
+  test::Largest normal(dragged + "normal force, change", "constant depth", 1e-9);
   for (int i = 1; i <= 6000; ++i) {
     Slider::shift(touching, made, slider.tip, {pace, 0, 0}, 1e-3);
     const double distance = pace * i;
     const double expected = distance < slip_starts ? Slider::stiffness() * distance : limit;
     const Vec3 force = made.contact_force[at(made, slider.tip)];
-    ASSERT_NEAR(force.x, -expected, 1e-9 * limit) << "distance " << distance;
-    ASSERT_NEAR(force.z, Slider::normal_force(), 1e-9);
+    across.compare(force.x, -expected, limit, "distance " + std::to_string(distance));
+    normal.compare(force.z, Slider::normal_force());
+    if (i <= 120) exact.push_back({distance, expected});
+    if (i <= 120 && i % 5 == 0) found.push_back({distance, -force.x});
     work += 0.5 * (before + expected) * pace;
     before = expected;
   }
-  EXPECT_NEAR(made.contacts[0].friction_energy, work, 1e-9 * work);
+  test::verified(dragged + "energy of friction over the work", "area below the force")
+      .near(made.contacts[0].friction_energy / work, 1, 1e-9);
   EXPECT_LT(norm(test::total_force(made)), 1e-13);
   // Back again: the spring lets go over twice its stretch, then slips the other way.
   const int turn = static_cast<int>(2 * slip_starts / pace) + 2;
-  for (int i = 1; i <= turn; ++i) Slider::shift(touching, made, slider.tip, {-pace, 0, 0}, 1e-3);
-  EXPECT_NEAR(made.contact_force[at(made, slider.tip)].x, limit, 1e-9 * limit);
+  for (int i = 1; i <= turn; ++i) {
+    Slider::shift(touching, made, slider.tip, {-pace, 0, 0}, 1e-3);
+    const double way = pace * i;
+    exact.push_back({120 * pace - way, std::max(limit - Slider::stiffness() * way, -limit)});
+    if (i % 5 == 0) found.push_back({120 * pace - way, -made.contact_force[at(made, slider.tip)].x});
+  }
+  test::verified(dragged + "friction over mu N after the way back", "Coulomb")
+      .near(made.contact_force[at(made, slider.tip)].x / limit, 1, 1e-9);
+  test::drawn("Friction of a tip dragged forth and back", "way", "friction force")
+      .accepted("Coulomb with an elastic stick", exact)
+      .found("contact", found)
+      .note();
 }
 
 // Friction acts at the node and a contact distance below it: the segment bears the couple, sticking or
@@ -83,12 +103,15 @@ TEST(Friction, KeepsTheMomentOfMomentum) {
   contact::Interface touching = slider.bodies.attach(made);
   test::add_forces(touching, made);
   Slider::shift(touching, made, slider.tip, {0, 0, -0.09 - depth}, 1e-3);
+  const std::string dragged = "tip dragged over a bent sheet with friction: ";
+  test::Largest forces(dragged + "sum of all forces", "conservation of momentum", 1e-13);
+  test::Largest moments(dragged + "sum of all moments", "conservation of moment of momentum", 1e-13);
   for (int i = 1; i <= 500; ++i) {
     Slider::shift(touching, made, slider.tip, {2e-4, 1e-3, 0}, 1e-3);
     const Vec3 force = made.contact_force[at(made, slider.tip)];
     ASSERT_GT(std::hypot(force.x, force.y), 1e-3 * force.z);
-    ASSERT_LT(norm(test::total_force(made)), 1e-13);
-    ASSERT_LT(norm(test::total_moment(made)), 1e-13);
+    forces.add(norm(test::total_force(made)));
+    moments.add(norm(test::total_moment(made)));
   }
 }
 
@@ -112,11 +135,13 @@ TEST(Friction, DoesNoWorkInARigidRotation) {
   const double stored = stuck.made.contacts[0].friction_energy;
   ASSERT_GT(stored, 0);
   test::turn(stuck.touching, stuck.made, {0, 1, 0}, 1.5, 2000);
-  EXPECT_NEAR(stuck.made.contacts[0].friction_energy, stored, 1e-5 * stored);
+  test::verified("sticking pair turned by 1.5 rad: energy of friction over that before", "no work")
+      .near(stuck.made.contacts[0].friction_energy / stored, 1, 1e-5);
 }
 
 // mu = FD + (FS - FD) exp(-DC v).
 TEST(Friction, DecaysWithSpeed) {
+  test::Largest off("friction at three speeds: force, error", "mu = FD + (FS - FD) exp(-DC v)", 1e-9);
   for (const double speed : {0.25, 2.5, 10.0}) {
     Slider slider(0.5, 0.1, 0.8);
     domain::Domain made = slider.bodies.build();
@@ -125,7 +150,7 @@ TEST(Friction, DecaysWithSpeed) {
     Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, 1e-3);
     for (int i = 0; i < 100; ++i) Slider::shift(touching, made, slider.tip, {0, 4e-3, 0}, 4e-3 / speed);
     const double mu = 0.1 + 0.4 * std::exp(-0.8 * speed);
-    EXPECT_NEAR(made.contact_force[at(made, slider.tip)].y, -mu * Slider::normal_force(), 1e-9);
+    off.compare(made.contact_force[at(made, slider.tip)].y, -mu * Slider::normal_force());
   }
 }
 
@@ -146,7 +171,8 @@ TEST(Friction, IsLimitedByAStress) {
   for (int i = 0; i < 100; ++i) Slider::shift(touching, made, tip, {0, 4e-3, 0}, 1e-3);
   const Vec3 force = made.contact_force[at(made, tip)];
   EXPECT_GT(0.5 * force.z, 0.15) << "it is the stress that limits";
-  EXPECT_NEAR(force.y, -0.1, 1e-12);
+  test::verified("friction limited by a stress of 0.05 on an area of 2: force", "VC times area")
+      .near(force.y, -0.1, 1e-12);
 }
 
 // SOFT = 1: a stiffness of 1/2 SOFSCL m* / dt^2, unless the material's is larger.
@@ -163,7 +189,10 @@ TEST(Contact, StiffnessByMassAndStep) {
     const double by_mass = 0.5 * 0.1 * 2.0 / 1.25 / (step * step);
     const double limit = 0.35 * 2.0 / 1.25 / (step * step);
     const double expected = std::min(limit, std::max(by_mass, Slider::stiffness()));
-    EXPECT_NEAR(made.contact_force[at(made, slider.tip)].z, expected * depth, 1e-9 * expected);
+    test::verified(
+        std::string("SOFT 1, ") + (step < 1 ? "short step" : "long step") + ": stiffness over exact",
+        "masses and step, or material")
+        .near(made.contact_force[at(made, slider.tip)].z / (expected * depth), 1, 1e-9);
   }
 }
 
@@ -179,7 +208,10 @@ TEST(Contact, StiffnessByMassesOfSegments) {
     Slider::shift(touching, made, slider.tip, {0, 0, -0.1 - depth}, step);
     test::settle(touching, made);
     const double expected = 0.5 * 0.1 * 0.5 * 1.0 / (step * step);
-    EXPECT_NEAR(made.contact_force[at(made, slider.tip)].z, expected * depth, 1e-9 * expected);
+    test::verified(
+        std::string("SOFT 2, ") + (step < 1 ? "short step" : "long step") + ": stiffness over exact",
+        "masses of the segments and step")
+        .near(made.contact_force[at(made, slider.tip)].z / (expected * depth), 1, 1e-9);
     Slider::shift(touching, made, slider.tip, {0, 0, 0}, 0.9 * step);
     EXPECT_NEAR(made.contact_force[at(made, slider.tip)].z, expected * depth, 1e-9 * expected);
   }
@@ -216,9 +248,9 @@ TEST(Friction, RigidRotationIsNoSlip) {
   // 120 degrees about (1, 1, 1): x -> y -> z -> x at the end.
   test::turn(stuck.touching, stuck.made, {1, 1, 1}, 2.0943951023931953, 500);
   const Vec3 end = stuck.force();
-  EXPECT_NEAR(end.y, start.x, 1e-9);
-  EXPECT_NEAR(end.z, start.y, 1e-9);
-  EXPECT_NEAR(end.x, start.z, 1e-9);
+  test::verified("sticking pair turned by 120 degrees: force, difference", "the force at first, turned")
+      .below(std::max({std::fabs(end.y - start.x), std::fabs(end.z - start.y), std::fabs(end.x - start.z)}),
+             1e-9);
 }
 
 // A block of one node thrown along a fixed sheet stops after v^2 / (2 mu N / m).
@@ -244,7 +276,8 @@ TEST(Friction, SlidesToRest) {
   const double travelled = made.nodes.position[tip].x - start;
   const double expected = speed * speed / (2 * force);
   // It ends in a swing on the friction spring, within the stretch at which that gives way.
-  EXPECT_NEAR(travelled, expected, 0.005 * expected + 0.2 * depth);
+  test::verified("mass thrown along a sheet with friction: way to rest", "v^2 / (2 mu N / m)")
+      .near(travelled, expected, 0.005 * expected + 0.2 * depth);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/bodies.hpp"
+#include "support/largest.hpp"
 
 namespace crumple {
 namespace {
@@ -69,14 +70,21 @@ TEST(Sliding, FlatSheetGivesAConstantForce) {
     return t < 0.1 ? Vec3{-0.7, 0.27, thickness + (0.1 - t) / 0.1 * 0.04 - (thickness - gap)}
                    : Vec3{-0.7 + 1.4 * (t - 0.1) / 0.9, 0.27, gap};
   });
+  const std::string tip_slides = "tip slides over a flat sheet: ";
+  test::Largest normal(tip_slides + "normal force, change", "constant", 1e-12);
+  test::Largest across(tip_slides + "tangential force", "none", 1e-12);
   for (std::size_t i = 81; i < forces.size(); ++i) {
-    EXPECT_NEAR(forces[i].z, forces[81].z, 1e-12);
-    EXPECT_NEAR(forces[i].x, 0, 1e-12);
+    normal.compare(forces[i].z, forces[81].z);
+    across.add(std::fabs(forces[i].x));
   }
   EXPECT_GT(forces[81].z, 0.1);
 }
 
 TEST(Sliding, ConvexRidgeTurnsTheForceWithoutAJump) {
+  const std::string ridges = "tip slides over ridges of 17 to 150 degrees: ";
+  test::Largest sizes(ridges + "size of the force, relative change", "constant distance", 1e-9);
+  test::Largest jumps(ridges + "largest turn of the force in a step over that of the way, off 1", "no jump",
+                      0.01);
   for (const double angle : {0.3, 1.0, 2.0, 150.0 / 180 * std::numbers::pi}) {
     Bodies bodies = ridge(angle);
     const Index tip = add_tip(bodies, {-0.4, 0.27, 2 * thickness}, {0, 0, 0.5});
@@ -97,9 +105,10 @@ TEST(Sliding, ConvexRidgeTurnsTheForceWithoutAJump) {
     const double size = norm(forces[first]);
     EXPECT_GT(size, 0.1);
     for (std::size_t i = first; i < forces.size(); ++i)
-      ASSERT_NEAR(norm(forces[i]), size, 1e-9 * size) << "angle " << angle << " step " << i;
+      sizes.compare(norm(forces[i]), size, size,
+                    "angle " + std::to_string(angle) + " step " + std::to_string(i));
     // The direction turns by no more than the arc of one step.
-    EXPECT_LT(largest_jump(forces, first), 1.01 * size * angle / (0.2 * steps));
+    jumps.compare(largest_jump(forces, first) / (size * angle / (0.2 * steps)), 1);
   }
 }
 
@@ -116,12 +125,15 @@ TEST(Sliding, ShallowConcaveRidgeKeepsTheSizeOfTheForce) {
   const double size = norm(forces[201]);
   EXPECT_GT(size, 0.1);
   int turns = 0;
+  test::Largest sizes("tip slides through a hollow of 20 degrees: size of the force, relative change",
+                      "constant distance", 1e-9);
   for (std::size_t i = 202; i < forces.size(); ++i) {
-    EXPECT_NEAR(norm(forces[i]), size, 1e-9 * size);
+    sizes.compare(norm(forces[i]), size, size);
     if (norm(forces[i] - forces[i - 1]) > 1e-9) ++turns;
   }
   EXPECT_EQ(turns, 1);
-  EXPECT_NEAR(largest_jump(forces, 201), size * 2 * std::sin(0.5 * angle), 1e-6 * size);
+  test::verified("tip slides through a hollow of 20 degrees: jump over the force", "2 sin(angle / 2)")
+      .near(largest_jump(forces, 201) / size, 2 * std::sin(0.5 * angle), 1e-6);
 }
 
 // Two walls at a right angle push apart from each other: the second force grows from nothing.
@@ -133,7 +145,8 @@ TEST(Sliding, CornerOfTwoWallsPushesBothWays) {
     return t < 0.1 ? Vec3{-0.4, 0.27, gap + (0.1 - t) * 0.2} : Vec3{-0.4 + (t - 0.1) * 0.4, 0.27, gap};
   });
   const Vec3 end = forces.back();
-  EXPECT_NEAR(end.x, -end.z, 1e-9 * std::fabs(end.z));
+  test::verified("tip in a corner of two walls: force across over the one down", "equal")
+      .near(end.x / end.z, -1, 1e-9);
   EXPECT_NEAR(end.z, forces[201].z, 1e-12);
   const double stiffness = end.z / (thickness - gap);
   EXPECT_LT(largest_jump(forces, 201), 1.01 * stiffness * 0.4 / steps);
@@ -151,10 +164,14 @@ TEST(Sliding, FreeEdgeIsRound) {
   });
   const double size = norm(forces[201]);
   EXPECT_GT(size, 0.1);
-  for (std::size_t i = 201; i < forces.size(); ++i) EXPECT_NEAR(norm(forces[i]), size, 1e-9 * size);
+  test::Largest sizes("tip slides round a free edge: size of the force, relative change", "constant distance",
+                      1e-9);
+  for (std::size_t i = 201; i < forces.size(); ++i) sizes.compare(norm(forces[i]), size, size);
   const double last = 0.6 * std::numbers::pi;
-  EXPECT_NEAR(forces.back().x, size * std::sin(last), 1e-6 * size);
-  EXPECT_NEAR(forces.back().z, size * std::cos(last), 1e-6 * size);
+  const std::string round = "tip slides round a free edge by 108 degrees: ";
+  test::verified(round + "force along the sheet", "sine").near(forces.back().x / size, std::sin(last), 1e-6);
+  test::verified(round + "force across the sheet", "cosine")
+      .near(forces.back().z / size, std::cos(last), 1e-6);
 }
 
 // Going round a free edge to the other side is no crossing: the node is pushed off the side it has come to.
@@ -172,7 +189,9 @@ TEST(Sliding, RoundAFreeEdgeToTheOtherSide) {
     return Vec3{-(t - 0.8), 0.27, -gap};
   });
   const double size = norm(forces[201]);
-  for (std::size_t i = 201; i < forces.size(); ++i) EXPECT_NEAR(norm(forces[i]), size, 1e-9 * size);
+  test::Largest sizes("tip goes round a free edge to the other side: size of the force, relative change",
+                      "constant distance", 1e-9);
+  for (std::size_t i = 201; i < forces.size(); ++i) sizes.compare(norm(forces[i]), size, size);
   EXPECT_NEAR(forces.back().z, -size, 1e-9 * size);
 }
 

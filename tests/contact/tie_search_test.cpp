@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "contact/nearest_segment.hpp"
 #include "domain/build.hpp"
+#include "support/largest.hpp"
 #include "support/ties.hpp"
 
 namespace crumple::contact {
@@ -51,12 +52,14 @@ TEST(TieSearch, NearestAgreesWithBruteForce) {
   std::vector<Index> all;
   for (Index s = 0; s < surface.segments(); ++s) all.push_back(s);
   const NearestSegment tree(surface, x, all);
+  test::Largest off("nearest segment of a bent surface: squared distance, error",
+                    "brute force over all segments", 1e-12);
   for (Index i = first; i < model.nodes.count(); ++i) {
     const Index node = domain.nodes.domain_node[i];
     double least = 1e30;
     for (const Index s : all)
       least = std::min(least, nearest_point(shape_of(surface, x, s), x[node]).distance_squared);
-    EXPECT_NEAR(tree.find(node, {}, false).nearest.distance_squared, least, 1e-12);
+    off.compare(tree.find(node, {}, false).nearest.distance_squared, least);
   }
 }
 
@@ -67,12 +70,13 @@ TEST(TieSearch, ConstraintPutsNodesOntoTheSegment) {
   ASSERT_EQ(tie.nodes.size(), 16U);
   EXPECT_EQ(tie.segments, 16);
   EXPECT_NEAR(tie.largest_move, 0.15, 1e-15);
+  test::Largest weights("tied nodes: sum of the weights less 1", "partition of unity", 1e-15);
   for (const domain::TiedNode& tied : tie.nodes) {
     EXPECT_NEAR(domain.nodes.position[tied.node].z, 0, 1e-15);
     EXPECT_EQ(domain.nodes.reference[tied.node].z, domain.nodes.position[tied.node].z);
     double sum = 0;
     for (const double weight : tied.weight) sum += weight;
-    EXPECT_NEAR(sum, 1, 1e-15);
+    weights.compare(sum, 1);
   }
 }
 
@@ -126,7 +130,7 @@ TEST(TieSearch, NodesAtARimAreTiedToTheFaceAcross) {
     for (const Index corner : tied.corner) EXPECT_NEAR(domain.nodes.position[corner].x, 10, 1e-12);
     area += tied.area;
   }
-  EXPECT_NEAR(area, 16, 1e-12);
+  test::verified("tied face of a block: sum of the nodes' areas", "geometry").near(area, 16, 1e-12);
 }
 
 /// Three plates, the third tied to the second before the second is to the first: all come to lie on the

@@ -8,6 +8,7 @@
 #include "domain/build.hpp"
 #include "loads/nodal_loads.hpp"
 #include "support/meshes.hpp"
+#include "support/verified.hpp"
 
 namespace crumple {
 namespace {
@@ -71,11 +72,13 @@ TEST(PressureLoads, InsideAClosedSurfaceDoTheWorkOfItsVolume) {
   EXPECT_NEAR(volume, 1, 0.1);
   domain.nodes.velocity = domain.nodes.position;
   loads.add_forces(domain);
-  EXPECT_LT(norm(sum_of_forces(domain)), 1e-13);
+  test::verified("pressure in a closed warped box: resultant", "none")
+      .below(norm(sum_of_forces(domain)), 1e-13);
   domain.clock.step = 0.5;
   loads.add_forces(domain);
   // Half a step each of the forces before and after, which are the same.
-  EXPECT_NEAR(domain.energy.external_work, 0.5 * 3 * 3 * volume, 1e-12);
+  test::verified("pressure in a closed warped box: work", "pressure times growth of the volume")
+      .near(domain.energy.external_work, 0.5 * 3 * 3 * volume, 1e-12);
 }
 
 TEST(PressureLoads, PushATriangleAgainstItsNormalWhenTheyHaveArrived) {
@@ -93,7 +96,8 @@ TEST(PressureLoads, PushATriangleAgainstItsNormalWhenTheyHaveArrived) {
   EXPECT_EQ(norm(sum_of_forces(domain)), 0);
   domain.clock.time = 1;  // half a unit after arrival: the factor is 2
   loads.add_forces(domain);
-  EXPECT_NEAR(sum_of_forces(domain).z, -2 * 2 * 3, 1e-14);
+  test::verified("pressure on a triangle after its arrival: resultant", "pressure times area")
+      .near(sum_of_forces(domain).z, -2 * 2 * 3, 1e-14);
   for (const Index node : {0, 1, 3})
     EXPECT_NEAR(domain.nodes.force[domain.nodes.domain_node[node]].force[2], -4, 1e-14);
   EXPECT_EQ(domain.nodes.force[domain.nodes.domain_node[2]].force[2], 0);
@@ -134,7 +138,8 @@ TEST(NodalLoads, DoTheWorkOfForcesAndMoments) {
   loads.add_forces(domain);
   EXPECT_NEAR(domain.energy.external_work, 0.5 * 0.1 * (8 + 19), 1e-14);  // the force was zero before
   loads.add_forces(domain);
-  EXPECT_NEAR(domain.energy.external_work, 1.5 * 0.1 * (8 + 19), 1e-14);
+  test::verified("force and moment on a moving node: work", "power times time, trapezoid")
+      .near(domain.energy.external_work, 1.5 * 0.1 * (8 + 19), 1e-14);
   EXPECT_EQ(domain.nodes.force[node].moment[1], 10);
 }
 
