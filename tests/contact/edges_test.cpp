@@ -135,14 +135,14 @@ TEST(Edges, ForceStaysTheSameOverNodes) {
   const double stored = made.contacts[0].energy;
   ASSERT_GT(stored, 0);
   test::Largest forces("edge slides over nodes of another: force, relative change", "constant distance",
-                       1e-9);
+                       1e-12);
   for (int i = 0; i < 100; ++i) {
     // Over a node at x = 0.5 and exactly on it on the way.
     test::move_to(touching, made, cross.moved(made, {-0.0042, 0, 0}), 1e-3);
     forces.compare(cross.on_upper(made).z, before, before, std::to_string(i));
   }
   test::verified("edge slides over nodes of another: energy of the contact over that before", "conservation")
-      .near(made.contacts[0].energy / stored, 1, 1e-9);
+      .near(made.contacts[0].energy / stored, 1, 1e-12);
   EXPECT_NEAR(made.contacts[0].friction_energy, 0, 1e-15);
 }
 
@@ -223,14 +223,14 @@ TEST(Edges, FrictionSticksAndSlips) {
   test::move_to(touching, made, cross.moved(made, {1e-3, 2e-3, 0}), 1e-3);
   Vec3 force = cross.friction_on_upper(touching, made);
   test::verified("edges that stick: friction along", "stiffness times way")
-      .near(force.x, -strip_stiffness() * 1e-3, 1e-9);
+      .near(force.x, -strip_stiffness() * 1e-3, 1e-12);
   test::verified("edges that stick: friction across", "stiffness times way")
-      .near(force.y, -strip_stiffness() * 2e-3, 1e-9);
+      .near(force.y, -strip_stiffness() * 2e-3, 1e-12);
   // Far slips at mu N against the movement; turning both as one changes nothing.
   for (int i = 0; i < 20; ++i) test::move_to(touching, made, cross.moved(made, {0, 0.01, 0}), 1e-3);
   force = cross.friction_on_upper(touching, made);
   test::verified("edges that slip: friction over the normal force", "Coulomb")
-      .near(std::hypot(force.x, force.y) / normal, 0.3, 1e-9);
+      .near(std::hypot(force.x, force.y) / normal, 0.3, 1e-12);
   EXPECT_LT(force.y, -0.29 * normal);
   EXPECT_GT(made.contacts[0].friction_energy, 0);
   EXPECT_LT(norm(test::total_moment(made)), 1e-12);

@@ -28,7 +28,7 @@ TEST(Penalty, ForceIsContinuousAndItsSlopeIsLimited) {
     EXPECT_GE(slope, last_slope - 1e-3);
     last_slope = slope;
   }
-  test::verified("penalty: slope deep inside", "the limit").near(last_slope, 600, 1e-3);
+  test::verified("penalty: slope deep inside", "the limit").near(last_slope, 600, 1e-5);
   law.limit = 1e9;  // unlimited: ten times the stiffness from the mid-surface on
   EXPECT_NEAR((law.force(0.3) - law.force(0.25)) / 0.05, 1000, 1e-6);
   // 100 * 0.2 and the integral of the growing slope, 900 over 0.1: 1/2 * 900 * 0.1.
@@ -64,11 +64,11 @@ TEST(Energy, CollisionKeepsMomentumAndEnergy) {
   test::verified(plates + "moment of momentum, largest change", conserved).below(found.spin, 1e-11);
   EXPECT_GT(found.stored, 0.3 * found.start.kinetic);
   test::verified(plates + "imbalance over the kinetic energy at first", conserved)
-      .below(found.imbalance / found.start.kinetic, 1e-3);
+      .below(found.imbalance / found.start.kinetic, 1e-12);
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
   // All that was stored has come back.
   test::verified(plates + "energy left in the contact over the kinetic one", "none")
-      .below(std::fabs(made.contacts[0].energy) / found.start.kinetic, 1e-3);
+      .below(std::fabs(made.contacts[0].energy) / found.start.kinetic, 1e-5);
   EXPECT_EQ(made.contacts[0].friction_energy, 0);
 }
 
@@ -84,7 +84,7 @@ TEST(Energy, FrictionAndDampingTakeEnergyOut) {
   const double step = 1e-3;
   const Balance start = balance(made, step);
   const std::string plates = "two plates with friction and damping collide: ";
-  test::Largest energies(plates + "imbalance over the kinetic energy at first", "conservation", 1e-3);
+  test::Largest energies(plates + "imbalance over the kinetic energy at first", "conservation", 1e-12);
   test::Largest momenta(plates + "momentum, largest change", "conservation", 1e-12);
   for (int i = 0; i < 3000; ++i) {
     test::integrate(touching, made, step);

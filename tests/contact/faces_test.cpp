@@ -97,7 +97,7 @@ TEST(Faces, MayHaveAThicknessAndAStiffnessOfTheirOwn) {
   blocks.move({0, 0, 0});
   const double stiffness = std::min(surface.stiffness[0], surface.stiffness[6]);
   test::verified("face with SLDTHK and SLDSTF: force over exact", "stiffness times depth")
-      .near(blocks.force().z / (stiffness * 0.01), 1, 1e-3);
+      .near(blocks.force().z / (stiffness * 0.01), 1, 1e-9);
 }
 
 TEST(Faces, PushOutWhatWentThrough) {
@@ -111,7 +111,7 @@ TEST(Faces, PushOutWhatWentThrough) {
   const contact::Surface& surface = blocks.touching().surface();
   const double stiffness = std::min(surface.stiffness[0], surface.stiffness[6]);
   test::verified("block pressed into a block: force over exact", "stiffness times depth")
-      .near(blocks.force().z / (stiffness * depth), 1, 1e-3);
+      .near(blocks.force().z / (stiffness * depth), 1, 1e-9);
   test::verified("block pressed into a block: sum of forces", "conservation of momentum")
       .below(norm(test::total_force(blocks.domain())), 1e-12);
   test::verified("block pressed into a block: sum of moments", "conservation")

@@ -113,7 +113,7 @@ TEST(Folds, NodeInASharpFoldTouchesBothWalls) {
   ASSERT_GT(depth, 0.05);
   EXPECT_GT(dot(force, along), 0.0);
   test::verified("node in a fold: force off the bisector over the force", "two equal forces")
-      .below(norm(force - dot(force, along) * along) / norm(force), 1e-10);
+      .below(norm(force - dot(force, along) * along) / norm(force), 1e-12);
   int pairs_of_tip = 0;
   for (const contact::Penetration& pair : touching.penetrations())
     if (pair.node == strip.bodies.model.nodes.id[tip]) {
@@ -152,7 +152,7 @@ TEST(Folds, TJunction) {
   const double size = made.contact_force[at(made, tip)].z;
   EXPECT_GT(size, 0.0);
   test::Largest off("node slides over the edge where three sheets meet: force, relative change", "flat plate",
-                    1e-9);
+                    1e-11);
   for (double s = -0.8; s < 0.8; s += 0.01) {
     const Vec3 force = go({s, 0.6, 0.09});
     off.compare(force.z, size, size, std::to_string(s));

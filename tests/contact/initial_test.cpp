@@ -61,7 +61,7 @@ TEST(InitialPenetration, ClosingFurtherPushesAndOpeningRecovers) {
     return made.contact_force[at(made, scene.tip)].z;
   };
   test::Largest forces("tip that overlaps at the start, pressed and let go: force, error",
-                       "stiffness times depth beyond the overlap", 1e-10);
+                       "stiffness times depth beyond the overlap", 1e-12);
   scene.lift(touching, made, {0, 0, -0.01});
   forces.compare(force(), stiffness * 0.01);
   // Also after sliding on to the next segment.

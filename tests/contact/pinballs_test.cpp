@@ -108,7 +108,7 @@ void expect_conserved(const std::string& bodies, const test::Impact& found, doub
   test::verified(bodies + "momentum, largest change", conserved).below(found.momentum, 1e-12);
   test::verified(bodies + "moment of momentum, largest change", conserved).below(found.spin, 1e-11);
   test::verified(bodies + "imbalance over the kinetic energy at first", conserved)
-      .below(found.imbalance / found.start.kinetic, 1e-2);
+      .below(found.imbalance / found.start.kinetic, 1e-12);
   EXPECT_GT(found.stored, least_stored * found.start.kinetic);
 }
 
@@ -159,7 +159,7 @@ TEST(Pinballs, FrictionTakesEnergyOutAndSlowsBothAlike) {
   const double lost = made.contacts[0].friction_energy + made.contacts[0].energy;
   test::verified("pinballs, two plates with friction: kinetic and lost energy over that at first",
                  "conservation")
-      .near((test::balance(made, 1e-3).kinetic + lost) / found.start.kinetic, 1, 1e-2);
+      .near((test::balance(made, 1e-3).kinetic + lost) / found.start.kinetic, 1, 1e-12);
 }
 
 // A contact that sticks does no work where both turn together.
@@ -183,7 +183,7 @@ TEST(Pinballs, FrictionTurnsWithTheBodies) {
   }
   test::verified("pinballs, sticking plates turned by 1 rad: size of a force, change over the largest",
                  "no work")
-      .below(change / largest, 1e-3);
+      .below(change / largest, 1e-11);
 }
 
 // The balls of next neighbours in a thick sheet overlap; that is none of the contacts that begin later, and
@@ -256,7 +256,8 @@ TEST(Pinballs, FacesOfSolidsTouchWhereTheyAre) {
   EXPECT_GT(force_at(0.3 * radius), 0);
 }
 
-// Of solids the potential leaves out that the balls move with the normal: some energy is lost or made.
+// Of solids the force is not the slope of a potential, as the balls move with the normal: some energy is lost
+// or made. What is booked is the work done, so that the balance alone would not show it.
 TEST(Pinballs, CollisionOfSolidsKeepsMomentum) {
   for (const double thickness : {0.0, 0.2, 1.2}) {
     const Bodies bodies = two_cubes(thickness + 0.05, thickness);
@@ -266,8 +267,11 @@ TEST(Pinballs, CollisionOfSolidsKeepsMomentum) {
     touching.verify_search_every(20);
     test::add_forces(touching, made);
     const test::Impact found = test::impact(touching, made, 2e-3, 1500);
-    expect_conserved(
-        "pinballs, cubes with faces " + std::to_string(thickness).substr(0, 3) + " thick: ", found, 0.1);
+    const std::string cubes =
+        "pinballs, cubes with faces " + std::to_string(thickness).substr(0, 3) + " thick: ";
+    expect_conserved(cubes, found, 0.1);
+    test::verified(cubes + "energy lost or made, over the kinetic one", "none, were there a potential")
+        .below(std::fabs(made.contacts[0].energy) / found.start.kinetic, 0.08);
   }
 }
 

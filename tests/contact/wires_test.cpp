@@ -20,8 +20,8 @@ TEST(Wires, CrossedWiresBounceElastically) {
   const std::string crossed = "two crossed wires bounce, three offsets: ";
   test::Largest momenta(crossed + "momentum, change", "conservation", 1e-12);
   test::Largest spins(crossed + "moment of momentum, change", "conservation", 1e-12);
-  test::Largest energies(crossed + "imbalance over the kinetic energy at first", "conservation", 1e-3);
-  test::Largest left(crossed + "energy left in the contact over the most stored", "none", 1e-3);
+  test::Largest energies(crossed + "imbalance over the kinetic energy at first", "conservation", 1e-12);
+  test::Largest left(crossed + "energy left in the contact over the most stored", "none", 1e-5);
   for (const double aside : {0.0, 0.13, 0.5}) {
     Bodies bodies;
     bodies.add_wires(0.05);

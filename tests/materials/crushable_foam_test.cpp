@@ -132,7 +132,7 @@ TEST_P(Foam, CrushTurnsWithTheBody) {
   test::verified(turning + "stress after 2000 steps, error [MPa]", "crushed at rest, turned")
       .below(error[1], 5e-4);
   test::verified(turning + "error of 1000 steps over that of 2000", "first order")
-      .near(error[0] / error[1], 2, 0.2);
+      .near(error[0] / error[1], 2, 0.02);
 }
 
 TEST_P(Foam, FloatAgreesWithDouble) {

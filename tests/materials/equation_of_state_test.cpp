@@ -106,7 +106,7 @@ TEST(LinearPolynomial, DropsItsSquaresInTension) {
 TEST(EquationOfState, SlopesAreThoseOfTheCurves) {
   const model::LinearPolynomial law{{0.1, 80, 120, 200, 1.5, 0.7, 0.3}};
   test::Largest off("both equations of state, -30 % to 40 %: slope of the cold pressure, relative error",
-                    "central differences", 1e-7);
+                    "central differences", 2e-8);
   const auto check = [&](const std::function<EosPoint<double>(double)>& at, double mu) {
     constexpr double h = 1e-5;
     off.compare((at(mu + h).cold - at(mu - h).cold) / (2 * h), at(mu).cold_slope, at(mu).cold_slope);
@@ -127,8 +127,8 @@ INSTANTIATE_TEST_SUITE_P(All, Eos, ::testing::ValuesIn(available_isas()),
 TEST_P(Eos, GasFollowsItsIsentropeWithSecondOrder) {
   const std::string moved = "gamma-law gas, compressed to 0.4 and expanded to 2: ";
   test::Largest off(moved + "pressure after 400 steps, relative error", "isentrope p V^1.4", 1e-5);
-  test::Largest orders(moved + "error of 200 steps over that of 400, off 4", "second order", 0.1);
-  test::Largest speeds(moved + "wave speed, error [mm/microsecond]", "c^2 = 1.4 p / rho", 1e-10);
+  test::Largest orders(moved + "error of 200 steps over that of 400, off 4", "second order", 0.001);
+  test::Largest speeds(moved + "wave speed, error [mm/microsecond]", "c^2 = 1.4 p / rho", 1e-13);
   test::Largest works(moved + "work against internal energy, difference [GPa]", "first law", 1e-6);
   for (const double start : {1.0, 0.8})
     for (const double end : {0.4, 2.0}) {
@@ -247,7 +247,7 @@ TEST_P(Eos, JohnsonCookKeepsItsDeviator) {
   test::verified("Johnson-Cook with Gruneisen: pressure at its energy and volume [GPa]", "equation of state")
       .near(point.pressure(), at.cold + at.thermal * energy, 1e-12);
   test::verified("Johnson-Cook with Gruneisen: work over internal energy", "first law")
-      .near(point.work() / energy, 1, 1e-5);
+      .near(point.work() / energy, 1, 2e-7);
   EXPECT_GT(point.item("plastic_strain"), 0.1);
 }
 
@@ -256,10 +256,14 @@ TEST_P(Eos, PressureCutOffIsKept) {
   MotionDriver<double> water(fluid(-0.5), GetParam(), &law);
   water.move_in_steps(volumetric(1.02), 50);
   EXPECT_EQ(water.pressure(), -0.5);
-  // Back to the volume at rest: the energy spent in tension stays, and it has some pressure.
+  const double spent = water.item("internal_energy");
+  EXPECT_GT(spent, 1e-3);
+  // The pressure is a function of the state with the cut-off too: the way back gives the energy back.
   water.move_in_steps(volumetric(1.0), 50);
-  test::verified("cut-off in tension and back to the volume at rest: pressure [GPa]", "Gruneisen, gamma E")
-      .near(water.pressure(), 2.02 * water.item("internal_energy"), 1e-9);
+  test::verified("cut-off in tension and back to the volume at rest: energy left over that spent",
+                 "reversible")
+      .below(std::fabs(water.item("internal_energy")) / spent, 1e-12);
+  EXPECT_NEAR(water.pressure(), 2.02 * water.item("internal_energy"), 1e-15);
   for (const auto spall : {model::JohnsonCook::Spall::None, model::JohnsonCook::Spall::Stress,
                            model::JohnsonCook::Spall::Pressure}) {
     auto metal = test::ofhc_copper();

@@ -104,7 +104,7 @@ TEST_P(Rubber, StressIsTheDerivativeOfTheEnergyWhateverThePath) {
   std::mt19937 generator(7);
   for (const Case& c : cases()) {
     const std::string law = std::string(c.name) + ", random motions: ";
-    test::Largest off(law + "stress over the stiffness, error", "derivative of the strain energy", 1e-8);
+    test::Largest off(law + "stress over the stiffness, error", "derivative of the strain energy", 1e-9);
     test::Largest paths(law + "stress after a detour over the stiffness, change", "straight path", 1e-12);
     for (int i = 0; i < 10; ++i) {
       const Matrix end = random_gradient(generator, 0.2);
@@ -166,7 +166,7 @@ double incompressible(double stretch) {
 }
 TEST_P(Rubber, MooneyRivlinBarFollowsTheClosedForm) {
   const std::string bar = "Mooney-Rivlin bar, stretched to 0.6, 1.3 and 2.5: ";
-  test::Largest off(bar + "stress, relative error", "Rivlin 1948", 1e-8);
+  test::Largest off(bar + "stress, relative error", "Rivlin 1948", 1e-11);
   test::Largest limits(bar + "stress, relative difference", "Rivlin 1948, incompressible", 0.01);
   for (const double stretch : {0.6, 1.3, 2.5}) {
     const Bar found = stretched_bar(stretch, 0.4995, GetParam());
@@ -184,7 +184,7 @@ TEST(RubberBar, StressOverStretchIsDrawn) {
   for (int i = 0; i <= 25; ++i) {
     const double stretch = 0.5 + 0.1 * i;
     exact.push_back({stretch, incompressible(stretch)});
-    found.push_back({stretch, i == 5 ? 0 : stretched_bar(stretch, 0.4995, Isa::Scalar).stress});
+    found.push_back({stretch, stretched_bar(stretch, 0.4995, Isa::Scalar).stress});
     off.compare(found.back()[1], exact.back()[1], incompressible(3));
   }
   test::drawn("Rubber bar, A = 0.55 MPa, B = 0.14 MPa", "stretch", "true stress [MPa]")
@@ -200,7 +200,7 @@ TEST_P(Rubber, WorkIsTheEnergy) {
   for (const Case& c : cases()) {
     const std::string work = std::string(c.name) + ", two motions: ";
     test::Largest off(work + "work of 400 steps, relative error", "strain energy", 1e-4);
-    test::Largest orders(work + "error of 200 steps over that of 400, off 4", "second order", 0.2);
+    test::Largest orders(work + "error of 200 steps over that of 400, off 4", "second order", 0.001);
     for (const Matrix& end : {straight, sheared}) {
       double error[2];
       for (const int fine : {0, 1}) {

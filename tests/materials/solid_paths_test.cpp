@@ -41,9 +41,9 @@ TEST_P(Solid, ElasticStressesGiveBackTheirStrains) {
 /// Proportional paths are exact however long the step: 2 % strain in one step or in 7.
 TEST_P(Solid, UniaxialTensionFollowsTheBilinearCurve) {
   const std::string tension = "solid, uniaxial tension to 2 %, three kinds of hardening: ";
-  test::Largest stresses(tension + "stress, relative error", "bilinear curve", 1e-9);
-  test::Largest across(tension + "lateral stress over the axial one", "uniaxial stress", 1e-9);
-  test::Largest strains(tension + "plastic strain, error", "bilinear curve", 1e-11);
+  test::Largest stresses(tension + "stress, relative error", "bilinear curve", 1e-12);
+  test::Largest across(tension + "lateral stress over the axial one", "uniaxial stress", 1e-12);
+  test::Largest strains(tension + "plastic strain, error", "bilinear curve", 1e-14);
   for (const double beta : {0.0, 0.4, 1.0})
     for (const int steps : {1, 7}) {
       SolidDriver<double> point(plastic_kinematic(tangent, beta), GetParam());
@@ -61,7 +61,7 @@ TEST_P(Solid, UniaxialTensionFollowsTheBilinearCurve) {
 /// Along each axis: q = 2 G e - 3 G p = sigma_0 + H p, and the pressure is elastic.
 TEST_P(Solid, UniaxialStrainIsExact) {
   const std::string squeezed = "solid, uniaxial strain of 2 % both ways, three kinds of hardening: ";
-  test::Largest stresses(squeezed + "stresses [MPa], error", "closed form", 1e-9);
+  test::Largest stresses(squeezed + "stresses [MPa], error", "closed form", 1e-10);
   test::Largest strains(squeezed + "plastic strain, error", "closed form", 1e-14);
   for (const double beta : {0.0, 0.4, 1.0})
     for (const int steps : {1, 7})
@@ -83,8 +83,8 @@ TEST_P(Solid, UniaxialStrainIsExact) {
 
 TEST_P(Solid, EachPureShearIsExact) {
   const std::string sheared = "solid, each pure shear to 2 %, three kinds of hardening: ";
-  test::Largest stresses(sheared + "stress, relative error", "bilinear curve", 1e-11);
-  test::Largest strains(sheared + "plastic strain, error", "bilinear curve", 1e-12);
+  test::Largest stresses(sheared + "stress, relative error", "bilinear curve", 1e-13);
+  test::Largest strains(sheared + "plastic strain, error", "bilinear curve", 1e-14);
   for (const double beta : {0.0, 0.4, 1.0})
     for (int shear = 3; shear < solid_components; ++shear)
       for (const int steps : {1, 7}) {
@@ -105,9 +105,9 @@ TEST_P(Solid, EachPureShearIsExact) {
 TEST_P(Solid, ReversedLoadingYieldsWhereTheHardeningSays) {
   const std::string reversed = "solid, tension to 1 % and back, three kinds of hardening: ";
   test::Largest ends(reversed + "stress before the reversed yield, relative error", "Bauschinger effect",
-                     1e-9);
+                     1e-12);
   test::Largest flows(reversed + "stress beyond the reversed yield, relative error", "Bauschinger effect",
-                      1e-8);
+                      1e-12);
   for (const double beta : {0.0, 0.5, 1.0}) {
     SolidDriver<double> point(plastic_kinematic(tangent, beta), GetParam());
     for (int i = 0; i < 10; ++i) point.apply_uniaxial(0.001);
@@ -129,9 +129,9 @@ TEST_P(Solid, KinematicLoopsAreStable) {
   for (int i = 0; i < 10; ++i) point.apply_uniaxial(0.0005);
   const double peak = point.stress()[0];
   test::Largest peaks("solid, twenty loops with kinematic hardening: peak stress, relative change",
-                      "stable loop", 1e-8);
+                      "stable loop", 1e-12);
   test::Largest widths("solid, twenty loops with kinematic hardening: width of the loop, error",
-                       "bilinear curve", 1e-10);
+                       "bilinear curve", 1e-13);
   for (int cycle = 0; cycle < 20; ++cycle) {
     const double before = point.item("plastic_strain");
     for (int i = 0; i < 20; ++i) point.apply_uniaxial(-0.0005);
@@ -158,7 +158,7 @@ void expect_no_flow_under_pressure(const model::Material& material, Isa isa) {
                        (sizeof(Real) == 4 ? "single" : "double") +
                        " precision: stress over K times volume strain",
                    "elastic, no flow")
-        .near(s[0] / (3 * bulk_modulus * 5 * sign), 1, 1e-6);
+        .near(s[0] / (3 * bulk_modulus * 5 * sign), 1, sizeof(Real) == 4 ? 1e-6 : 1e-12);
     EXPECT_EQ(s[0], s[1]);
     EXPECT_EQ(s[0], s[2]);
     EXPECT_EQ(equivalent({s[3], s[4], s[5], 0, 0, 0}), 0);
@@ -212,7 +212,7 @@ TEST_P(Solid, TabulatedHardeningIsExactAcrossKinks) {
   };
   const std::string kinks = "solid, hardening table with kinks, steps from 0.0004 to 0.3: ";
   test::Largest sums(kinks + "elastic and plastic strain less the total", "additive strains", 1e-12);
-  test::Largest stresses(kinks + "stress over 250 MPa, error", "table", 1e-11);
+  test::Largest stresses(kinks + "stress over 250 MPa, error", "table", 1e-13);
   for (const double increment : {0.0004, 0.003, 0.02, 0.3}) {
     SolidDriver<double> point(tabulated(strain, stress), GetParam());
     double total = 0;
@@ -229,8 +229,8 @@ TEST_P(Solid, TabulatedHardeningIsExactAcrossKinks) {
 
 /// k (e_y + p)^n under uniaxial tension, at the plastic strain that the axial strain leaves.
 TEST_P(Solid, PowerLawIsExactInTension) {
-  test::Largest stresses("solid, power law in tension to 5 %: stress, relative error", "closed form", 1e-9);
-  test::Largest strains("solid, power law in tension to 5 %: plastic strain, error", "closed form", 1e-11);
+  test::Largest stresses("solid, power law in tension to 5 %: stress, relative error", "closed form", 1e-12);
+  test::Largest strains("solid, power law in tension to 5 %: plastic strain, error", "closed form", 1e-14);
   for (const int steps : {1, 9}) {
     SolidDriver<double> point(power_law(), GetParam());
     const double strain = 0.05;

@@ -75,7 +75,7 @@ Six strain_of_step(int i) {
 TEST(SolidRotation, ATurnedObserverSeesTheTurnedStress) {
   const Matrix turn = turn_about(tilted_axis, 1.1);
   test::Largest off("all laws of solids, seen by a turned observer: stress, relative error", "invariance",
-                    1e-10);
+                    1e-12);
   for (const model::Material& material : materials()) {
     SolidDriver<double> one(material, available_isas().back());
     SolidDriver<double> other(material, available_isas().back());
@@ -95,8 +95,8 @@ TEST(SolidRotation, ATurnedObserverSeesTheTurnedStress) {
 /// turned along.
 TEST(SolidRotation, ATurningBodyCarriesItsStressAlong) {
   const std::string turned = "all laws of solids, turning while strained: ";
-  test::Largest off(turned + "stress, relative error", "strained at rest, then turned", 1e-10);
-  test::Largest energies(turned + "energy, relative error", "strained at rest", 1e-10);
+  test::Largest off(turned + "stress, relative error", "strained at rest, then turned", 1e-12);
+  test::Largest energies(turned + "energy, relative error", "strained at rest", 1e-12);
   for (const model::Material& material : materials())
     for (const Isa isa : available_isas()) {
       SolidDriver<double> rest(material, isa);
