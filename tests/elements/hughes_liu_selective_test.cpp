@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shell_harness.hpp"
+#include "support/largest.hpp"
 
 namespace crumple::elements::testing {
 namespace {
@@ -46,24 +47,32 @@ Bent bent(Index n, double distortion) {
 /// Curvatures are exact on any mesh. The transverse shear is exact on parallelograms, also with warping
 /// control, and vanishes with first order on others, as with one point.
 TEST(HughesLiuSelectiveShell, BendsExactlyButForTheShear) {
-  EXPECT_LT(bent(8, 0).bending_error, 1e-12);
-  EXPECT_LT(bent(8, 0).shear, 1e-12);
+  const std::string shell = "Hughes-Liu, selectively reduced, ";
+  const char* const source = "Kirchhoff's plate, exact";
+  test::verified(shell + "bending of squares: stress, relative error", source)
+      .below(bent(8, 0).bending_error, 1e-12);
+  test::verified(shell + "bending of squares: transverse shear over bending stress", source)
+      .below(bent(8, 0).shear, 1e-12);
   const Bent coarse = bent(8, 0.25);
   const Bent fine = bent(16, 0.25);
   const Bent finest = bent(32, 0.25);
-  EXPECT_LT(finest.bending_error, 1e-11);
+  test::verified(shell + "bending of a distorted mesh: stress, relative error", source)
+      .below(finest.bending_error, 1e-11);
   EXPECT_NEAR(coarse.shear / fine.shear, 2, 0.35);
-  EXPECT_NEAR(fine.shear / finest.shear, 2, 0.25);
+  test::verified(shell + "distorted, transverse shear of 16 x 16 over that of 32 x 32", "first order")
+      .near(fine.shear / finest.shear, 2, 0.25);
 }
 
 /// In-plane bending of one rectangular element: the parasitic shear of the bilinear displacements makes it
 /// stiffer by (1 + (1 - nu) / 2 (a / b)^2) / (1 - nu^2).
 TEST(HughesLiuSelectiveShell, LocksInItsPlaneLikeTheBilinearElement) {
+  test::Largest off("Hughes-Liu, selectively reduced, bent in its plane: energy, relative error",
+                    "bilinear element, closed form", 1e-12);
   for (const double aspect : {0.5, 1.0, 5.0}) {
     const double factor =
         (1 + 0.5 * (1 - poissons_ratio) * aspect * aspect) / (1 - poissons_ratio * poissons_ratio);
     const double ratio = in_plane_bending_energy(hughes_liu_selective.formulation, aspect);
-    EXPECT_NEAR(ratio, factor, 1e-6 * factor) << aspect;
+    off.compare(ratio, factor, factor, std::to_string(aspect));
   }
 }
 

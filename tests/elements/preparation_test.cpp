@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "shell_harness.hpp"
+#include "support/largest.hpp"
 #include "support/rigid.hpp"
 
 namespace crumple::elements::testing {
@@ -17,9 +18,10 @@ double total_mass(const Driven& body) {
 }
 
 TEST(Preparation, MassIsThatOfThePlate) {
+  test::Largest off("five shells, plate of 4 x 4: mass, relative error", "density times volume", 1e-12);
   for (const Kind& kind : kinds) {
     const Driven body(plate(kind.formulation, 4, 0), {});
-    EXPECT_NEAR(total_mass(body), density * thickness * 400, 1e-12 * density * 600);
+    off.compare(total_mass(body), density * thickness * 400, density * 600, kind.name);
     for (Index i = 0; i < body.domain.nodes.count(); ++i)
       EXPECT_GE(body.domain.nodes.inertia[i], body.domain.nodes.mass[i] * 25 / 8 * (1 - 1e-12));
   }
@@ -35,10 +37,13 @@ TEST(Preparation, ATriangleGivesEachCornerAThird) {
     EXPECT_NEAR(body.domain.nodes.mass[i], density * thickness * 4, 1e-12 * density * 6);
   // Twice the area over the longest side: the height.
   const double speed = std::sqrt(youngs_modulus / (density * (1 - poissons_ratio * poissons_ratio)));
-  EXPECT_NEAR(stable_step(body.domain, body.block()), 24 / std::sqrt(52.0) / speed, 1e-12 / speed);
+  test::verified("triangle: step times wave speed", "twice the area over the longest side")
+      .near(stable_step(body.domain, body.block()) * speed, 24 / std::sqrt(52.0), 1e-12);
 }
 
 TEST(Preparation, StepIsAreaOverLongestSide) {
+  test::Largest off("five shells, distorted mesh: step, relative error in units of round-off",
+                    "area over the longest side over the wave speed", 10);
   for (const Kind& kind : kinds)
     for (const auto& execution : all_executions()) {
       model::Model model = plate(kind.formulation, 3, 0.2);
@@ -61,7 +66,8 @@ TEST(Preparation, StepIsAreaOverLongestSide) {
         }
       }
       const double tolerance = 10 * round_off(execution) * shortest;
-      EXPECT_NEAR(body.domain.clock.element_limit, shortest, tolerance) << name_of(execution);
+      off.compare(body.domain.clock.element_limit, shortest, round_off(execution) * shortest,
+                  name_of(execution));
       EXPECT_NEAR(stable_step(body.domain, body.block()), shortest, tolerance);
       EXPECT_EQ(controlling_element(model, body.domain).element, slowest);
       EXPECT_EQ(controlling_element(model, body.domain).part, 1);
@@ -78,9 +84,13 @@ TEST(Preparation, MassScaling) {
   Driven scaled(model, {});
   EXPECT_NEAR(stable_step(scaled.domain, scaled.block()), 1.05 * shortest, 1e-12 * shortest);
   EXPECT_GT(scaled.domain.added_mass, 0);
-  EXPECT_NEAR(total_mass(scaled) - total_mass(plain), scaled.domain.added_mass, 1e-12 * total_mass(plain));
+  test::verified("mass scaling of shells: mass added over that reported, relative error",
+                 "sum over the nodes")
+      .below(std::fabs(total_mass(scaled) - total_mass(plain) - scaled.domain.added_mass) / total_mass(plain),
+             1e-12);
   scaled.update(0);
-  EXPECT_NEAR(scaled.domain.clock.element_limit, 1.05 * shortest, 1e-12 * shortest);
+  test::verified("mass scaling of shells: step over the shortest one", "the step asked for")
+      .near(scaled.domain.clock.element_limit / shortest, 1.05, 1e-12);
   model.control.mass_scaling_step = 3 * shortest;
   Driven uniform(model, {});
   double square = 0;
@@ -142,7 +152,9 @@ TEST(Preparation, ThicknessFollowsTheStretchIfAsked) {
           [](const Vec3&) { return Vec3{}; });
     // ln(t / t0) = -2 nu / (1 - nu) * 0.1; one Euler step of thickness errs by half its square.
     const double expected = thickness * std::exp(-2 * poissons_ratio / (1 - poissons_ratio) * 0.1);
-    EXPECT_NEAR(body.item("thickness", 0), expected, 1e-5 * thickness) << kind.name;
+    test::verified(std::string(kind.name) + ", stretched by 10 %: thickness over that at first",
+                   "exp(-2 nu / (1 - nu) e)")
+        .near(body.item("thickness", 0) / thickness, expected / thickness, 1e-5);
     model.control.thickness_change = false;
     Driven rigid(model, {Precision::Double, available_isas().back(), 1});
     rigid.step(
@@ -172,7 +184,8 @@ TEST(Preparation, RigidElementsBesideAFluidDoNotLimitTheStep) {
   test::make_rigid(model, 1);
   Driven body(model, {});
   body.update(0);
-  EXPECT_NEAR(body.domain.clock.element_limit, 2 / std::sqrt(2.2 / 1e-6), 1e-12);
+  test::verified("hexahedron of water: step", "edge over sqrt(K / rho)")
+      .near(body.domain.clock.element_limit, 2 / std::sqrt(2.2 / 1e-6), 1e-12);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "shell_harness.hpp"
 #include "static_solution.hpp"
+#include "support/largest.hpp"
 
 namespace crumple::elements::testing {
 namespace {
@@ -47,6 +48,11 @@ TEST(TrianglePatch, MembraneBendingAndTwistAreExact) {
   constexpr double size = 1e-18;  // the square of slopes is below round-off
   const Tensor strain{size, -0.4 * size, 0.7 * size};
   const Tensor curvature{0.5 * size, -0.3 * size, 0.8 * size};
+  const std::string patched =
+      "C0 triangle, membrane, bending and twist on a distorted mesh, in units of round-off: ";
+  test::Largest stresses(patched + "stresses over E e, error", "Kirchhoff's plate, exact", 2e2);
+  test::Largest shears(patched + "transverse shear over E e", "none", 1e3);
+  test::Largest forces(patched + "forces and moments inside over E e t l", "equilibrium", 1e3);
   for (const auto& execution : all_executions()) {
     constexpr Index n = 4;
     const model::Model model = plate(model::ShellFormulation::Triangle, n, 0.25);
@@ -61,7 +67,7 @@ TEST(TrianglePatch, MembraneBendingAndTwistAreExact) {
     }
     patch.step(1e-7, u, r);
     // Displacements of the size of the plate times the strain are rounded once.
-    const double tolerance = 2e2 * round_off(execution) * youngs_modulus * size;
+    const double unit = round_off(execution) * youngs_modulus * size;
     for (Index e = 0; e < patch.block().elements; ++e) {
       const auto& node = model.shells[patch.block().element[e]].node;
       const auto& a = model.nodes.position[node[0]];
@@ -72,21 +78,24 @@ TEST(TrianglePatch, MembraneBendingAndTwistAreExact) {
         const Tensor expected = stress_of(
             turned({strain.xx - z * curvature.xx, strain.yy - z * curvature.yy, strain.xy - z * curvature.xy},
                    side));
-        EXPECT_NEAR(patch.stress(e, p, 0), expected.xx, tolerance) << name_of(execution);
-        EXPECT_NEAR(patch.stress(e, p, 1), expected.yy, tolerance) << name_of(execution);
-        EXPECT_NEAR(patch.stress(e, p, 2), expected.xy, tolerance) << name_of(execution);
-        EXPECT_NEAR(patch.stress(e, p, 3), 0, 5 * tolerance) << name_of(execution);
-        EXPECT_NEAR(patch.stress(e, p, 4), 0, 5 * tolerance) << name_of(execution);
+        stresses.compare(patch.stress(e, p, 0), expected.xx, unit, name_of(execution));
+        stresses.compare(patch.stress(e, p, 1), expected.yy, unit, name_of(execution));
+        stresses.compare(patch.stress(e, p, 2), expected.xy, unit, name_of(execution));
+        shears.compare(patch.stress(e, p, 3), 0, unit, name_of(execution));
+        shears.compare(patch.stress(e, p, 4), 0, unit, name_of(execution));
       }
     }
-    EXPECT_LT(largest_inside(patch, n, false), 50 * tolerance * thickness * 5);
-    EXPECT_LT(largest_inside(patch, n, true), 50 * tolerance * thickness * 5);
+    forces.add(largest_inside(patch, n, false) / (unit * thickness * 5));
+    forces.add(largest_inside(patch, n, true) / (unit * thickness * 5));
     EXPECT_EQ(patch.block().hourglass_energy, 0);
   }
 }
 
 /// A surface that tilts under normals that stay: constant transverse shear in any direction.
 TEST(TrianglePatch, TransverseShearIsExact) {
+  test::Largest off(
+      "C0 triangle, transverse shear on a distorted mesh: stress, relative error in units of round-off",
+      "constant shear, exact", 1e2);
   constexpr double slope = 1e-16;
   for (const auto& execution : all_executions()) {
     model::Model model = plate(model::ShellFormulation::Triangle, 4, 0.25);
@@ -100,8 +109,8 @@ TEST(TrianglePatch, TransverseShearIsExact) {
         [](const Vec3&) { return Vec3{}; });
     const double expected = std::sqrt(5.0 / 6.0) * shear_modulus * slope * std::sqrt(5.0);
     for (Index e = 0; e < patch.block().elements; ++e)
-      EXPECT_NEAR(std::hypot(patch.stress(e, 1, 3), patch.stress(e, 1, 4)), expected,
-                  1e3 * round_off(execution) * expected);
+      off.compare(std::hypot(patch.stress(e, 1, 3), patch.stress(e, 1, 4)), expected,
+                  round_off(execution) * expected, name_of(execution));
     EXPECT_LT(largest_inside(patch, 4, false), 1e4 * round_off(execution) * expected * thickness);
   }
 }
@@ -195,8 +204,12 @@ TEST(TrianglePlate, CutCrosswiseDoesNotLock) {
     std::printf(
         "cross, thickness over side %.4f: centre deflection over theory, 4 x 4: %.4f, 10 x 10: %.4f\n",
         t / 10, coarse, fine);
+    const std::string supported =
+        "C0 triangles cut crosswise, thickness over side " + std::to_string(t / 10).substr(0, 6) + ", ";
     EXPECT_NEAR(coarse, 0.87, 0.01);
-    EXPECT_NEAR(fine, 0.97, 0.01);
+    test::verified(supported + "10 x 10: centre deflection over theory",
+                   "Timoshenko; known error of the mesh")
+        .near(fine, 0.97, 0.01);
   }
 }
 
@@ -210,8 +223,12 @@ TEST(TrianglePlate, CutAlikeLocksWhenVeryThin) {
     return found;
   };
   EXPECT_NEAR(ratio(1e-1, 8), 0.874, 0.01);
-  EXPECT_NEAR(ratio(1e-1, 16), 0.980, 0.01);
-  EXPECT_NEAR(ratio(1e-2, 16), 0.853, 0.01);
+  test::verified("C0 triangles cut alike, thickness over side 0.01, 16 x 16: centre deflection over theory",
+                 "Timoshenko; known error of the mesh")
+      .near(ratio(1e-1, 16), 0.980, 0.01);
+  test::verified("C0 triangles cut alike, thickness over side 0.001, 16 x 16: centre deflection over theory",
+                 "Timoshenko; known locking")
+      .near(ratio(1e-2, 16), 0.853, 0.01);
   EXPECT_LT(ratio(1e-3, 16), 0.5);
 }
 
