@@ -80,7 +80,7 @@ TEST(Beams, SlenderCantileverDeflectsAsEulerAndBernoulliSay) {
   const double exact = force * 1000 / (3 * 1e4 * section.inertia_t);
   const double found = deflection(section, 10, force);
   test::verified("slender cantilever, ten beams: deflection over exact", "Euler and Bernoulli")
-      .near(found / exact, 1, 1e-4);
+      .near(found / exact, 1, 1e-5);
 }
 
 TEST(Beams, ThickCantileverShearsAsTimoshenkoSays) {
@@ -91,7 +91,7 @@ TEST(Beams, ThickCantileverShearsAsTimoshenkoSays) {
   const double exact = bending + force * 3 / (4e3 * section.shear_area);
   const double found = deflection(section, 3, force);
   test::verified("thick cantilever of beams: deflection over exact", "Timoshenko")
-      .near(found / exact, 1, 1e-4);
+      .near(found / exact, 1, 1e-5);
   EXPECT_GT(exact, 1.05 * bending);
 }
 
