@@ -86,6 +86,8 @@ def drawing(curve, frame):
             yield from (f'<circle class="d" cx="{x:.1f}" cy="{y:.1f}" r="3"/>' for x, y in places)
         else:
             yield f'<polyline class="{kind[0]}" points="' + " ".join(f"{x:.1f},{y:.1f}" for x, y in places) + '"/>'
+        if not name:
+            continue
         yield f'<path class="{kind[0]}" d="M{legend} {TOP - 14}h22"/><text x="{legend + 28}" y="{TOP - 10}">{escape(name)}</text>'
         legend += 50 + 7 * len(name)
 

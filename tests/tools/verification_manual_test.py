@@ -43,6 +43,27 @@ class VerificationManualTest(unittest.TestCase):
         cases += list(manual.cases_of(results("a | b | near | 1.05 | 1 | 0.1", name="Moves/VerySlow")))
         self.assertIn("| a | b | 1 | +- 0.1 | Fast 1, Very Slow 1.05 |", manual.page_of(cases, [], ROOT))
 
+    def test_instruction_sets_are_one_figure_the_worst(self):
+        cases = list(manual.cases_of(results("a | b | below | 1e-15 | 0 | 1e-12", name="Moves/scalar")))
+        cases += manual.cases_of(results("a | b | below | 3e-15 | 0 | 1e-12", "a | b | below | 2e-15 | 0 | 1e-12", name="Moves/avx2"))
+        self.assertIn("| a | b | 0 | < 1e-12 | 3e-15 |", manual.page_of(cases, [], ROOT))
+
+    def test_formulations_of_one_test_share_a_row(self):
+        cases = list(manual.cases_of(results("HughesLiu, bent: moment | b | below | 1e-15 | 0 | 1e-12",
+                                             "IHQ 5, bent: moment | b | below | 2e-15 | 0 | 1e-12")))
+        self.assertIn("| bent: moment | b | 0 | < 1e-12 | Hughes Liu 1e-15, IHQ 5 2e-15 |", manual.page_of(cases, [], ROOT))
+
+    def test_contents_lead_to_every_heading(self):
+        cases = []
+        for file in ("elements/erosion", "verification/erosion", "materials/solid_paths"):
+            noted = results("a | b | near | 1 | 1 | 0.1")
+            noted["testsuites"][0]["testsuite"][0]["file"] = f"/somewhere/tests/{file}_test.cpp"
+            cases += manual.cases_of(noted)
+        page = manual.page_of(cases, [], ROOT)
+        self.assertIn("[Erosion (elements)](#erosion-elements)", page)
+        self.assertLess(page.index("\n### Erosion (elements)\n"), page.index("\n## Material laws\n\n### Solid paths\n"))
+        self.assertLess(page.index("\n### Solid paths\n"), page.index("\n## Whole models\n\n### Erosion (verification)\n"))
+
     def test_draws_curves(self):
         noted = results("a | b | near | 1 | 1 | 0.1")
         noted["testsuites"][0]["testsuite"][0]["curves_1"] = (
