@@ -12,7 +12,6 @@ namespace {
 using domain::NodeFields;
 using domain::NodeForce;
 using domain::NodeRecord;
-using domain::Vec3;
 using math::Double4;
 
 /// The instruction set's value, spelled as the build names it.
@@ -58,42 +57,6 @@ CRUMPLE_INLINE void write_motion(NodeRecord<double>& record, const Double4& velo
   math::write(record.angular_velocity, angular);
 }
 
-CRUMPLE_INLINE Double4 larger(const Double4& a, const Double4& b) {
-  return a > b ? a : b;
-}
-CRUMPLE_INLINE Double4 smaller(const Double4& a, const Double4& b) {
-  return a < b ? a : b;
-}
-CRUMPLE_INLINE Vec3 vector_of(const Double4& a) {
-  return {a[0], a[1], a[2]};
-}
-
-template <class Record>
-CRUMPLE_INLINE VelocityRange drift_all(NodeFields& nodes, Record* records, NodeRange range, double step) {
-  double* const position = &nodes.position.data()->x;
-  const double* const velocity = &nodes.velocity.data()->x;
-  const double* const angular = &nodes.angular_velocity.data()->x;
-  Double4 low = Double4{} + VelocityRange::largest;
-  Double4 high = -low;
-  Double4 zero{};  // unless a velocity is not finite
-  for (std::ptrdiff_t i = range.first; i < range.last; ++i) {
-    const Double4 v = read3(velocity + 3 * i);
-    const Double4 x = read3(position + 3 * i) + step * v;
-    write3(position + 3 * i, x);
-    math::write(records[i].position, x);
-    write_motion(records[i], v, read3(angular + 3 * i));
-    low = smaller(v, low);
-    high = larger(v, high);
-    zero += v - v;
-  }
-  return {vector_of(low), vector_of(high), zero[0] + zero[1] + zero[2] == 0};
-}
-
-VelocityRange drift(NodeFields& nodes, NodeRange range, double step) {
-  if (!nodes.float_records.empty()) return drift_all(nodes, nodes.float_records.data(), range, step);
-  return drift_all(nodes, nodes.double_records.data(), range, step);
-}
-
 CRUMPLE_INLINE double sum3(const Double4& v) {
   return (v[0] + v[1]) + v[2];
 }
@@ -137,6 +100,15 @@ CRUMPLE_INLINE FourNodes operator*(const FourNodes& a, const FourNodes& b) {
 CRUMPLE_INLINE FourNodes operator*(double a, const FourNodes& b) {
   return {a * b.first, a * b.second, a * b.third};
 }
+CRUMPLE_INLINE Double4 larger(const Double4& a, const Double4& b) {
+  return a > b ? a : b;
+}
+CRUMPLE_INLINE Double4 smaller(const Double4& a, const Double4& b) {
+  return a < b ? a : b;
+}
+CRUMPLE_INLINE FourNodes smaller(const FourNodes& a, const FourNodes& b) {
+  return {smaller(a.first, b.first), smaller(a.second, b.second), smaller(a.third, b.third)};
+}
 CRUMPLE_INLINE FourNodes larger(const FourNodes& a, const FourNodes& b) {
   return {larger(a.first, b.first), larger(a.second, b.second), larger(a.third, b.third)};
 }
@@ -149,6 +121,64 @@ CRUMPLE_INLINE Double4 largest_by_axis(const FourNodes& n) {
   const Double4 x_y_z = larger(n.first, larger(Double4{n.second[2], n.second[0], n.second[1], 0},
                                                Double4{n.third[1], n.third[2], n.third[0], 0}));
   return larger(x_y_z, Double4{n.first[3], n.second[3], n.third[3], 0});
+}
+
+/// Range of velocities.
+class Ranger {
+ public:
+  CRUMPLE_INLINE void include(const FourNodes& v) {
+    low_ = smaller(v, low_);
+    high_ = larger(v, high_);
+    zero_ += (v.first - v.first) + (v.second - v.second) + (v.third - v.third);
+  }
+  CRUMPLE_INLINE void include(const Double4& v) { include(side_by_side(v, v, v, v)); }
+  CRUMPLE_INLINE VelocityRange range() const {
+    const Double4 low = -largest_by_axis(-1 * low_);
+    const Double4 high = largest_by_axis(high_);
+    return {{low[0], low[1], low[2]},
+            {high[0], high[1], high[2]},
+            (zero_[0] + zero_[1]) + (zero_[2] + zero_[3]) == 0};
+  }
+
+ private:
+  CRUMPLE_INLINE static FourNodes all(double value) {
+    const Double4 v{value, value, value, value};
+    return {v, v, v};
+  }
+
+  FourNodes low_ = all(VelocityRange::largest);
+  FourNodes high_ = all(-VelocityRange::largest);
+  Double4 zero_{};  // unless a velocity is not finite
+};
+
+template <class Record>
+CRUMPLE_INLINE VelocityRange drift_all(NodeFields& nodes, Record* records, NodeRange range, double step) {
+  double* const position = &nodes.position.data()->x;
+  const double* const velocity = &nodes.velocity.data()->x;
+  const double* const angular = &nodes.angular_velocity.data()->x;
+  const auto one = [&](std::ptrdiff_t i) {
+    const Double4 v = read3(velocity + 3 * i);
+    const Double4 x = read3(position + 3 * i) + step * v;
+    write3(position + 3 * i, x);
+    math::write(records[i].position, x);
+    write_motion(records[i], v, read3(angular + 3 * i));
+  };
+  Ranger ranger;
+  std::ptrdiff_t i = range.first;
+  for (; i + 4 <= range.last; i += 4) {
+    for (int k = 0; k < 4; ++k) one(i + k);
+    ranger.include(read_four(velocity + 3 * i));
+  }
+  for (; i < range.last; ++i) {
+    one(i);
+    ranger.include(read3(velocity + 3 * i));
+  }
+  return ranger.range();
+}
+
+VelocityRange drift(NodeFields& nodes, NodeRange range, double step) {
+  if (!nodes.float_records.empty()) return drift_all(nodes, nodes.float_records.data(), range, step);
+  return drift_all(nodes, nodes.double_records.data(), range, step);
 }
 
 /// The kick of a run of nodes, and what it sums up.
