@@ -116,8 +116,6 @@ void Forces::add(domain::Domain& domain, std::span<Touch> touches, domain::Conta
     }
   });
   limited_ = static_cast<Index>(std::count(is_limited_.begin(), is_limited_.end(), 1));
-  for (const Touch& touch : touches)
-    for (int i = 0; i < touch.nodes; ++i) touches_[touch.place[i]] = 0;
   apply(domain, touches, report);
 }
 
@@ -283,7 +281,8 @@ Vec3 Forces::friction(const Touch& touch, double normal_force, double stiffness,
   return size > capacity ? capacity / size * trial : trial;
 }
 
-/// In the order of the touches, one after another: there are few, and the sums must not depend on threads.
+/// In the order of the touches, one after another: the sums must not depend on threads. Forgets what
+/// count_touches() counted.
 void Forces::scatter(std::span<const Touch> touches) {
   active_.clear();
   const auto is_zero = [](const Vec3& a) { return a.x == 0 && a.y == 0 && a.z == 0; };
@@ -292,8 +291,10 @@ void Forces::scatter(std::span<const Touch> touches) {
       prefetch<true>(&normal_[place], 1);
       prefetch<true>(&friction_[place], 1);
       prefetch<true>(&marked_[place], 1);
+      prefetch<true>(&touches_[place], 1);
     });
     const Touch& touch = touches[t];
+    for (int i = 0; i < touch.nodes; ++i) touches_[touch.place[i]] = 0;
     if (is_zero(touch.normal_force) && is_zero(touch.friction)) continue;
     for (int i = 0; i < touch.nodes; ++i) {
       const Index place = touch.place[i];

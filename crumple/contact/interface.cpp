@@ -76,11 +76,17 @@ struct Interface::Implementation {
     statistics.worst_initial_segment = entry.initial_overlaps.front().element;
   }
 
+  /// Takes over what the touches have become, for the next step and for what is told of this one. All that is
+  /// in one pass: in a large model touches come from memory.
   void remember(std::span<const ContactPair> pairs, const Kinematics& motion) {
     const Configuration x{motion.position.data(), motion.velocity.data(), 0};
     remembered.clear();
     penetrations.clear();
-    for (const ContactPair& pair : pairs) {
+    stored_energy = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const ContactPair& pair = pairs[i];
+      const Touch& touch = touches[i];
+      stored_energy += stored_in(touch);
       RememberedPair memory;
       memory.node = pair.node;
       memory.segment = pair.segment;
@@ -90,12 +96,12 @@ struct Interface::Implementation {
       memory.weight = pair.weight;
       memory.offset = pair.offset;
       memory.depth = std::max(0.0, pair.penetration());
-      if (dot(pair.friction, pair.friction) > 0) {
+      if (dot(touch.friction, touch.friction) > 0) {
         const Frame& frame = pair.frame;
-        memory.friction =
-            (frame.is_known() ? frame : frame_of(shape_of(surface, x, pair.segment))).to_local(pair.friction);
+        memory.friction = (frame.is_known() ? frame : frame_of(shape_of(surface, x, pair.segment)))
+                              .to_local(touch.friction);
       }
-      memory.penalty = pair.penalty;
+      memory.penalty = touch.penalty;
       remembered.push_back(memory);
       if (pair.penetration() <= 0 || pair.share == 0) continue;
       const double height = surface.is_face(pair.segment) ? surface.height[pair.segment] : pair.reach;
@@ -103,6 +109,7 @@ struct Interface::Implementation {
           {pair.penetration(), height, surface.node_id[pair.node], surface.segment_id[pair.segment]});
     }
     const std::span<const Touch> beyond_nodes = std::span(touches).subspan(pairs.size());
+    for (const Touch& touch : beyond_nodes) stored_energy += stored_in(touch);
     edges.remember(motion, beyond_nodes, pairs, penetrations);
     if (pinballs) pinballs->remember(motion, beyond_nodes.subspan(edges.present().size()), penetrations);
   }
@@ -160,7 +167,6 @@ struct Interface::Implementation {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       ContactPair& pair = pairs[i];
       pair.gap = pair.reach - touches[i].penetration;
-      pair.friction = touches[i].friction;
       const double size = std::max(pair.reach, surface.height[pair.segment]);
       if (pair.gap > -on_surface * size) pair.wrong = 0;
       const Vec3& node = motion.position[surface.nodes[pair.node]];
@@ -168,28 +174,29 @@ struct Interface::Implementation {
     }
   }
 
-  /// The pairs as the forces see them.
-  void collect_touches(std::span<const ContactPair> pairs) {
-    touches.clear();
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      ask_for_touch_after(surface, pairs, i);
-      touches.push_back(touch_of(surface, pairs[i]));
-    }
+  /// The pairs as the forces see them, with the stiffness that their nodes have in these positions.
+  void collect_touches(std::span<const ContactPair> pairs, const Kinematics& motion) {
+    constexpr Index piece = 128;
+    const Configuration x{motion.position.data(), nullptr, 0};
+    const auto count = static_cast<Index>(pairs.size());
+    touches.resize(pairs.size());
+    parallel_for(pieces(count, piece), motion.threads, [&](Index part) {
+      for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i) {
+        ask_for_touch_after(surface, pairs, i);
+        Touch& touch = touches[i];
+        touch = touch_of(surface, pairs[i]);
+        if (touch.penetration > 0)
+          touch.stiffness =
+              std::min(node_stiffness(surface, x, pairs[i]), surface.stiffness[pairs[i].segment]);
+      }
+    });
     edges.append_touches(touches);
     if (pinballs) pinballs->append_touches(touches);
   }
 
-  /// Gives the pairs the stiffness that their nodes have in these positions.
-  void share_stiffness(std::span<const ContactPair> pairs, const domain::Domain& domain) {
-    constexpr Index piece = 128;
-    const Configuration x{domain.nodes.position.data(), nullptr, 0};
-    const auto count = static_cast<Index>(pairs.size());
-    parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
-      for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i)
-        if (touches[i].penetration > 0)
-          touches[i].stiffness =
-              std::min(node_stiffness(surface, x, pairs[i]), surface.stiffness[pairs[i].segment]);
-    });
+  /// By the penalty, as a spring of its mean stiffness [energy].
+  static double stored_in(const Touch& touch) {
+    return 0.5 * norm(touch.normal_force) * std::max(0.0, touch.penetration);
   }
 
   Vec3 force_on_first_side() const {
@@ -252,9 +259,6 @@ struct Interface::Implementation {
       entry.worst_node = found.node;
     }
     if (entry.two_sided) entry.force = force_on_first_side();
-    stored_energy = 0;
-    for (const Touch& touch : touches)
-      stored_energy += 0.5 * norm(touch.normal_force) * std::max(0.0, touch.penetration);
     statistics.search = search.statistics();
     statistics.limited_pairs = forces.limited();
     statistics.most_limited_pairs = std::max(statistics.most_limited_pairs, forces.limited());
@@ -276,7 +280,7 @@ struct Interface::Implementation {
   std::string method;
   Index report;
   long verify_cycles = 0;
-  double stored_energy = 0;  ///< by the penalties now, as springs of their mean stiffness [energy]
+  double stored_energy = 0;  ///< by the penalties now [energy]
   std::int64_t started = 0;  ///< 1 once the penetrations at the start are known
   std::vector<Touch> touches;
   std::vector<RememberedPair> remembered;
@@ -298,13 +302,8 @@ void Interface::add_forces(domain::Domain& domain) {
   const Kinematics motion = present(domain);
   const std::span<ContactPair> pairs = own.find(domain, motion);
   const StageTimer timer(domain.times.contact_forces, &report.times.forces);
-  own.collect_touches(pairs);
-  own.share_stiffness(pairs, domain);
+  own.collect_touches(pairs, motion);
   own.forces.add(domain, own.touches, report);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    pairs[i].friction = own.touches[i].friction;
-    pairs[i].penalty = own.touches[i].penalty;
-  }
   own.remember(pairs, motion);
   own.write_report(report);
 }
@@ -316,7 +315,7 @@ void Interface::add_multipliers(domain::Domain& domain, double interval, double 
   const Kinematics motion = own.multipliers.predict(domain, interval, next_step);
   const std::span<ContactPair> pairs = own.find(domain, motion);
   const StageTimer timer(domain.times.contact_forces, &report.times.forces);
-  own.collect_touches(pairs);
+  own.collect_touches(pairs, motion);
   own.multipliers.solve(own.touches);
   own.forces.apply(domain, own.touches, report);
   own.correct(pairs, motion);
