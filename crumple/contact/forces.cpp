@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/prefetch.hpp"
 #include "contact/penalty.hpp"
+#include "contact/raised_point.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -71,6 +72,20 @@ bool has_equal_halves(const Touch& touch) {
   constexpr double round_off = 1e-12;
   const int half = touch.nodes / 2;
   return half > 1 && touch.nodes == 2 * half && touch.weight[half - 1] > round_off && touch.weight[half] < 0;
+}
+
+/// What the normal force does to the nodes beyond the weights where its points are above their segments: it
+/// turns them.
+void add_turning(std::span<const Vec3> x, Touch& touch) {
+  const auto first = static_cast<std::size_t>(std::count_if(
+      touch.weight.begin(), touch.weight.begin() + touch.nodes, [](double w) { return w > 0; }));
+  const auto add = [&](std::size_t begin, std::size_t end, double height, const Vec3& force) {
+    if (height == 0) return;
+    const std::array<Vec3, 4> forces = turning_forces(x.subspan(begin, end - begin), height, force);
+    for (std::size_t i = begin; i < end; ++i) touch.couple[i] += forces[i - begin];
+  };
+  add(0, first, touch.height[0], touch.normal_force);
+  add(first, x.size(), touch.height[1], -touch.normal_force);
 }
 
 /// The first of the nodes that bear a couple: those of the segment below a node, all of two edges, as an edge
@@ -242,7 +257,9 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
   const double size = norm(touch.normal_force);
   if (!rough) {
     touch.friction = Vec3{};
-    if (norm(cross(arm, touch.normal_force)) <= round_off * norm(arm) * size) return;
+    const bool bears =
+        touch.is_raised() || norm(cross(arm, touch.normal_force)) > round_off * norm(arm) * size;
+    if (!bears) return;
   }
   const int first = first_bearing(touch);
   const Couple couple({&x[first], static_cast<std::size_t>(touch.nodes - first)},
@@ -259,7 +276,9 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
                                           (step * step * (inverse + turning)));
     touch.friction = friction(touch, size, touch.share * stiffness, domain.clock.step);
   }
-  touch.couple = couple.forces(-cross(arm, touch.force()));
+  // Where the points are above their segments the normal force has no moment.
+  touch.couple = couple.forces(-cross(arm, touch.is_raised() ? touch.friction : touch.force()));
+  if (touch.is_raised()) add_turning({x.data(), static_cast<std::size_t>(touch.nodes)}, touch);
 }
 
 /// Coulomb friction by a tangential spring that gives way at mu f: sticks below, slips above

@@ -239,6 +239,8 @@ void PinballContact::append_touches(std::vector<Touch>& touches) const {
     touch.reach = contact_distance(pair.first, pair.second) - pair.offset;
     touch.stiffness = std::min(surface_->stiffness[pair.first], surface_->stiffness[pair.second]);
     touch.area = std::min(surface_->area[pair.first], surface_->area[pair.second]);
+    touch.height = {ball_height(*surface_, pinballs_, pair.first),
+                    ball_height(*surface_, pinballs_, pair.second)};
     touch.slip = pair.slip;
     touch.friction = pair.friction;
     touch.penalty = pair.penalty;

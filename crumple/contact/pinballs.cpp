@@ -112,6 +112,10 @@ Pinballs embed_pinballs(const Surface& surface, const Configuration& x) {
   return made;
 }
 
+double ball_height(const Surface& surface, const Pinballs& pinballs, Index segment) {
+  return surface.is_face(segment) ? surface.half_thickness[segment] - pinballs.radius[segment] : 0;
+}
+
 PinballShape pinball_shape(const Surface& surface, const Pinballs& pinballs, const Configuration& x,
                            Index segment) {
   PinballShape shape;
@@ -119,11 +123,8 @@ PinballShape pinball_shape(const Surface& surface, const Pinballs& pinballs, con
   shape.radius = pinballs.radius[segment];
   shape.level = pinballs.level[segment];
   measure_diagonal(shape);
-  if (surface.is_face(segment)) {
-    // A face with a thickness of its own, as SLDTHK gives it, has its balls that much higher.
-    const Vec3 normal = normalised(area_normal(shape.segment));
-    shape.sunk = (surface.half_thickness[segment] - shape.radius) * normal;
-  }
+  if (surface.is_face(segment))
+    shape.sunk = ball_height(surface, pinballs, segment) * normalised(area_normal(shape.segment));
   return shape;
 }
 

@@ -30,6 +30,10 @@ struct Pinballs {
 /// Chooses radius and level of all segments from the geometry at `x`.
 Pinballs embed_pinballs(const Surface& surface, const Configuration& x);
 
+/// Of the centres of the smallest balls above the segment, mostly below zero; zero for shells. A face with a
+/// thickness of its own, as SLDTHK gives it, has its balls that much higher [length].
+double ball_height(const Surface& surface, const Pinballs& pinballs, Index segment);
+
 /// A segment with its pinballs, where it is now.
 struct PinballShape {
   SegmentShape segment;

@@ -34,7 +34,9 @@ struct Touch {
   PenaltyMemory penalty;  ///< at the last step, then at the present one
   double area = 0;        ///< on which friction may act at most [length^2]
   double share = 1;       ///< of the force
-  Vec3 slip;              ///< movement of the first point over the second since the last step [length]
+  /// Of both points above their segments, along the normals: of pinballs in the faces of solids [length].
+  std::array<double, 2> height{};
+  Vec3 slip;          ///< movement of the first point over the second since the last step [length]
   Vec3 friction;      ///< on the first point, at the last step, turned to now; then the present one [force]
   Vec3 normal_force;  ///< on the first point now [force]
   /// On the nodes that bear a couple, see Forces: takes up the moment that the forces leave [force].
@@ -42,6 +44,7 @@ struct Touch {
 
   /// On the first point, once the forces are known [force].
   Vec3 force() const { return normal_force + friction; }
+  bool is_raised() const { return height[0] != 0 || height[1] != 0; }
 
   void add(Index node_place, double node_weight) {
     place[nodes] = node_place;
