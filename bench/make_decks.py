@@ -114,6 +114,7 @@ def tubes(cycles, rows=5, width=60.0, around=100, high=40):
 
 
 def box_nodes(first, corner, edges, cells):
+    """Node cards of a box of cells, x fastest, z slowest, from the number `first` on."""
     for k in range(cells[2] + 1):
         for j in range(cells[1] + 1):
             for i in range(cells[0] + 1):
@@ -122,6 +123,7 @@ def box_nodes(first, corner, edges, cells):
 
 
 def box_elements(number, first, cells, part=1):
+    """Cards of its hexahedra from `number` on; `first` is its first node."""
     line, layer = cells[0] + 1, (cells[0] + 1) * (cells[1] + 1)
     for k in range(cells[2]):
         for j in range(cells[1]):
@@ -157,7 +159,7 @@ press
          0"""
 
 
-def filled(cycles, rows=4, width=60.0, around=100, high=40, fill=(14, 14, 23), plate=10):
+def filled(cycles, rows=4, width=60.0, around=100, high=40, fill=(14, 14, 23), edge=4.0, plate=10):
     """rows x rows square tubes, each filled with foam and driven onto a wall by a plate of 8 kg over it; all plates
     are one rigid body."""
     yield head(title=f"{rows * rows} tubes filled with foam under a rigid press", end_time=8.0, cycles=cycles,
@@ -167,14 +169,14 @@ def filled(cycles, rows=4, width=60.0, around=100, high=40, fill=(14, 14, 23), p
     yield from (SELF_CONTACT, "         1", WALL, FALLING, "*NODE")
     places = tube_places(rows, width)
     top = 0.1 + high * 4 * width / around
-    foam_edges = (4.0, 4.0, (top - 1.0) / fill[2])
+    foam_edges = (edge, edge, (top - 1.0) / fill[2])
     per_block, per_plate = (fill[0] + 1) * (fill[1] + 1) * (fill[2] + 1), (plate + 1) ** 2
     first_foam = len(places) * around * (high + 1) + 1
     first_plate = first_foam + len(places) * per_block
     for tube, (x, y) in enumerate(places):
         yield from tube_nodes(tube, (x, y), width, around, high)
         yield from box_nodes(first_foam + tube * per_block,
-                             (x - 0.5 * fill[0] * 4.0, y - 0.5 * fill[1] * 4.0, 0.5), foam_edges, fill)
+                             (x - 0.5 * fill[0] * edge, y - 0.5 * fill[1] * edge, 0.5), foam_edges, fill)
         yield from box_nodes(first_plate + tube * per_plate, (x - 0.55 * width, y - 0.55 * width, top + 3.0),
                              2 * (1.1 * width / plate,) + (0.0,), (plate, plate, 0))
     yield "*ELEMENT_SHELL"

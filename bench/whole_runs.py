@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whole runs of the program, timed: the box beam of the paper at 5, 2.5 and 1.25 mm, 25 and 256 tubes of 4000 shells
 that fold with self-contact, a sheet of a million shells, 16 tubes filled with foam under a rigid press, a block of
-solids. Prints one line per run: time per element
-and cycle, in all and by stage, from run.json.
+solids. Prints one line per run: time per element and cycle, in all and by stage, from run.json.
 
     bench/whole_runs.py build/release/crumple                        the quick ones, minutes
     bench/whole_runs.py build/release/crumple --all -t 2             every one, long

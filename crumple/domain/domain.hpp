@@ -32,11 +32,12 @@ struct Execution {
 
 /// Time and step. Positions are at `time`, velocities half a step earlier.
 struct Clock {
-  double time = 0;                                       ///< time n [time]
-  long cycle = 0;                                        ///< steps done
-  double step = 0;                                       ///< from n-1 to n; 0 before the first step [time]
-  double way = std::numeric_limits<double>::infinity();  ///< of no two nodes relative to each other was that
-                                                         ///< step longer; infinite if unknown [length]
+  double time = 0;  ///< time n [time]
+  long cycle = 0;   ///< steps done
+  double step = 0;  ///< from n-1 to n; 0 before the first step [time]
+  /// No two nodes moved further relative to each other in that step, but for rounding; infinite if unknown
+  /// [length].
+  double way = std::numeric_limits<double>::infinity();
   double element_limit = 0;  ///< smallest stable element step at time n, without TSSFAC [time]
   double rigid_limit =
       1e30;  ///< step of the rigid elements where no others set one, else without limit [time]

@@ -129,7 +129,7 @@ class Ranger {
   CRUMPLE_INLINE void include(const FourNodes& v) {
     low_ = smaller(v, low_);
     high_ = larger(v, high_);
-    zero_ += (v.first - v.first) + (v.second - v.second) + (v.third - v.third);
+    zero_ += 0.0 * ((v.first + v.second) + v.third);
   }
   CRUMPLE_INLINE void include(const Double4& v) { include(side_by_side(v, v, v, v)); }
   CRUMPLE_INLINE VelocityRange range() const {
