@@ -44,7 +44,7 @@ def do(job, program, core, work):
     """The median result of a job."""
     deck = work / "deck.k"
     write_deck(deck, job.example.generator, job.deck_options)
-    deck.write_text(with_settings(deck.read_text(), job.cell, job.expansion))
+    deck.write_text(with_settings(deck.read_text(), job.cell, job.expansion, job.automatic))
     options = ["-t", "1", *job.run_options]
     return median_of([kept(run(program, deck, work / "out", options, core)) for _ in range(job.repeats)])
 

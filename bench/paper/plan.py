@@ -60,6 +60,7 @@ class Job:
     seconds: float  # of one, roughly
     cell: float = 0  # edge of the cells; 0: that of the deck
     expansion: float = 0  # c; 0: that of the deck
+    automatic: bool = False  # c and cells are left to the program, as in decks that do not name them
 
     @property
     def name(self):
@@ -75,6 +76,8 @@ def method_jobs(example):
                   1, 4 * example.seconds)
     yield Job(("mixed", example.name, "production"), example, example.options,
               ("--search", "production", "--precision", "mixed"), example.repeats, 0.75 * example.seconds)
+    yield Job(("automatic", example.name, "production"), example, example.options, ("--search", "production"),
+              example.repeats, example.seconds, automatic=True)
 
 
 def setting_job(kind, example, method, margin, factor):
@@ -116,8 +119,11 @@ def all_jobs():
     return jobs
 
 
-def with_settings(deck, cell, expansion):
-    """The deck with other cells over the same box, and another territory expansion; 0 leaves them as they are."""
+def with_settings(deck, cell, expansion, automatic):
+    """The deck with other cells over the same box, and another territory expansion; 0 leaves them as they are.
+    `automatic` takes both out."""
+    if automatic:
+        return re.sub(r"^\$crumple (expansion|cells|domain)=.*\n", "", deck, flags=re.MULTILINE)
     if expansion:
         deck = re.sub(r"^\$crumple expansion=.*$", f"$crumple expansion={expansion:g}", deck, flags=re.MULTILINE)
     if cell:
