@@ -256,18 +256,34 @@ void GlobalSearch::measure_slack(const Kinematics& motion) {
   slack_.resize(segment_.size());
   node_slack_.resize(places);
   parallel_for(pieces(places, piece), threads_, [&](Index part) {
-    for (Index i = part * piece; i < std::min((part + 1) * piece, places); ++i) {
+    const Index begin = part * piece;
+    const Index end = std::min(begin + piece, places);
+    measure_pairs(at, begin, end, distances_kernel(motion.isa));
+    for (Index i = begin; i < end; ++i) {
       measure_distances(reference, i, nearest_of);
       double smallest = std::numeric_limits<double>::max();
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
-        const NearestPoint nearest = nearest_of(at.shape(segment_[pair]), at.x[surface_->nodes[i]]);
-        slack_[pair] =
-            std::sqrt(nearest.distance_squared) - distance_[pair] - surface_->watch(segment_[pair]);
+        slack_[pair] = slack_[pair] - distance_[pair] - surface_->watch(segment_[pair]);
         smallest = std::min(smallest, slack_[pair]);
       }
       node_slack_[i] = smallest;
     }
   });
+}
+
+/// The slack of all pairs of these nodes becomes their distance.
+void GlobalSearch::measure_pairs(const SurfaceAt& at, Index begin, Index end, DistancesKernel measure) {
+  PairsInLanes pairs;
+  int held = 0;
+  std::int64_t from = first_[begin];
+  for (Index i = begin; i < end; ++i)
+    for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
+      pairs.set(held, at.shape(segment_[pair]), at.x[surface_->nodes[i]]);
+      if (++held < PairsInLanes::lanes && pair + 1 < first_[end]) continue;
+      measure(pairs, held, &slack_[from]);
+      from += held;
+      held = 0;
+    }
 }
 
 bool GlobalSearch::listed(Index place, Index segment) const {

@@ -87,6 +87,7 @@ class GlobalSearch {
   void collect(std::span<const Vec3> position);
   void sort_by_node(const cellsearch::Candidates& found);
   void measure_slack(const Kinematics& motion);
+  void measure_pairs(const SurfaceAt& at, Index begin, Index end, DistancesKernel measure);
   /// Position at the last search.
   Vec3 searched(Index place) const {
     const double* x = motion_.reference().data() + 3 * static_cast<std::size_t>(place);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The nearest point by the kernels against the plain one: the same bits.
+// The nearest point and the distance by the kernels against the plain one: the same bits.
 
 #include "contact/nearest_point_kernel.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <random>
@@ -39,6 +41,21 @@ class NearestPointKernelTest : public ::testing::TestWithParam<Isa> {
     const NearestPoint plain = nearest_point(shape, p);
     expect_same(nearest_point_kernel(GetParam())(shape, p), plain);
     ++features_[plain.feature];
+    pairs_.set(held_, shape, p);
+    expected_[static_cast<std::size_t>(held_)] = std::sqrt(plain.distance_squared);
+    if (++held_ == together_) measure_distances();
+  }
+  /// Of the pairs since the last time; the number of those measured together goes round.
+  void measure_distances() {
+    std::array<double, PairsInLanes::lanes + 1> found{};
+    constexpr double untouched = -7;
+    found.fill(untouched);
+    distances_kernel(GetParam())(pairs_, held_, found.data());
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(held_); ++lane)
+      EXPECT_EQ(bits(found[lane]), bits(expected_[lane]));
+    EXPECT_EQ(found[static_cast<std::size_t>(held_)], untouched);
+    together_ = together_ % PairsInLanes::lanes + 1;
+    held_ = 0;
   }
   double anywhere() { return std::uniform_real_distribution<double>(-1, 1)(random_); }
   Vec3 point(double size) {
@@ -49,6 +66,10 @@ class NearestPointKernelTest : public ::testing::TestWithParam<Isa> {
 
   std::mt19937 random_{3};
   std::map<Feature, int> features_;
+  PairsInLanes pairs_;
+  std::array<double, PairsInLanes::lanes> expected_{};
+  int held_ = 0;
+  int together_ = 1;
 };
 
 TEST_P(NearestPointKernelTest, IsThatOfWarpedSegmentsToTheBit) {
