@@ -202,20 +202,22 @@ void GlobalSearch::search(const Kinematics& motion, bool surface_changed) {
 
 void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
   const Index places = surface_->node_count();
-  first_.assign(static_cast<std::size_t>(places) + 1, 0);
-  const auto counts = [&](Index place, Index segment) {
-    return (!surface_->some_inactive || surface_->bears(place)) && surface_->may_touch(place, segment);
+  const auto for_each = [&](const auto& do_it) {
+    for (Index s = 0; s < found.segments(); ++s)
+      for (const Index node : found.of(s)) {
+        const Index place = surface_->place[node];
+        if ((!surface_->some_inactive || surface_->bears(place)) && surface_->may_touch(place, s))
+          do_it(place, s);
+      }
   };
-  for (Index s = 0; s < found.segments(); ++s)
-    for (const Index node : found.of(s))
-      if (counts(surface_->place[node], s)) ++first_[surface_->place[node] + 1];
-  for (Index i = 0; i < places; ++i) first_[i + 1] += first_[i];
+  // Numbers are counted two places on: once filled, every place's first is where it belongs.
+  first_.assign(static_cast<std::size_t>(places) + 2, 0);
+  for_each([&](Index place, Index) { ++first_[place + 2]; });
+  for (Index i = 0; i < places; ++i) first_[i + 2] += first_[i + 1];
   segment_.resize(static_cast<std::size_t>(first_.back()));
   // Rows come in the order of the segments, so that each node's own come out ascending.
-  std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
-  for (Index s = 0; s < found.segments(); ++s)
-    for (const Index node : found.of(s))
-      if (counts(surface_->place[node], s)) segment_[next[surface_->place[node]]++] = s;
+  for_each([&](Index place, Index s) { segment_[first_[place + 1]++] = s; });
+  first_.pop_back();
 }
 
 double GlobalSearch::distance_of(const SurfaceAt& reference, Index place, Index segment,
