@@ -262,8 +262,8 @@ void GlobalSearch::measure_slack(const Kinematics& motion) {
     const Index end = std::min(begin + piece, places);
     measure_pairs(at, begin, end, distances_kernel(motion.isa));
     for (Index i = begin; i < end; ++i) {
-      measure_distances(reference, i, nearest_of);
       double smallest = std::numeric_limits<double>::max();
+      if (first_[i] < first_[i + 1]) measure_distances(reference, i, nearest_of);
       for (std::int64_t pair = first_[i]; pair < first_[i + 1]; ++pair) {
         slack_[pair] = slack_[pair] - distance_[pair] - surface_->watch(segment_[pair]);
         smallest = std::min(smallest, slack_[pair]);
