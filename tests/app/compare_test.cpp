@@ -4,6 +4,7 @@
 
 #include "app/program_fixture.hpp"
 #include "compare/binout_sample.hpp"
+#include "support/larger.hpp"
 
 namespace crumple::app {
 namespace {
@@ -88,7 +89,7 @@ TEST_F(CompareTest, AnotherPrecisionDiffersByRounding) {
   run_plate("mixed", {"--precision", "mixed"});
   const nlohmann::json json = scores({path("out"), path("mixed"), "-q"});
   double worst = 0;
-  for (const auto& curve : json["curves"]) worst = std::max(worst, curve["relative"].get<double>());
+  for (const auto& curve : json["curves"]) worst = test::larger_of(worst, curve["relative"].get<double>());
   EXPECT_GT(worst, 0);
   EXPECT_LT(worst, 1e-2);
   EXPECT_EQ(run({"compare", path("out"), path("mixed"), "--tolerance", "0.01", "-q"}).code, ExitCode::Normal);

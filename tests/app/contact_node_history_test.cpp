@@ -5,6 +5,7 @@
 
 #include "app/program_fixture.hpp"
 #include "math/vec3.hpp"
+#include "support/larger.hpp"
 
 namespace crumple::app {
 namespace {
@@ -64,8 +65,8 @@ TEST_F(ContactNodeHistoryRun, SidesAddUpToTheResultants) {
   double worst = 0;
   for (std::size_t i = 1; i < resultants.size(); ++i) {
     const math::Vec3 force = vector(resultants[i], 3);
-    worst = std::max(worst, norm(force - sums[{resultants[i][0], resultants[i][2]}]));
-    largest = std::max(largest, norm(force));
+    worst = test::larger_of(worst, norm(force - sums[{resultants[i][0], resultants[i][2]}]));
+    largest = test::larger_of(largest, norm(force));
   }
   EXPECT_GT(largest, 0.01);
   EXPECT_LT(worst, 2e-15 * largest);
@@ -80,7 +81,7 @@ TEST_F(ContactNodeHistoryRun, ContactWithItselfHasNoResultant) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i][2], "single");
     sums[rows[i][0]] += vector(rows[i], 4);
-    largest = std::max(largest, norm(vector(rows[i], 4)));
+    largest = test::larger_of(largest, norm(vector(rows[i], 4)));
   }
   for (const auto& [time, sum] : sums) EXPECT_LT(norm(sum), 4e-15 * largest) << time;
 }
@@ -131,7 +132,7 @@ TEST_F(ContactNodeHistoryRun, SectionsOfPlanesAndOfTheSameSetsAreEqual) {
     for (std::size_t k = 2; k < 12; ++k)
       EXPECT_NEAR(std::stod(rows[i][k]), std::stod(rows[i + 1][k]), 1e-12) << k;
     EXPECT_NEAR(std::stod(rows[i][8]), norm(vector(rows[i], 2)), 1e-12);
-    largest = std::max(largest, std::stod(rows[i][8]));
+    largest = test::larger_of(largest, std::stod(rows[i][8]));
   }
   EXPECT_GT(largest, 0.01);
 }

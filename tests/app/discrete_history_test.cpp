@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // deforc.csv of runs, against what the motion of the nodes says.
-#include <algorithm>
 #include <cmath>
 
 #include "app/program_fixture.hpp"
 #include "math/vec3.hpp"
+#include "support/larger.hpp"
 
 namespace crumple::app {
 namespace {
@@ -65,7 +65,7 @@ TEST_F(DiscreteHistoryRun, FollowsTheLawAndTheNodes) {
     EXPECT_NEAR(number(row[1][2]), 5 * stretch, 1e-12);
     EXPECT_NEAR(number(row[1][6]), stretch, 1e-12);
     for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(number(row[1][3 + axis]), force[axis], 1e-12);
-    largest = std::max(largest, std::fabs(stretch));
+    largest = test::larger_of(largest, std::fabs(stretch));
     // The damper to the ground has a displacement along its axis alone; the torsional spring turns.
     EXPECT_NEAR(number(row[2][6]), -number(node[1][4]), 1e-12);
     EXPECT_EQ(number(row[2][3]), 0);

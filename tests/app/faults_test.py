@@ -76,6 +76,8 @@ class Faults(unittest.TestCase):
                 self.assertTrue(head.rstrip().endswith(b"</VTKFile>"), entry.get("file"))
         for name, content in tables(folder).items():
             if killed:
+                self.assertTrue(content.endswith(b"\n") or len(content) % resource.getpagesize() == 0,
+                                f"{name}: {len(content)} bytes")
                 content = content[:content.rfind(b"\n") + 1]
             if not content:
                 continue

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/larger.hpp"
 #include "support/lines.hpp"
 
 namespace crumple {
@@ -78,8 +79,8 @@ double worst_balance(model::Model model, Precision precision, double end_time = 
     const double interval = 0.5 * (step + simulation.next_step());
     const Vec3 rate = (1 / interval) * (momentum_ahead(simulation.domain(), at) - before);
     const domain::SectionReport& section = simulation.sections()[0];
-    worst = std::max(worst, norm(rate - applied + section.force));
-    largest = std::max(largest, norm(section.force));
+    worst = test::larger_of(worst, norm(rate - applied + section.force));
+    largest = test::larger_of(largest, norm(section.force));
   }
   EXPECT_GT(largest, 0.5 * norm(applied)) << "the wave has reached the section";
   return worst / largest;

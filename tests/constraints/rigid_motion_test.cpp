@@ -79,6 +79,25 @@ TEST_F(Dumbbell, TurnsByTheForcesOnItsNodes) {
   EXPECT_NEAR(body.centre.z, 0.75, 1e-15);
 }
 
+// The clock needs it: what the nodes' velocities do not tell of their way.
+TEST_F(Dumbbell, TellsHowFarItMovedNodesToTheirPlaces) {
+  add();
+  const model::Model model;
+  const RigidBodies bodies(model, domain_);
+  bodies.kick(domain_, 0.5);
+  bodies.carry_nodes(domain_, 0.5, 0.5);
+  domain_.clock.step = 0.5;
+  EXPECT_EQ(bodies.place_nodes(domain_), 0);
+  for (const std::size_t far : {0U, 1U}) {
+    domain_.nodes.position[far] += Vec3{0.3, -0.4, 1.2};
+    domain_.nodes.position[1 - far] += Vec3{0, 0.25, 0};
+    domain_.nodes.position[2] += Vec3{7, 0, 0};  // not of the body
+    EXPECT_NEAR(bodies.place_nodes(domain_), 1.3, 1e-15);
+    EXPECT_EQ(norm(domain_.nodes.position[0] - Vec3{-3, 0, 0}), 0);
+    EXPECT_EQ(norm(domain_.nodes.position[1] - Vec3{3, 0, 0}), 0);
+  }
+}
+
 TEST_F(Dumbbell, ImpactOfOneEndIsThatOfItsEffectiveMass) {
   domain_.nodes.velocity = {{0, 0, -3}, {0, 0, -3}, {}};
   domain::RigidBody& body = add();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "base/error.hpp"
 #include "support/verified.hpp"
 
@@ -81,6 +83,22 @@ TEST_F(TiedNodesTest, ForceAndMassGoToTheSegment) {
   // What the tie gave the node is what it misses of its own kick.
   test::verified("tied node is kicked: force of the tie", "missing momentum over the step")
       .near(domain_.ties[0].force.x, (mean - 8) / 0.5, 1e-13);
+}
+
+// The clock needs it: what the nodes' velocities do not tell of their way.
+TEST_F(TiedNodesTest, TellsHowFarItMovedNodesToTheirPlaces) {
+  tie_fourth();
+  // Node 6 is on the edge from node 4 to 5.
+  tie(6, {4, 5, 5, 5}, {0.5, 0.5, 0, 0});
+  const TiedNodes tied(model_, domain_);
+  EXPECT_EQ(tied.place_nodes(domain_), 0);
+  for (const auto& [far, near] : {std::pair<Index, Index>{4, 6}, {6, 4}}) {
+    domain_.nodes.position[far] += Vec3{0.3, -0.4, 1.2};
+    domain_.nodes.position[near] += Vec3{0, 0.25, 0};
+    EXPECT_NEAR(tied.place_nodes(domain_), 1.3, 1e-15);
+    EXPECT_EQ(norm(domain_.nodes.position[4] - Vec3{1, 1, 0}), 0);
+    EXPECT_EQ(norm(domain_.nodes.position[6] - Vec3{1, 1, 0}), 0);
+  }
 }
 
 TEST_F(TiedNodesTest, RotationsFollowWhereTheyAreTied) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "constraints/wall_impact.hpp"
+#include "support/larger.hpp"
 #include "support/verified.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace crumple::constraints {
@@ -74,7 +78,10 @@ TEST(CommonVelocity, OfAMoteIsThatOfWhatItHits) {
   const std::vector<Mass> masses = {{0.007, -1}, {3, 2}};
   for (const double mass : {1e-12, 1e-9, 1e-6}) {
     const double exact = (mass * 15 - 0.007) / (mass + 0.007);
-    test::verified("very light wall meets two masses: common velocity", "conservation of momentum")
+    std::array<char, 8> size{};
+    std::snprintf(size.data(), size.size(), "%.0e", mass);
+    test::verified(std::string("wall of mass ") + size.data() + " meets two masses: common velocity",
+                   "conservation of momentum")
         .near(common_velocity({mass, 15}, impulse_of(masses)), exact, 1e-14);
     EXPECT_NEAR(common_velocity({mass, 15, -1}, impulse_of(masses)), exact, 1e-14);
   }
@@ -90,7 +97,7 @@ TEST(CommonVelocity, OfManyMassesIsThatOfTheSetThatIsPushed) {
     const double mass = std::pow(10, 8 * unit(random) - 4);
     const double velocity = 2 * unit(random) - 0.5;
     const double found = common_velocity({mass, velocity}, impulse_of(masses));
-    worst = std::max(worst, std::fabs(found - by_sets(mass, velocity, masses)));
+    worst = test::larger_of(worst, std::fabs(found - by_sets(mass, velocity, masses)));
   }
   test::verified("wall meets up to 200 masses, 500 samples: common velocity, error",
                  "the set that is pushed, by trial")

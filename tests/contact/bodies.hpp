@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "domain/build.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
+#include "support/larger.hpp"
 
 namespace crumple::test {
 
@@ -218,10 +218,10 @@ inline Impact impact(contact::Interface& touching, domain::Domain& made, double 
     integrate(touching, made, step);
     const Balance now = balance(made, step);
     const double stored = made.contacts[0].energy;
-    found.stored = std::max(found.stored, stored);
-    found.imbalance = std::max(found.imbalance, std::fabs(now.kinetic + stored - found.start.kinetic));
-    found.momentum = std::max(found.momentum, norm(now.momentum - found.start.momentum));
-    found.spin = std::max(found.spin, norm(now.spin - found.start.spin));
+    found.stored = larger_of(found.stored, stored);
+    found.imbalance = larger_of(found.imbalance, std::fabs(now.kinetic + stored - found.start.kinetic));
+    found.momentum = larger_of(found.momentum, norm(now.momentum - found.start.momentum));
+    found.spin = larger_of(found.spin, norm(now.spin - found.start.spin));
   }
   return found;
 }

@@ -8,6 +8,7 @@
 
 #include "contact/bodies.hpp"
 #include "contact/surface.hpp"
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/verified.hpp"
 
@@ -99,8 +100,8 @@ void expect_as_if_never_been(model::LocalSearchKind kind) {
     for (Index node = 0; node < whole.model.nodes.count(); ++node) {
       const Vec3 here = eroded.contact_force[test::at(eroded, node)];
       const Vec3 there = never.contact_force[test::at(never, node)];
-      difference = std::max(difference, norm(here - there));
-      largest = std::max(largest, norm(there));
+      difference = test::larger_of(difference, norm(here - there));
+      largest = test::larger_of(largest, norm(there));
     }
   }
   EXPECT_GT(largest, 0);

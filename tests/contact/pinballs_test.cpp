@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "contact/bodies.hpp"
+#include "support/larger.hpp"
 #include "support/largest.hpp"
 #include "support/meshes.hpp"
 
@@ -58,7 +59,7 @@ double deepest_of_all(const PinballShape& a, const PinballShape& b) {
     for (int j = 0; j < 1 << a.level; ++j)
       for (int k = 0; k < 1 << b.level; ++k)
         for (int l = 0; l < 1 << b.level; ++l)
-          deepest = std::max(deepest, a.radius + b.radius - norm(centre(a, i, j) - centre(b, k, l)));
+          deepest = test::larger_of(deepest, a.radius + b.radius - norm(centre(a, i, j) - centre(b, k, l)));
   return deepest;
 }
 
@@ -123,7 +124,7 @@ TEST(Pinballs, CollisionKeepsMomentumAndEnergy) {
   expect_conserved("pinballs, two plates collide: ", found, 0.2);
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
   test::verified("pinballs, two plates collide: energy left in the contact over the kinetic one", "none")
-      .below(std::fabs(made.contacts[0].energy) / found.start.kinetic, 1e-2);
+      .below(std::fabs(made.contacts[0].energy) / found.start.kinetic, 1e-3);
 }
 
 TEST(Pinballs, TrianglesTouchQuadrilaterals) {
@@ -143,6 +144,10 @@ TEST(Pinballs, TrianglesTouchQuadrilaterals) {
   test::add_forces(touching, made);
   const test::Impact found = test::impact(touching, made, 1e-3, 2000);
   expect_conserved("pinballs, triangles on quadrilaterals: ", found, 0.2);
+  EXPECT_EQ(made.contacts[0].active_pairs, 0);
+  test::verified("pinballs, triangles on quadrilaterals: energy left in the contact over the kinetic one",
+                 "none")
+      .below(std::fabs(made.contacts[0].energy) / found.start.kinetic, 1e-4);
 }
 
 TEST(Pinballs, FrictionTakesEnergyOutAndSlowsBothAlike) {
@@ -178,8 +183,8 @@ TEST(Pinballs, FrictionTurnsWithTheBodies) {
   double largest = 0;
   double change = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    largest = std::max(largest, norm(before[i]));
-    change = std::max(change, std::fabs(norm(made.contact_force[i]) - norm(before[i])));
+    largest = test::larger_of(largest, norm(before[i]));
+    change = test::larger_of(change, std::fabs(norm(made.contact_force[i]) - norm(before[i])));
   }
   test::verified("pinballs, sticking plates turned by 1 rad: size of a force, change over the largest",
                  "no work")
@@ -261,17 +266,24 @@ TEST(Pinballs, FacesOfSolidsTouchWhereTheyAre) {
 TEST(Pinballs, CollisionOfSolidsKeepsMomentumAndEnergy) {
   for (const double thickness : {0.0, 0.2, 1.2}) {
     const Bodies bodies = two_cubes(thickness + 0.05, thickness);
-    domain::Domain made = bodies.build();
-    test::throw_together(made, 1.01, Vec3{0.03, 0.02, -0.1});
-    contact::Interface touching = bodies.attach(made);
-    touching.verify_search_every(20);
-    test::add_forces(touching, made);
-    const test::Impact found = test::impact(touching, made, 2e-3, 1500);
+    const auto collide = [&](int steps) {
+      domain::Domain made = bodies.build();
+      test::throw_together(made, 1.01, Vec3{0.03, 0.02, -0.1});
+      contact::Interface touching = bodies.attach(made);
+      touching.verify_search_every(20);
+      test::add_forces(touching, made);
+      const test::Impact found = test::impact(touching, made, 2e-3, steps);
+      return std::pair{found, made.contacts[0]};
+    };
     const std::string cubes =
         "pinballs, cubes with faces " + std::to_string(thickness).substr(0, 3) + " thick: ";
-    expect_conserved(cubes, found, 0.1);
-    test::verified(cubes + "energy lost or made, over the kinetic one", "potential of the overlaps")
-        .below(std::fabs(made.contacts[0].energy) / found.start.kinetic, 0.012);
+    // Nothing holds the masses of a cube together: after the first impact they fly on and meet again.
+    expect_conserved(cubes, collide(1500).first, 0.1);
+    const auto& [found, parted] = collide(500);
+    EXPECT_EQ(parted.active_pairs, 0) << thickness;
+    test::verified(cubes + "energy lost or made in the first impact, over the kinetic one",
+                   "potential of the overlaps")
+        .below(std::fabs(parted.energy) / found.start.kinetic, 0.002);
   }
 }
 

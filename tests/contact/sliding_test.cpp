@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/bodies.hpp"
+#include "support/larger.hpp"
 #include "support/largest.hpp"
 
 namespace crumple {
@@ -45,7 +46,7 @@ std::vector<Vec3> forces_along(const Bodies& bodies, Index tip, int steps,
 double largest_jump(const std::vector<Vec3>& forces, std::size_t from = 0) {
   double jump = 0;
   for (std::size_t i = from + 1; i < forces.size(); ++i)
-    jump = std::max(jump, norm(forces[i] - forces[i - 1]));
+    jump = test::larger_of(jump, norm(forces[i] - forces[i - 1]));
   return jump;
 }
 

@@ -61,6 +61,7 @@ TEST(Erosion, TakesForceEnergyAndStepOfTheElement) {
       ASSERT_EQ(body.block().eroded, 2) << name;
       EXPECT_EQ(body.block().hourglass_energy, 0);
       // All energy was in the two; the step of failure adds the last trapezoid, half of a whole step's work.
+      EXPECT_GT(work, 0);
       EXPECT_GT(body.block().eroded_energy, work);
       EXPECT_LT(body.block().eroded_energy, 1.03 * work);
       EXPECT_NEAR(body.block().internal_energy, 0, 1e-5 * work);
@@ -109,6 +110,7 @@ TEST(Erosion, ErodedEnergyIsTheWorkDoneOnTheElement) {
     }
     EXPECT_EQ(body.item("active", stretched), 0);
     EXPECT_EQ(stress[0], 0);
+    EXPECT_GT(work, 0);
     // Strain rates are taken at the middle of the step, the area is that of its end: second order.
     test::verified(std::string(kind.name) + ", torn until it erodes: eroded energy over the work",
                    "stress on strain")

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shell_harness.hpp"
+#include "support/larger.hpp"
 #include "support/largest.hpp"
 
 namespace crumple::elements::testing {
@@ -22,7 +23,7 @@ double largest(const Driven& patch, bool moments, bool only_inside) {
   double found = 0;
   for (Index i = 0; i < patch.domain.nodes.count(); ++i)
     if (!only_inside || inside(patch, i, 20))
-      found = std::max(found, norm(moments ? patch.moment(i) : patch.force(i)));
+      found = test::larger_of(found, norm(moments ? patch.moment(i) : patch.force(i)));
   return found;
 }
 

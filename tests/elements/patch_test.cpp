@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "shell_harness.hpp"
+#include "support/larger.hpp"
 #include "support/largest.hpp"
 
 namespace crumple::elements::testing {
@@ -31,13 +32,13 @@ double largest_inside(const model::Model& model, const Driven& patch, bool momen
   double largest = 0;
   for (Index i = 0; i < patch.domain.nodes.count(); ++i)
     if (inside(model, patch, i))
-      largest = std::max(largest, norm(moments ? patch.moment(i) : patch.force(i)));
+      largest = test::larger_of(largest, norm(moments ? patch.moment(i) : patch.force(i)));
   return largest;
 }
 double largest_anywhere(const Driven& patch, bool moments) {
   double largest = 0;
   for (Index i = 0; i < patch.domain.nodes.count(); ++i)
-    largest = std::max(largest, norm(moments ? patch.moment(i) : patch.force(i)));
+    largest = test::larger_of(largest, norm(moments ? patch.moment(i) : patch.force(i)));
   return largest;
 }
 

@@ -9,6 +9,7 @@
 
 #include "domain/build.hpp"
 #include "elements/elements.hpp"
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 
 namespace crumple::elements::testing {
@@ -134,7 +135,7 @@ class Driven {
     double largest = 0;
     for (const domain::ShellBlock& b : domain.shells)
       for (Index e = 0; e < b.elements; ++e)
-        for (Index c = 0; c < 5 * b.points; ++c) largest = std::max(largest, std::fabs(b.state(e, c)));
+        for (Index c = 0; c < 5 * b.points; ++c) largest = test::larger_of(largest, std::fabs(b.state(e, c)));
     return largest;
   }
   double item(const std::string& name, Index element, Index at = 0) const {

@@ -63,7 +63,7 @@ TEST(StaticSolids, CantileverBends) {
     const std::string mesh = layers == 1 ? ", 10 x 1 x 1: " : ", 20 x 2 x 2: ";
     test::verified("cantilever, " + std::string(of.name) + (coefficient == 1 ? " with QM 1" : "") + mesh +
                        "deflection over the beam's",
-                   "known of the element; the beam's is 1")
+                   "earlier result of this code; the beam's is 1")
         .near(cantilever(of, coefficient, 10 * layers, layers), known, known > 5 ? 0.01 : 0.001);
   };
   // One layer: assumed strains are made for it; the others have their hourglass stiffness alone, or shear in

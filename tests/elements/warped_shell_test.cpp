@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "shell_harness.hpp"
+#include "support/larger.hpp"
 #include "support/largest.hpp"
 
 namespace crumple::elements::testing {
@@ -29,15 +30,16 @@ double shear_in_bending(const Kind& kind, const domain::Execution& execution, do
   patch.step(1e-7, u, r);
   double largest = 0;
   for (Index e = 0; e < patch.block().elements; ++e)
-    largest = std::max(largest, std::hypot(patch.stress(e, 1, 3), patch.stress(e, 1, 4)));
+    largest = test::larger_of(largest, std::hypot(patch.stress(e, 1, 3), patch.stress(e, 1, 4)));
   double moment = 0;
   double inside = 0;
   for (Index i = 0; i < patch.domain.nodes.count(); ++i) {
     const Index node = patch.domain.nodes.model_node[i];
     const Index column = node % (n + 1);
     const Index row = node / (n + 1);
-    moment = std::max(moment, norm(patch.moment(i)));
-    if (column > 0 && column < n && row > 0 && row < n) inside = std::max(inside, norm(patch.moment(i)));
+    moment = test::larger_of(moment, norm(patch.moment(i)));
+    if (column > 0 && column < n && row > 0 && row < n)
+      inside = test::larger_of(inside, norm(patch.moment(i)));
   }
   *unbalanced = inside / moment;
   return largest / (youngs_modulus * 0.5 * thickness * size);

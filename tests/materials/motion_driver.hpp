@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "materials/solid_driver.hpp"
+#include "support/larger.hpp"
 
 namespace crumple::materials::testing {
 
@@ -60,7 +61,7 @@ inline Six six_of(const Matrix& m) {
 }
 inline double largest_difference(const Six& a, const Six& b) {
   double largest = 0;
-  for (int c = 0; c < 6; ++c) largest = std::max(largest, std::fabs(a[c] - b[c]));
+  for (int c = 0; c < 6; ++c) largest = test::larger_of(largest, std::fabs(a[c] - b[c]));
   return largest;
 }
 

@@ -7,6 +7,7 @@
 
 #include "materials/rate_cases.hpp"
 #include "materials/solid_driver.hpp"
+#include "support/larger.hpp"
 #include "support/largest.hpp"
 
 namespace crumple::materials::testing {
@@ -38,7 +39,7 @@ double worst_excess(const Case& one, bool viscoplastic, Isa isa, int flows) {
       const double dt = static_cast<double>(static_cast<Real>(step));
       const double rate = (viscoplastic ? flow : effective(strain)) / dt;
       const double yield = one.yield(before + flow, rate);
-      worst = std::max(worst, std::fabs(equivalent(point.stress()) - yield) / yield);
+      worst = test::larger_of(worst, std::fabs(equivalent(point.stress()) - yield) / yield);
     }
     EXPECT_EQ(flowing, flows) << one.name;
   }
@@ -205,9 +206,10 @@ TEST(SolidSlowLoading, AMillionFloatStepsGiveThePlasticStrain) {
       test::verified(slow + "plastic strain", "closed form; what rounding allows")
           .near(point.item("plastic_strain"), exact_plastic(strain),
                 million * last_place / (root3 * shear_modulus));
-      test::verified(slow + "stress on the yield surface [MPa]", "bilinear curve")
-          .near(root3 * point.stress()[3],
-                initial_yield + plastic_modulus(tangent) * point.item("plastic_strain"), 3e-4);
+      // The stress is that of the yield surface at this strain.
+      const double yield = initial_yield + plastic_modulus(tangent) * point.item("plastic_strain");
+      test::verified(slow + "stress off the yield surface [MPa]", "bilinear curve")
+          .below(std::fabs(root3 * point.stress()[3] - yield), 3e-4);
     }
 }
 

@@ -3,9 +3,9 @@
 
 // What an isolated system keeps, watched over a run.
 
-#include <algorithm>
 #include <cmath>
 
+#include "support/larger.hpp"
 #include "support/run.hpp"
 
 namespace crumple::test {
@@ -41,10 +41,10 @@ class Conservation {
         turning_scale_ += size * norm(nodes.position[i]);
       }
     }
-    momentum_drift = std::max(momentum_drift, norm(momentum - momentum_) / momentum_scale_);
-    turning_drift = std::max(turning_drift, norm(turning - turning_) / turning_scale_);
+    momentum_drift = larger_of(momentum_drift, norm(momentum - momentum_) / momentum_scale_);
+    turning_drift = larger_of(turning_drift, norm(turning - turning_) / turning_scale_);
     worst_imbalance =
-        std::max(worst_imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+        larger_of(worst_imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
   }
 
   double momentum_drift = 0;   ///< over the sum of m |v|

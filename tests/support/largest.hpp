@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
+#include "support/larger.hpp"
 #include "support/verified.hpp"
 
 namespace crumple::test {
@@ -27,10 +27,12 @@ class Largest {
     verified(what_, source_).below(largest_, bound_);
   }
 
-  /// An error; `place` helps to find it.
+  /// The size of an error, which has no sign: a sum with one would hide behind the bound. `place` helps to
+  /// find it.
   void add(double error, const std::string& place = "") {
     EXPECT_LT(error, bound_) << what_ << " " << place;
-    largest_ = std::max(error, largest_);
+    EXPECT_GE(error, 0) << what_ << " " << place;
+    largest_ = larger_of(largest_, error);
     any_ = true;
   }
   /// |found - accepted| over the size of what is compared.

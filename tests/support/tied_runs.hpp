@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "support/conservation.hpp"
+#include "support/larger.hpp"
 #include "support/ties.hpp"
 
 namespace crumple::test {
@@ -45,7 +45,7 @@ inline Deflection deflection(const model::Model& model) {
   Deflection found;
   run(simulation, [&](const domain::Domain& domain) {
     for (const model::NodalLoad& load : model.nodal_loads)
-      found.largest = std::max(found.largest, std::fabs(displacement(domain, load.node).y));
+      found.largest = larger_of(found.largest, std::fabs(displacement(domain, load.node).y));
   });
   found.energy_error = simulation.domain().energy.error();
   return found;

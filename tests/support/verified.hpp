@@ -38,8 +38,9 @@ class Verified {
 
  private:
   void note(const char* kind, double found, double accepted, double allowed) const {
+    // In full: what a limit of round-off allows is many digits behind the first.
     std::array<char, 160> numbers{};
-    std::snprintf(numbers.data(), numbers.size(), " | %s | %.6g | %.6g | %.6g", kind, found, accepted,
+    std::snprintf(numbers.data(), numbers.size(), " | %s | %.17g | %.17g | %.17g", kind, found, accepted,
                   allowed);
     // Properties of one name replace each other.
     const int count =

@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace crumple::timeloop {
 namespace {
@@ -142,7 +143,7 @@ TEST_P(NodeKernelsOf, DriftMovesNodesAndWritesTheirRecords) {
 
 TEST_P(NodeKernelsOf, DriftTellsTheRangeOfVelocities) {
   NodeFields nodes = some_nodes(37);
-  nodes.velocity[36] = {1e6, 1e6, 1e6};  // not of the range
+  nodes.velocity[0] = nodes.velocity[36] = {1e6, 1e6, 1e6};  // not of the range
   const VelocityRange range = node_kernels(GetParam()).drift(nodes, {1, 36}, interval);
   for (int axis = 0; axis < 3; ++axis) {
     const auto by_axis = [axis](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; };
@@ -154,15 +155,36 @@ TEST_P(NodeKernelsOf, DriftTellsTheRangeOfVelocities) {
   EXPECT_EQ(range.relative_speed(), math::norm(range.high - range.low));
 }
 
+TEST_P(NodeKernelsOf, DriftTellsTheRangeWhicheverNodeBoundsIt) {
+  constexpr NodeRange range{1, 36};
+  NodeFields nodes = some_nodes(37);
+  nodes.velocity[0] = nodes.velocity[36] = {1e6, 1e6, 1e6};  // not of the range
+  for (Index i = range.first; i < range.last; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double fast : {5.0, -5.0}) {
+        const double before = std::exchange(nodes.velocity[i][axis], fast);
+        const VelocityRange found = node_kernels(GetParam()).drift(nodes, range, interval);
+        EXPECT_EQ(fast > 0 ? found.high[axis] : found.low[axis], fast) << i << ' ' << axis;
+        EXPECT_LE(std::fabs(fast > 0 ? found.low[axis] : found.high[axis]), 1) << i << ' ' << axis;
+        nodes.velocity[i][axis] = before;
+      }
+}
+
 TEST_P(NodeKernelsOf, DriftTellsOfVelocitiesThatAreNotFinite) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr Index count = 9;
+  const auto drift = [](NodeFields& nodes, Index first, Index last) {
+    return node_kernels(GetParam()).drift(nodes, {first, last}, interval);
+  };
   for (const double bad : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()})
-    for (int axis = 0; axis < 3; ++axis) {
-      NodeFields nodes = some_nodes(9);
-      nodes.velocity[4][axis] = bad;
-      EXPECT_EQ(node_kernels(GetParam()).drift(nodes, {0, 9}, interval).relative_speed(), infinity);
-      EXPECT_TRUE(node_kernels(GetParam()).drift(nodes, {5, 9}, interval).finite);
-    }
+    for (Index i = 0; i < count; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        NodeFields nodes = some_nodes(count);
+        nodes.velocity[i][axis] = bad;
+        EXPECT_EQ(drift(nodes, 0, count).relative_speed(), infinity) << i << ' ' << axis;
+        EXPECT_TRUE(i == 0 || drift(nodes, 0, i).finite) << i << ' ' << axis;
+        EXPECT_TRUE(i + 1 == count || drift(nodes, i + 1, count).finite) << i << ' ' << axis;
+      }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, NodeKernelsOf, ::testing::ValuesIn(available_isas()),

@@ -48,6 +48,27 @@ class VerificationManualTest(unittest.TestCase):
         cases += manual.cases_of(results("a | b | below | 3e-15 | 0 | 1e-12", "a | b | below | 2e-15 | 0 | 1e-12", name="Moves/avx2"))
         self.assertIn("| a | b | 0 | < 1e-12 | 3e-15 |", manual.page_of(cases, [], ROOT))
 
+    def test_as_many_digits_as_the_limit_resolves(self):
+        for note, words in (("near | 1.0000000000123 | 1 | 1e-9", "1 | +- 1e-09 | 1.00000000001"),
+                            ("near | 1.0123456 | 1 | 0.1", "1 | +- 0.1 | 1.0123"),
+                            ("within | 1999.99876 | 2000.0012 | 1e-6", "2000.0012 | +- 0.0001 % | 1999.99876"),
+                            ("near | 0.33333333333333381 | 0.33333333333333331 | 1e-14",
+                             "0.333333333333333 | +- 1e-14 | 0.3333333333333338"),
+                            ("near | 6.0000000000000009 | 6 | 1e-15", "6 | +- 1e-15 | 6.000000000000001"),
+                            ("near | 1.2345e-16 | 0 | 1e-15", "0 | +- 1e-15 | 1.2e-16")):
+            noted = list(manual.cases_of(results(f"a | b | {note}", name="Moves")))
+            self.assertIn(f"| a | b | {words} |", manual.page_of(noted, [], ROOT))
+
+    def test_a_narrow_limit_has_an_honest_share(self):
+        case, = manual.cases_of(results("a | b | near | 1.00000000000025 | 1 | 1e-12"))
+        self.assertAlmostEqual(manual.share_of(case), 0.25, places=3)
+
+    def test_accepted_values_that_are_written_alike_are_one(self):
+        cases = list(manual.cases_of(results("a | b | near | 0.10000000000000003 | 0.10000000000000001 | 1e-12",
+                                             name="Moves/scalar")))
+        cases += manual.cases_of(results("a | b | near | 0.10000000000000001 | 0.10000000000000002 | 1e-12", name="Moves/avx2"))
+        self.assertEqual(manual.page_of(cases, [], ROOT).count("| a | b | 0.1 | +- 1e-12 |"), 1)
+
     def test_formulations_of_one_test_share_a_row(self):
         cases = list(manual.cases_of(results("HughesLiu, bent: moment | b | below | 1e-15 | 0 | 1e-12",
                                              "IHQ 5, bent: moment | b | below | 2e-15 | 0 | 1e-12")))
@@ -81,6 +102,12 @@ class VerificationManualTest(unittest.TestCase):
         written = page("a | b | near | 1.01 | 1 | 0.02", "c | b | below | 1.0e-14 | 0 | 1e-12")
         now = page("a | b | near | 1.0101 | 1 | 0.02", "c | b | below | 2.0e-14 | 0 | 1e-12")
         self.assertEqual(manual.differences(written, now), [])
+        written = page("a | b | near | 6.0000000000000009 | 6 | 1e-15")
+        self.assertEqual(manual.differences(written, page("a | b | near | 6 | 6 | 1e-15")), [])
+
+    def test_a_difference_of_narrow_limits_is_told(self):
+        written = page("a | b | near | 1 | 1 | 1e-9")
+        self.assertEqual(len(manual.differences(written, page("a | b | near | 1.0000000005 | 1 | 1e-9"))), 1)
 
     def test_other_figures_and_limits_are_told(self):
         written = page("a | b | near | 1.01 | 1 | 0.02")

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "support/drawn.hpp"
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -68,7 +68,7 @@ Profile profile_of(Index elements, model::ShellFormulation formulation) {
     const double x = length * i / elements;
     const double exact = x < c * time ? -velocity * x / c : -velocity * time;
     const double found = test::displacement(domain, i).x;
-    profile.error = std::max(profile.error, std::fabs(found - exact) / (velocity * time));
+    profile.error = test::larger_of(profile.error, std::fabs(found - exact) / (velocity * time));
     profile.exact.push_back({x, 1e3 * exact});
     profile.found.push_back({x, 1e3 * found});
   }
@@ -137,7 +137,7 @@ TEST_P(BarWave, EnergyBalances) {
   timeloop::Simulation simulation(model, test::execution());
   double worst = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
-    worst = std::max(worst, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+    worst = test::larger_of(worst, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
   });
   EXPECT_LT(worst, 1e-3);
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "support/larger.hpp"
 #include "support/lines.hpp"
 #include "support/verified.hpp"
 
@@ -205,8 +206,8 @@ TEST(Beams, TumblingBeamKeepsEnergyAndAngularMomentum) {
   double stretched = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
     if (domain.clock.cycle == 0) initial = angular_momentum(domain);
-    worst = std::max(worst, std::fabs(domain.energy.imbalance()));
-    stretched = std::max(stretched, domain.energy.internal);
+    worst = test::larger_of(worst, std::fabs(domain.energy.imbalance()));
+    stretched = test::larger_of(stretched, domain.energy.internal);
   });
   const double kinetic = simulation.domain().energy.initial_total;
   RecordProperty("internal_over_kinetic", std::to_string(stretched / kinetic));
@@ -239,7 +240,7 @@ TEST(Beams, HingeAtTheFootTakesTheEnergyThatTheBeamCannot) {
     const domain::BeamBlock& block = domain.beams[0];
     for (Index place = 0; place < block.elements; ++place)
       if (block.element[place] == 0) {
-        most = std::max(most, std::fabs(block.state(place, block.find("resultant")->first + 3)));
+        most = test::larger_of(most, std::fabs(block.state(place, block.find("resultant")->first + 3)));
         turn = block.state(place, block.find("plastic_deformation")->first + 2);
       }
   });
@@ -261,7 +262,7 @@ TEST(Beams, PlasticBarYieldsAtItsWholeSection) {
   double most = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
     const domain::BeamBlock& block = domain.beams[0];
-    most = std::max(most, block.state(0, block.find("resultant")->first));
+    most = test::larger_of(most, block.state(0, block.find("resultant")->first));
   });
   EXPECT_NEAR(most, 10 * 0.08, 1e-9);
   // 1/2 m v^2 = Np (stretch) less the elastic Np^2 L / 2 E A
@@ -288,7 +289,7 @@ TEST(Beams, ShakenBeamsOfAnyProportionsStayStable) {
       timeloop::Simulation simulation(model, test::execution());
       double worst = 0;
       test::run(simulation, [&](const domain::Domain& domain) {
-        worst = std::max(worst, std::fabs(domain.energy.imbalance()));
+        worst = test::larger_of(worst, std::fabs(domain.energy.imbalance()));
       });
       // The first half step from rest of the forces is the largest part.
       EXPECT_LT(worst, 0.02 * simulation.domain().energy.initial_total) << slenderness << " " << shear_area;

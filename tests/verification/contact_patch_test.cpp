@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "support/larger.hpp"
 #include "support/lines.hpp"
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
@@ -80,7 +81,7 @@ Deviation pressed(Index lower, Index upper, double stiffness) {
       for (int k = 0; k < 8; ++k) z += domain.nodes.reference[block.node_of(e, k)].z / 8;
       const double off = stress / pressure + 1;
       const std::size_t layer = std::fabs(z - height) < height / 4 ? 0 : 1;
-      found.largest = std::max(found.largest, std::fabs(off));
+      found.largest = test::larger_of(found.largest, std::fabs(off));
       squares[layer] += off * off;
       count[layer] += 1;
     }

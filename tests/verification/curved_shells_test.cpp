@@ -78,14 +78,17 @@ TEST_P(CurvedShell, Hemisphere8x8) {
 
 /// What is left of the mesh's error: 1 is the accepted displacement.
 TEST_P(CurvedShell, PinchedCylinderNightly32x32) {
-  EXPECT_NEAR(
-      over_accepted(test::pinched_cylinder(GetParam().formulation, 32), cylinder_rate, cylinder_duration), 1,
-      0.02);
+  const double ratio =
+      over_accepted(test::pinched_cylinder(GetParam().formulation, 32), cylinder_rate, cylinder_duration);
+  test::verified("pinched cylinder 32 x 32, brought to rest: displacement over accepted",
+                 "MacNeal and Harder 1985")
+      .near(ratio, 1, 0.02);
 }
 TEST_P(CurvedShell, HemisphereNightly16x16) {
-  EXPECT_NEAR(
-      over_accepted(test::hemisphere(GetParam().formulation, 16, 0.1), hemisphere_rate, hemisphere_duration),
-      1, 0.02);
+  const double ratio =
+      over_accepted(test::hemisphere(GetParam().formulation, 16, 0.1), hemisphere_rate, hemisphere_duration);
+  test::verified("hemisphere 16 x 16, brought to rest: displacement over accepted", "MacNeal and Harder 1985")
+      .near(ratio, 1, 0.02);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/rigid.hpp"
 #include "support/run.hpp"
@@ -19,10 +20,12 @@ namespace {
 
 using math::Vec3;
 
+constexpr double thickness = 1.0;
+
 /// Two gratings of upright strips, one along x and one along y, whose sharp edges meet: 16 crossings,
 /// seven of them at nodes.
 model::Model gratings(model::ContactEdges edges, double speed, bool plastic) {
-  model::Model model = test::one_part(test::elastic_steel(), test::shell_section(1.0, 3));
+  model::Model model = test::one_part(test::elastic_steel(), test::shell_section(thickness, 3));
   if (plastic) {
     model::PlasticKinematic law;
     law.youngs_modulus = 210.0;
@@ -74,9 +77,9 @@ TEST(EdgeContact, GratingsBounceEdgeOnEdge) {
       if (domain.clock.cycle == 0) before = now;
       double mass = 0;
       for (const double m : domain.nodes.mass) mass += m;
-      drift = std::max(drift, norm(now - before) / (mass * speed));
-      error = std::max(error, std::fabs(domain.energy.imbalance()));
-      stored = std::max(stored, domain.energy.contact);
+      drift = test::larger_of(drift, norm(now - before) / (mass * speed));
+      error = test::larger_of(error, std::fabs(domain.energy.imbalance()));
+      stored = test::larger_of(stored, domain.energy.contact);
       least = std::min(least, domain.energy.contact);
     }));
     simulation.inspect_contacts();
@@ -86,10 +89,13 @@ TEST(EdgeContact, GratingsBounceEdgeOnEdge) {
     test::verified(bounce + "imbalance over the internal energy", "conservation")
         .below(error / domain.energy.internal, 0.01);
     test::verified(bounce + "deepest penetration over the thickness", "mid-surfaces do not meet")
-        .below(domain.contacts[0].worst_penetration, 0.5);
+        .below(domain.contacts[0].worst_penetration / thickness, 0.5);
     EXPECT_GT(stored, 0.02 * domain.energy.initial_total);
     // An impact of a few steps gives back a little more or less than it took: -0.7 and -1.7 %.
     EXPECT_GT(least, -0.025 * stored);
+    // More often less: 2.6 % is missing after the elastic bounce.
+    test::verified(bounce + "energy left in the contact over the largest", "none")
+        .below(std::fabs(domain.energy.contact) / stored, 0.03);
     EXPECT_EQ(domain.contacts[0].inspection.intersections, 0);
     EXPECT_GT(domain.contacts[0].worst_penetration, 0.02);
     EXPECT_EQ(domain.contacts[0].active_pairs, 0);

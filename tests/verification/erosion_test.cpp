@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -77,8 +77,8 @@ TEST_P(Strip, PulledApartLosesNothing) {
     double eroded_energy = 0;
     long last_erosion = 0;
     test::run(simulation, [&](const domain::Domain& now) {
-      worst = std::max(worst, std::fabs(now.energy.imbalance()) / now.energy.initial_total);
-      worst_momentum = std::max(worst_momentum, norm(test::momentum(now)));
+      worst = test::larger_of(worst, std::fabs(now.energy.imbalance()) / now.energy.initial_total);
+      worst_momentum = test::larger_of(worst_momentum, norm(test::momentum(now)));
       Index count = 0;
       for (const domain::ShellBlock& block : now.shells) count += block.eroded;
       EXPECT_GE(count, eroded);

@@ -16,6 +16,7 @@
 
 #include "support/conservation.hpp"
 #include "support/drawn.hpp"
+#include "support/larger.hpp"
 #include "support/rigid.hpp"
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
@@ -146,8 +147,8 @@ class Curve {
     if (time_ < exact_->duration / 20) return;
     const double largest = exact_->force(exact_->approach);
     const double deviation = std::fabs(force_ - accepted_) / time_ / largest;
-    found_->force = std::max(found_->force, force_ / time_ / largest);
-    found_->deviation = std::max(found_->deviation, deviation);
+    found_->force = test::larger_of(found_->force, force_ / time_ / largest);
+    found_->deviation = test::larger_of(found_->deviation, deviation);
     found_->mean_deviation += 0.05 * deviation;
     found_->force_at_approach.push_back({1e3 * approach_ / time_, 4 * force_ / time_});
     time_ = force_ = accepted_ = approach_ = 0;
@@ -180,8 +181,8 @@ Impact strike(Index cells, Index other, double speed) {
     curve.add(motion, domain.clock.step);
     if (motion.force > 0) ended = domain.clock.time;
     if (began == 0) began = ended;
-    found.approach = std::max(found.approach, (motion.approach - gap) / exact.approach);
-    found.pressed = std::max(found.pressed, domain.contacts[0].penetration / exact.approach);
+    found.approach = test::larger_of(found.approach, (motion.approach - gap) / exact.approach);
+    found.pressed = test::larger_of(found.pressed, domain.contacts[0].penetration / exact.approach);
     found.rebound = motion.momentum / motion.mass / speed;
   }
   for (int i = 0; i <= 50; ++i) {

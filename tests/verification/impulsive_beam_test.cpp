@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -299,7 +300,7 @@ struct Path {
     for (std::size_t k = 0; k < times.size(); ++k)
       if (last_time_ < times[k] && time >= times[k])
         value[k] = last_ + (deflection - last_) * (times[k] - last_time_) / (time - last_time_);
-    value[2] = std::max(value[2], deflection);
+    value[2] = test::larger_of(value[2], deflection);
     const double from = std::max(last_time_, 0.5 * end_time);
     if (time > from) value[3] += 0.5 * (last_ + deflection) * (time - from) / (0.5 * end_time);
     last_ = deflection;

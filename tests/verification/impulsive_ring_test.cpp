@@ -17,6 +17,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -103,9 +104,9 @@ TEST_P(ImpulsiveRing, StopsWhenAndWhereTheExactSolutionDoes) {
     }
     // The second crest of the breathing is elastic alone.
     least_after = std::min(least_after, w);
-    if (w > least_after) greatest_after = std::max(greatest_after, w);
+    if (w > least_after) greatest_after = test::larger_of(greatest_after, w);
     for (Index i = 1; i < 2 * around; ++i)
-      unevenness = std::max(unevenness, std::fabs(deflection(domain, i) - w));
+      unevenness = test::larger_of(unevenness, std::fabs(deflection(domain, i) - w));
   });
   const double rest = 0.5 * (least_after + greatest_after);
   const domain::EnergyLedger& energy = simulation.domain().energy;

@@ -12,6 +12,7 @@
 #include <cstdio>
 
 #include "support/drawn.hpp"
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/rigid.hpp"
 #include "support/run.hpp"
@@ -83,7 +84,7 @@ TEST(MassOnBar, WallSlowsDownByTheImpedanceOfTheBar) {
       const double time = domain.clock.time + 0.5 * simulation.next_step();
       if (domain.clock.cycle == 0) return;
       const double exact = speed * std::exp(-2 / ratio * time / there_and_back);
-      worst = std::max(worst, std::fabs(domain.walls[0].velocity.x - exact) / speed);
+      worst = test::larger_of(worst, std::fabs(domain.walls[0].velocity.x - exact) / speed);
       accepted.push_back({time / there_and_back, exact / speed});
       found.push_back({time / there_and_back, domain.walls[0].velocity.x / speed});
     });
@@ -114,8 +115,9 @@ TEST(MassOnBar, AFreeBarLeavesWhenItsWaveIsBack) {
   test::run(simulation, [&](const domain::Domain& domain) {
     const double force = density * wave_speed() * speed * width * thickness;
     if (domain.walls[0].normal_force > 0.1 * force) last_touch = domain.clock.time;
-    mismatch = std::max(mismatch, norm(whole_momentum(domain) - before) / norm(before));
-    imbalance = std::max(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+    mismatch = test::larger_of(mismatch, norm(whole_momentum(domain) - before) / norm(before));
+    imbalance =
+        test::larger_of(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
   });
   const domain::Domain& domain = simulation.domain();
   const domain::WallReport& wall = domain.walls[0];
@@ -146,7 +148,8 @@ TEST(MassOnBar, AHeldBarPushesTheWallBack) {
   test::run(simulation, [&](const domain::Domain& domain) {
     if (domain.walls[0].normal_force > 0.02 * density * wave_speed() * speed * width * thickness)
       last_touch = domain.clock.time;
-    imbalance = std::max(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+    imbalance =
+        test::larger_of(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
   });
   // Of the second wave: contact ends at 2 L / c (1 + (2 + exp(-2)) / 4), with -2 V exp(-1 - exp(-2) / 2).
   const double end = there_and_back * (1 + (2 + std::exp(-2.0)) / 4);
@@ -194,7 +197,7 @@ TEST(MassOnBar, AHugeMassMovesAsPrescribed) {
   test::run(other);
   double worst = 0;
   for (Index i = 0; i < one.domain().nodes.count(); ++i)
-    worst = std::max(worst, norm(one.domain().nodes.velocity[i] - other.domain().nodes.velocity[i]));
+    worst = test::larger_of(worst, norm(one.domain().nodes.velocity[i] - other.domain().nodes.velocity[i]));
   std::printf("velocities differ by %.1e\n", worst / speed);
   EXPECT_LT(worst, 2e-13 * speed);
   EXPECT_NEAR(one.domain().walls[0].impulse.x / other.domain().walls[0].impulse.x, 1, 1e-11);
@@ -245,8 +248,9 @@ TEST(MassOnBall, MomentumAndEnergyAreKept) {
       const Vec3 impulse = domain.walls[0].impulse;
       // What friction gives the wall along itself is the guide's.
       const Vec3 change = now - before + (impulse - dot(impulse, normal) * normal);
-      mismatch = std::max(mismatch, norm(change) / norm(before));
-      imbalance = std::max(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+      mismatch = test::larger_of(mismatch, norm(change) / norm(before));
+      imbalance =
+          test::larger_of(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
     });
     const domain::Domain& domain = simulation.domain();
     std::printf("%s ball: momentum %.1e, imbalance %.1e, wall's velocity %.4f, taken %.4f\n",

@@ -8,6 +8,7 @@
 
 #include "constraints/rigid_bodies.hpp"
 #include "constraints/rigid_motion.hpp"
+#include "support/larger.hpp"
 #include "support/rigid.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -177,7 +178,7 @@ TEST(RigidBody, PrescribedDisplacementIsMetAtEveryStep) {
       birth = now.clock.time;
     }
     const auto curve = [&](double t) { return 0.5 * model.curves[1].at(t - 0.005); };
-    worst = std::max(worst, std::fabs(moved - at_birth - (curve(now.clock.time) - curve(birth))));
+    worst = test::larger_of(worst, std::fabs(moved - at_birth - (curve(now.clock.time) - curve(birth))));
   });
   EXPECT_LT(worst, 1e-12);
   EXPECT_LT(std::fabs(simulation.domain().energy.imbalance()),
@@ -276,8 +277,8 @@ TEST_P(ThrownBlock, WallTakesItsMomentumAndNothingPasses) {
   test::run(simulation, [&](const domain::Domain& now) {
     for (const Vec3& x : now.nodes.position) lowest = std::min(lowest, x.z);
     const Vec3 momentum = now.rigid_bodies[0].mass * now.rigid_bodies[0].velocity;
-    worst = std::max(worst, norm(momentum + now.walls[0].impulse - start) / norm(start));
-    gain = std::max(gain, now.energy.kinetic - energy);
+    worst = test::larger_of(worst, norm(momentum + now.walls[0].impulse - start) / norm(start));
+    gain = test::larger_of(gain, now.energy.kinetic - energy);
     energy = now.energy.kinetic;
   });
   RecordProperty("lowest_node", test::figure(lowest));

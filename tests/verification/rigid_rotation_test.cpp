@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "constraints/rigid_motion.hpp"
+#include "support/larger.hpp"
 #include "support/rigid.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -63,10 +64,11 @@ TEST(RigidRotation, AsymmetricBodyKeepsEnergyAndMomentumOverAHundredTurns) {
   double smallest = 1;
   test::run(simulation, [&](const domain::Domain&) {
     const math::Matrix3 inertia = constraints::inertia_tensor(body, body.turn);
-    worst_momentum = std::max(worst_momentum, norm(inertia * body.previous_spin - momentum) / norm(momentum));
-    worst_energy = std::max(worst_energy, std::fabs(body.kinetic_energy / energy - 1));
-    worst_nodal = std::max(worst_nodal,
-                           norm(nodal_momentum(domain, simulation.next_step()) - momentum) / norm(momentum));
+    worst_momentum =
+        test::larger_of(worst_momentum, norm(inertia * body.previous_spin - momentum) / norm(momentum));
+    worst_energy = test::larger_of(worst_energy, std::fabs(body.kinetic_energy / energy - 1));
+    worst_nodal = test::larger_of(
+        worst_nodal, norm(nodal_momentum(domain, simulation.next_step()) - momentum) / norm(momentum));
     const auto& x = domain.nodes.position;
     const Vec3 edge = x[domain.nodes.domain_node[2]] - x[domain.nodes.domain_node[0]];
     smallest = std::min(smallest, edge.y / 2);
@@ -107,7 +109,7 @@ double precession_error(double step) {
         fixed + std::cos(angle) * (start - fixed) + std::sin(angle) * cross(along, start - fixed);
     const auto& x = domain.nodes.position;
     const auto at = [&](Index node) { return x[domain.nodes.domain_node[node]]; };
-    worst = std::max(worst, norm(0.5 * (at(4) - at(0)) - exact));
+    worst = test::larger_of(worst, norm(0.5 * (at(4) - at(0)) - exact));
   });
   return worst;
 }

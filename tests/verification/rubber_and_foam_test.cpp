@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -63,9 +64,9 @@ TEST_P(Soft, RubberBouncesAndKeepsItsEnergy) {
       test::run(simulation, [&](const domain::Domain& domain) {
         for (Index i = 0; i < domain.nodes.count(); ++i)
           if (domain.nodes.reference[i].z == 20) lowest = std::min(lowest, domain.nodes.position[i].z);
-        worst = std::max(worst, energy_error(domain, domain.energy.initial_total));
+        worst = test::larger_of(worst, energy_error(domain, domain.energy.initial_total));
         if (first_limit == 0) first_limit = domain.clock.element_limit;
-        limit_change = std::max(limit_change, 1 - domain.clock.element_limit / first_limit);
+        limit_change = test::larger_of(limit_change, 1 - domain.clock.element_limit / first_limit);
       });
       const domain::EnergyLedger& energy = simulation.domain().energy;
       std::printf(
@@ -111,9 +112,9 @@ TEST_P(Soft, FoamTakesTheEnergyOfItsCurve) {
   test::run(simulation, [&](const domain::Domain& domain) {
     for (Index i = 0; i < domain.nodes.count(); ++i) {
       if (domain.nodes.reference[i].z == 40) lowest = std::min(lowest, domain.nodes.position[i].z);
-      spread = std::max(spread, std::fabs(domain.nodes.position[i].x - domain.nodes.reference[i].x));
+      spread = test::larger_of(spread, std::fabs(domain.nodes.position[i].x - domain.nodes.reference[i].x));
     }
-    worst = std::max(worst, energy_error(domain, domain.energy.initial_total));
+    worst = test::larger_of(worst, energy_error(domain, domain.energy.initial_total));
   });
   // Without inertia of the foam: V int_0^gamma Y = m v^2 / 2.
   const double absorbed = 0.5 * plate * velocity * velocity / (20 * 20 * 40);

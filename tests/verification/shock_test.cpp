@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/copper.hpp"
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/rigid.hpp"
 #include "support/run.hpp"
@@ -95,7 +96,8 @@ Behind behind(const domain::Domain& domain) {
   const double over = 1.0 / static_cast<double>(pressures.size());
   for (double* const sum : {&found.pressure, &found.axial, &found.volume, &found.energy, &found.wave_speed})
     *sum *= over;
-  for (const double p : pressures) found.scatter = std::max(found.scatter, std::fabs(p - found.pressure));
+  for (const double p : pressures)
+    found.scatter = test::larger_of(found.scatter, std::fabs(p - found.pressure));
   return found;
 }
 

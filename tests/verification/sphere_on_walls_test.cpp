@@ -12,6 +12,7 @@
 #include <string>
 
 #include "constraints/wall_shapes.hpp"
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -74,15 +75,15 @@ void give_velocity(model::Model& model, const test::Point& velocity) {
 double deepest(const constraints::WallSurface& surface, const domain::Domain& domain) {
   double depth = 0;
   for (const Vec3& x : domain.nodes.position)
-    depth = std::max(depth, std::visit(
-                                [&](const auto& shape) {
-                                  if constexpr (requires { shape.gap(x); })
-                                    return -shape.gap(x).gap;
-                                  else
-                                    // A rectangle is as good as the plane under this ball.
-                                    return -(x.z + radius + 0.1);
-                                },
-                                surface));
+    depth = test::larger_of(depth, std::visit(
+                                       [&](const auto& shape) {
+                                         if constexpr (requires { shape.gap(x); })
+                                           return -shape.gap(x).gap;
+                                         else
+                                           // A rectangle is as good as the plane under this ball.
+                                           return -(x.z + radius + 0.1);
+                                       },
+                                       surface));
   return depth;
 }
 
@@ -100,9 +101,10 @@ TEST_P(BallOnWall, ReboundsWithoutPenetrationLossOfMomentumOrOfEnergy) {
   test::run(simulation, [&](const domain::Domain& domain) {
     const Vec3 now = test::momentum(domain);
     if (domain.clock.cycle == 0) before = now;
-    depth = std::max(depth, deepest(surface, domain));
-    mismatch = std::max(mismatch, norm(now - before + domain.walls[0].impulse) / norm(before));
-    imbalance = std::max(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+    depth = test::larger_of(depth, deepest(surface, domain));
+    mismatch = test::larger_of(mismatch, norm(now - before + domain.walls[0].impulse) / norm(before));
+    imbalance =
+        test::larger_of(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
   });
   const domain::Domain& domain = simulation.domain();
   const domain::WallReport& wall = domain.walls[0];

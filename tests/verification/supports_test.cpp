@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "support/larger.hpp"
 #include "support/lines.hpp"
 #include "support/ties.hpp"
 #include "support/verified.hpp"
@@ -55,8 +56,8 @@ double worst_balance(const model::Model& model, const Vec3& applied) {
     const double interval = 0.5 * (step + simulation.next_step());
     const Vec3 rate = (1 / interval) * (test::momentum(simulation.domain()) - before);
     const Vec3 reaction = force_of_supports(simulation.domain());
-    worst = std::max(worst, norm(rate - applied - reaction));
-    largest = std::max(largest, norm(reaction));
+    worst = test::larger_of(worst, norm(rate - applied - reaction));
+    largest = test::larger_of(largest, norm(reaction));
   }
   EXPECT_GT(largest, norm(applied)) << "it swings";
   return worst / largest;

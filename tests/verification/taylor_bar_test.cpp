@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 #include "support/verified.hpp"
@@ -76,13 +77,14 @@ Shape struck(const model::Model& model, const domain::Execution& execution) {
   const domain::Domain& domain = simulation.domain();
   Shape shape;
   double top = 0;
-  for (const math::Vec3& start : domain.nodes.reference) top = std::max(top, start.z);
+  for (const math::Vec3& start : domain.nodes.reference) top = test::larger_of(top, start.z);
   for (Index i = 0; i < domain.nodes.count(); ++i) {
     const math::Vec3& x = domain.nodes.position[i];
     const math::Vec3& start = domain.nodes.reference[i];
     if (start.z == top && start.x == 0 && start.y == 0) shape.length = x.z;
-    if (start.z == 0) shape.foot = std::max(shape.foot, std::hypot(x.x, x.y));
-    if (std::fabs(x.z - 0.2 * top) < 0.02 * top) shape.width = std::max(shape.width, std::hypot(x.x, x.y));
+    if (start.z == 0) shape.foot = test::larger_of(shape.foot, std::hypot(x.x, x.y));
+    if (std::fabs(x.z - 0.2 * top) < 0.02 * top)
+      shape.width = test::larger_of(shape.width, std::hypot(x.x, x.y));
   }
   const domain::EnergyLedger& energy = domain.energy;
   shape.energy_error =

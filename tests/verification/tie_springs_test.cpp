@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <utility>
 
+#include "support/larger.hpp"
 #include "support/rigid.hpp"
 #include "support/tied_runs.hpp"
 #include "support/verified.hpp"
@@ -43,7 +43,7 @@ TEST(TieSprings, RigidBodiesTurnAsOne) {
   double opening = 0;
   while (!simulation.finished()) {
     simulation.step();
-    opening = std::max(opening, domain.ties[0].opening);
+    opening = test::larger_of(opening, domain.ties[0].opening);
   }
   std::printf("opening %.2e, momentum %.1e, energy %.1e\n", opening,
               norm(test::momentum(domain) - momentum) / norm(momentum),
@@ -70,7 +70,7 @@ TEST(TieSprings, RigidPlacementIsFreeOfForce) {
     springs.add_forces(domain);
     double largest = 0;
     for (const domain::NodeForce& force : domain.nodes.force)
-      for (const double component : force.force) largest = std::max(largest, std::fabs(component));
+      for (const double component : force.force) largest = test::larger_of(largest, std::fabs(component));
     return largest;
   };
   ASSERT_FALSE(domain.ties[0].nodes.empty());

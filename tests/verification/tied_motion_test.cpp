@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/larger.hpp"
 #include "support/run.hpp"
 #include "support/ties.hpp"
 #include "support/verified.hpp"
@@ -160,7 +161,7 @@ TEST(TiedMotion, AfterTheBreakTheSurfacesTouch) {
       for (std::size_t k = 0; k < 4; ++k) gap -= tied.weight[k] * domain.nodes.position[tied.corner[k]].x;
       mean += gap / static_cast<double>(domain.ties[0].nodes.size());
     }
-    widest = std::max(widest, mean);
+    widest = test::larger_of(widest, mean);
     deepest = std::min(deepest, mean);
   }
   std::printf("broken %d, opened to %.4f, pressed in by %.4f, energy error %.2e\n", domain.ties[0].broken,

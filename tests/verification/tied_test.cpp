@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "support/larger.hpp"
 #include "support/rigid.hpp"
 #include "support/tied_runs.hpp"
 #include "support/verified.hpp"
@@ -50,8 +51,8 @@ Patch run_patch(Index coarse, Index fine) {
       for (Index c = 0; c < stress.count; ++c) {
         const double exact = c % 6 == 0 ? test::modulus * strain : 0;
         patch.stress_error =
-            std::max(patch.stress_error,
-                     std::fabs(block.state(e, stress.first + c) - exact) / (test::modulus * strain));
+            test::larger_of(patch.stress_error,
+                            std::fabs(block.state(e, stress.first + c) - exact) / (test::modulus * strain));
       }
   }
   patch.energy_error = domain.energy.error();
@@ -116,7 +117,7 @@ TEST(Tied, TurningMakesNoForceAndKeepsMomenta) {
     for (const domain::TiedNode& tied : domain.ties[0].nodes) {
       Vec3 away = domain.nodes.position[tied.node];
       for (std::size_t k = 0; k < 4; ++k) away -= tied.weight[k] * domain.nodes.position[tied.corner[k]];
-      gap = std::max(gap, norm(away));
+      gap = test::larger_of(gap, norm(away));
     }
   }
   std::printf("turned %.2f rad, momentum %.1e, gap %.1e, energy error %.1e, kinetic %.6g of %.6g\n", turned,

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "support/larger.hpp"
 #include "support/lines.hpp"
 #include "support/verified.hpp"
 
@@ -59,7 +60,7 @@ TEST(Trusses, SnapThroughWhereTheirEnergyLetsThem) {
     test::run(simulation, [&](const domain::Domain& domain) {
       const double y = domain.nodes.position[domain.nodes.domain_node[1]].y;
       height = std::min(height, y);
-      worst = std::max(worst, std::fabs(domain.energy.internal - energy_at(y)));
+      worst = test::larger_of(worst, std::fabs(domain.energy.internal - energy_at(y)));
     });
     EXPECT_LT(worst, 1e-4 * energy_at(0));
     return height;
@@ -106,7 +107,7 @@ TEST(Trusses, PlasticBarStopsTheMassWhereItsWorkIsDone) {
   test::run(simulation, [&](const domain::Domain& domain) {
     const double x = domain.nodes.position[domain.nodes.domain_node[1]].x;
     if (x > longest) shortest_after = x;
-    longest = std::max(longest, x);
+    longest = test::larger_of(longest, x);
     shortest_after = std::min(shortest_after, x);
   });
   // Work over the length with the stress s(ln(l / L)), by small steps; it is the kinetic energy at the peak.
