@@ -119,7 +119,7 @@ def all_jobs():
     return jobs
 
 
-def with_settings(deck, cell, expansion, automatic):
+def with_settings(deck, cell, expansion, automatic=False):
     """The deck with other cells over the same box, and another territory expansion; 0 leaves them as they are.
     `automatic` takes both out."""
     if automatic:

@@ -35,6 +35,13 @@ class SettingsTest(unittest.TestCase):
         self.assertIn("$crumple expansion=0.004\n", deck)
         self.assertIn("$crumple domain=0,0.30,0,0.04,-0.02,0.02\n", deck)
 
+    def test_the_program_may_choose_both(self):
+        deck = with_settings(DECK, 0, 0, automatic=True)
+        for key in ("cells", "domain", "expansion"):
+            self.assertNotIn(f"$crumple {key}=", deck)
+        kept = [line for line in DECK.splitlines() if not line.startswith(("$crumple cells", "$crumple domain", "$crumple expansion"))]
+        self.assertEqual(deck.splitlines(), kept)
+
     def test_there_is_at_least_one_cell(self):
         self.assertIn("$crumple cells=1,1,1\n", with_settings(DECK, 5, 0))
 
