@@ -67,7 +67,7 @@ def results(arguments):
             write_deck(deck, generator[0], [*generator[1:], *limit])
             for precision in [arguments.precision] if arguments.precision else ["mixed", "double"]:
                 options = ["-t", arguments.threads, "--precision", precision]
-                yield name, run(arguments.program, deck, deck.with_suffix(".out"), options)
+                yield name, run(arguments.program, deck, deck.with_suffix(".out"), options, wait_policy=None)
 
 
 def print_head():

@@ -19,14 +19,17 @@ def write_deck(path, generator, options=()):
         subprocess.run([sys.executable, str(generator), *map(str, options)], stdout=deck, check=True)
 
 
-def run(program, deck, folder, options=(), core=None):
+def run(program, deck, folder, options=(), core=None, wait_policy="passive"):
     """run.json of a run, with `cpu_seconds` and `seconds` of the whole program added. `core` is the processor that it
-    is held to. Throws CalledProcessError, and shows what the program said, unless it ends normally."""
+    is held to. Threads that wait leave the processor to others, unless times of several are measured: then
+    `wait_policy` is None, what users have. Throws CalledProcessError, and shows what the program said, unless it ends
+    normally."""
     pinned = [] if core is None else ["taskset", "-c", str(core)]
+    environment = os.environ | ({"OMP_WAIT_POLICY": wait_policy} if wait_policy else {})
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     start = time.monotonic()
     done = subprocess.run([*pinned, str(program), "run", str(deck), "-o", str(folder), "--quiet", *options],
-                          capture_output=True, text=True, env=os.environ | {"OMP_WAIT_POLICY": "passive"})
+                          capture_output=True, text=True, env=environment)
     seconds = time.monotonic() - start
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if done.returncode != 0:
