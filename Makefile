@@ -3,7 +3,7 @@
 # The work is done by CMake (CMakePresets.json) and by the scripts in tools/.
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
-.PHONY: help demo paper build package test test-full nightly check docs format clean
+.PHONY: help demo paper validation build package test test-full nightly check docs format clean
 
 # CMake takes the launcher from the environment; ccache only where it is installed.
 use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
@@ -11,6 +11,7 @@ use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
 help:
 	@echo "make demo       build, run the box beam of the paper, draw it, list the files to open"
 	@echo "make paper      build, run the paper's three examples with every search method, write docs/paper.md (10 minutes)"
+	@echo "make validation DECKS=folder  run others' models with reference results, write docs/validation.md (30 minutes)"
 	@echo "make build      release programs and the pages of crumple report and compare: build/release, build/viewer"
 	@echo "make package    Debian packages; tar files of a program that needs only the C library"
 	@echo "make test       release build and all quick tests"
@@ -30,6 +31,11 @@ paper:
 	@tools/setup build picture
 	@$(MAKE) build
 	@/usr/bin/python3 bench/paper build/release/crumple
+
+validation:
+	@[ -d "$(DECKS)" ] || { echo "DECKS=folder names the folder of the decks: see bench/validation.py --help"; exit 2; }
+	@$(MAKE) build
+	@/usr/bin/python3 bench/validation.py --program build/release/crumple --decks "$(DECKS)"
 
 build:
 	@tools/setup build

@@ -90,6 +90,30 @@ function(crumple_choose_http_server target)
   endif()
 endfunction()
 
+# Tests under sanitizers spend their time in the compiler: files are compiled eight at a time, and those outside the core
+# without optimisation. Alone are files with local names of another file in their folder, and with definitions of their
+# own: the second list has the ends of their names. tools/check_tidy reads both.
+set(CRUMPLE_UNITY_LAYERS app compare constraints contact deck domain elements live loads materials model output report
+  timeloop)
+set(CRUMPLE_COMPILED_ALONE _history _reader beam_kernels comparison d3plot_state edge_geometry edge_search element_constants
+  forces global_search multipliers numbers page quantity_names read_conditions read_control read_control_shell read_mesh
+  read_parts read_sets read_solids read_walls rigid_motion run_record solid_benchmark stable_steps stop_signals text_file)
+function(crumple_compile_together target layer)
+  # Fuzzing programs run for long; they have no tests beside them.
+  if(NOT CRUMPLE_UNITY OR NOT CRUMPLE_SANITIZE OR NOT CRUMPLE_TESTS OR NOT layer IN_LIST CRUMPLE_UNITY_LAYERS)
+    return()
+  endif()
+  if(layer IN_LIST CRUMPLE_NON_CORE OR layer STREQUAL "app")
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  target_compile_options(${target} PRIVATE -Wno-shadow)
+  list(JOIN CRUMPLE_COMPILED_ALONE "|" alone)
+  set(sources ${ARGN})
+  list(FILTER sources INCLUDE REGEX "(${alone})\\.cpp$")
+  set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # One static library per folder. A folder without sources yet is an interface target.
 function(crumple_add_layer layer)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/crumple/${layer}/*.cpp)
@@ -99,6 +123,7 @@ function(crumple_add_layer layer)
   if(sources)
     add_library(${target} STATIC ${sources})
     target_compile_options(${target} PRIVATE ${CRUMPLE_WARNINGS} ${CRUMPLE_COPY_FLAGS_${layer}})
+    crumple_compile_together(${target} ${layer} ${sources})
     if(layer MATCHES "^(base|materials|elements|contact|timeloop)$")
       target_compile_definitions(${target} PRIVATE ${CRUMPLE_FAST_KERNELS})
     endif()

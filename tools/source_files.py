@@ -56,6 +56,12 @@ def includes(path):
     return found
 
 
+def include_folders(root):
+    """Where the compilers look for the headers of the project."""
+    return (root / "crumple", root / "cellsearch" / "include", root / "cellsearch" / "src", root / "tests",
+            root / "cellsearch" / "tests", root / "cellsearch" / "bench")
+
+
 def read_layers(root):
     """cmake/layers.cmake, the single source: ({folder: set of folders it may include}, set of folders
     outside the core)."""

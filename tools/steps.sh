@@ -27,6 +27,7 @@ step() {
   fi
   step_names+=("$name")
   step_seconds+=($((SECONDS - start)))
+  printf '    %s s, %s s in all\n' "$((SECONDS - start))" "$SECONDS"
 }
 
 # Prints the table; its exit status is the one of the whole run.
@@ -52,6 +53,21 @@ run_tests() {
   local preset=$1
   shift
   ctest --test-dir "build/$preset" --output-on-failure --no-tests=ignore -j "$(nproc)" "$@"
+}
+
+# sanitized_tests FOLDER [left-out labels [ctest options]]: those of build/FOLDER, by default what there is time for.
+sanitized_tests() {
+  local folder=$1 left_out=${2:-nightly|golden|slow} tool=tools/with_asan
+  [ "${folder#tsan}" = "$folder" ] || tool=tools/with_tsan
+  "$tool" ctest --test-dir "build/$folder" --output-on-failure --no-tests=error -j "$(nproc)" -LE "$left_out" "${@:3}"
+}
+
+# cellsearch_alone FOLDER [cmake options]: the search library must build, pass its tests and install where crumple is not.
+cellsearch_alone() {
+  local folder=$1
+  shift
+  cmake -S cellsearch -B "build/$folder" -G Ninja -DCMAKE_INSTALL_PREFIX="$PWD/build/cellsearch-installed" "$@" &&
+    cmake --build "build/$folder" && sanitized_tests "$folder" && cmake --install "build/$folder"
 }
 
 # static_checks [options of check_tidy]: the static checks of tools/.

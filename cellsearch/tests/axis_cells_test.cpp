@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace cellsearch {
+namespace cellsearch::axis_cells_test {
 namespace {
 
 TEST(AxisCells, AreAsWideAsAskedOrALittleWider) {
@@ -55,4 +55,4 @@ TEST(CellWidths, ComeFromTheDomainTheSettingsOrTheGrid) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::axis_cells_test

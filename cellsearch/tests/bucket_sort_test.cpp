@@ -7,7 +7,7 @@
 
 #include "finder_scene.hpp"
 
-namespace cellsearch {
+namespace cellsearch::bucket_sort_test {
 namespace {
 
 std::vector<Index> nodes_of(const BucketSort& sorted, Index bucket) {
@@ -96,4 +96,4 @@ TEST(BucketSort, HasNoBucketWithoutNodes) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::bucket_sort_test

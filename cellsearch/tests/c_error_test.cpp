@@ -12,7 +12,7 @@
 #include "c_program.hpp"
 #include "cellsearch/cellsearch.h"
 
-namespace cellsearch {
+namespace cellsearch::c_error_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -211,4 +211,4 @@ TEST(CErrors, RefusesFurtherQueriesOfBadScenes) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::c_error_test

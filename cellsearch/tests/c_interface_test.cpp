@@ -20,7 +20,7 @@
 #include "cellsearch/segment_pairs.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::c_interface_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -310,4 +310,4 @@ TEST(CInterface, HandlesAreIndependent) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::c_interface_test

@@ -10,7 +10,7 @@
 #include "cellsearch/error.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::cell_grid_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -162,4 +162,4 @@ TEST(AutomaticDomain, TakesAnyBoxAndEdge) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::cell_grid_test

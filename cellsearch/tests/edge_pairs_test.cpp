@@ -16,7 +16,7 @@
 
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::edge_pairs_test {
 namespace {
 
 TEST(UniqueEdges, CountASharedEdgeOnceAndATrianglesThree) {
@@ -261,4 +261,4 @@ TEST(EdgePairs, RefuseBadInput) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::edge_pairs_test

@@ -11,7 +11,7 @@
 #include "cellsearch/search.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::error_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -128,4 +128,4 @@ TEST(BadSettings, AreRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::error_test

@@ -11,7 +11,7 @@
 #include "cellsearch/search.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::filter_error_test {
 namespace {
 
 /// Filters that are right for 100 nodes and 60 segments.
@@ -102,4 +102,4 @@ INSTANTIATE_TEST_SUITE_P(
                     [](FilterArrays& f) { f.groups = -2; }}));
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::filter_error_test

@@ -16,7 +16,7 @@
 #include "cellsearch/verify.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::filter_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -336,4 +336,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, AllFilters, testing::ValuesIn(methods().begin(
                          });
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::filter_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace cellsearch {
+namespace cellsearch::linked_list_test {
 namespace {
 
 LinkedList make_list(Index cells, const std::vector<Index>& cell_of_node) {
@@ -73,4 +73,4 @@ TEST(LinkedList, MayBeEmpty) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::linked_list_test

@@ -12,7 +12,7 @@
 #include "production/kernels.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::motion_range_test {
 namespace {
 
 std::vector<double> random_points(int count, std::uint64_t seed) {
@@ -69,4 +69,4 @@ TEST(MotionRange, NoticesEveryNumberThatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::motion_range_test

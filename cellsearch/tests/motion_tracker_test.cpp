@@ -17,7 +17,7 @@
 #include "cellsearch/search_interval.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::motion_tracker_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -497,4 +497,4 @@ TEST(MotionTracker, MissesNoPairInRandomMotion) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::motion_tracker_test

@@ -10,7 +10,7 @@
 #include "cellsearch/search.hpp"
 #include "finder_scene.hpp"
 
-namespace cellsearch {
+namespace cellsearch::nbs_test {
 namespace {
 
 std::vector<Index> bodies_of(const BodyLists& lists, Index list) {
@@ -160,4 +160,4 @@ TEST(Nbs, NeedsNoMemoryForEmptySpace) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::nbs_test

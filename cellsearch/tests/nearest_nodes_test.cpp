@@ -15,7 +15,7 @@
 
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::nearest_nodes_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -208,4 +208,4 @@ TEST(NearestNodes, OfOneNodeAreNone) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::nearest_nodes_test

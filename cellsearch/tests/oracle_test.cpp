@@ -13,7 +13,7 @@
 #include "cellsearch/verify.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::oracle_test {
 
 std::ostream& operator<<(std::ostream& stream, Method method) {
   return stream << name_of(method);
@@ -198,4 +198,4 @@ TEST_P(Oracle, AgreesForAnyCellSize) {
 INSTANTIATE_TEST_SUITE_P(Methods, Oracle, testing::ValuesIn(methods().begin(), methods().end()));
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::oracle_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace cellsearch {
+namespace cellsearch::parallel_test {
 namespace {
 
 TEST(ForBlocks, CallsEachBlockOnce) {
@@ -48,4 +48,4 @@ TEST(BlockRange, CoversEverythingOnce) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::parallel_test

@@ -7,7 +7,7 @@
 
 #include "finder_scene.hpp"
 
-namespace cellsearch {
+namespace cellsearch::position_code_test {
 namespace {
 
 // Eight nodes in 4 x 3 x 2 boxes of 1 over [0, 4] x [0, 3] x [0, 2]. Codes by hand, ix + 4 (iy + 3 iz):
@@ -82,4 +82,4 @@ TEST(PositionCode, NeedsNoMemoryForEmptySpace) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::position_code_test

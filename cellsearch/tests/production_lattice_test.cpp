@@ -11,7 +11,7 @@
 #include "production_check.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::production_lattice_test {
 namespace {
 
 class ProductionLattice : public testing::TestWithParam<InstructionSet> {
@@ -195,4 +195,4 @@ INSTANTIATE_TEST_SUITE_P(Instructions, ProductionLattice, testing::ValuesIn(inst
                          [](const auto& set) { return std::string(name_of(set.param)); });
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::production_lattice_test

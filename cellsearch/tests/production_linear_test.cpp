@@ -11,7 +11,7 @@
 #include "family_test_name.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::production_linear_test {
 namespace {
 
 /// Counts of one search.
@@ -124,4 +124,4 @@ INSTANTIATE_TEST_SUITE_P(Families, ProductionLinear,
                          scenes::test_name);
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::production_linear_test

@@ -25,7 +25,7 @@
 #define CELLSEARCH_COUNTS_ALLOCATIONS 1
 #endif
 
-namespace cellsearch {
+namespace cellsearch::production_memory_test {
 namespace {
 
 // There is one malloc in a process, and it is called before anything could be constructed.
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Families, ProductionMemory,
                          scenes::test_name);
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::production_memory_test
 
 #ifdef CELLSEARCH_COUNTS_ALLOCATIONS
 // The GNU C library lets a program replace these and keeps its own under the names with two underscores.
@@ -145,32 +145,32 @@ void* __libc_realloc(void* block, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 
 void* malloc(std::size_t size) noexcept {
-  cellsearch::count_allocation();
+  cellsearch::production_memory_test::count_allocation();
   return __libc_malloc(size);
 }
 
 void* calloc(std::size_t count, std::size_t size) noexcept {
-  cellsearch::count_allocation();
+  cellsearch::production_memory_test::count_allocation();
   return __libc_calloc(count, size);
 }
 
 void* realloc(void* block, std::size_t size) noexcept {
-  cellsearch::count_allocation();
+  cellsearch::production_memory_test::count_allocation();
   return __libc_realloc(block, size);
 }
 
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
-  cellsearch::count_allocation();
+  cellsearch::production_memory_test::count_allocation();
   return __libc_memalign(alignment, size);
 }
 
 void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
-  cellsearch::count_allocation();
+  cellsearch::production_memory_test::count_allocation();
   return __libc_memalign(alignment, size);
 }
 
 int posix_memalign(void** block, std::size_t alignment, std::size_t size) noexcept {
-  cellsearch::count_allocation();
+  cellsearch::production_memory_test::count_allocation();
   void* found = __libc_memalign(alignment, size);
   if (found == nullptr) return ENOMEM;
   *block = found;

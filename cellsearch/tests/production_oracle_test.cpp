@@ -15,7 +15,7 @@
 #include "production_check.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::production_oracle_test {
 namespace {
 
 std::string described(InstructionSet set, int threads) {
@@ -240,4 +240,4 @@ TEST(ProductionErrors, NameTheSmallestPlaceInAnyBuild) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::production_oracle_test

@@ -14,7 +14,7 @@
 #include "production_check.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::production_reuse_test {
 namespace {
 
 /// A mesh that goes through random changes, one before each build.
@@ -271,4 +271,4 @@ INSTANTIATE_TEST_SUITE_P(Families, ProductionMotion,
                          scenes::test_name);
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::production_reuse_test

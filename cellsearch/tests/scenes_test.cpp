@@ -11,7 +11,7 @@
 #include "cellsearch/search.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::scenes_test {
 namespace {
 
 double pairs_per_segment(const scenes::Mesh& mesh) {
@@ -81,4 +81,4 @@ TEST(Scenes, KeepTheirPairsWhenTheyAreShuffled) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::scenes_test

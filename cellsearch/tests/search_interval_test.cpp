@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace cellsearch {
+namespace cellsearch::search_interval_test {
 namespace {
 
 // Eq. (10) with numbers that are exact in binary: c = 2.5, vmax = 0.5, dtmax = 0.25.
@@ -41,4 +41,4 @@ TEST(SearchInterval, IsCarefulWithNonsense) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::search_interval_test

@@ -11,7 +11,7 @@
 #include "cellsearch/verify.hpp"
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::search_test {
 namespace {
 
 TEST(Method, HasANameForEach) {
@@ -235,4 +235,4 @@ TEST(Search, CapsTheCellsOfASparseScene) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::search_test

@@ -14,7 +14,7 @@
 
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::segment_pairs_test {
 namespace {
 
 /// The bounding box of a segment, expanded, written out from the mesh's own arrays: lo and hi by axis.
@@ -267,4 +267,4 @@ TEST(SegmentPairs, LookAtNothingThatConcernsNodes) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::segment_pairs_test

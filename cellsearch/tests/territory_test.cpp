@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace cellsearch {
+namespace cellsearch::territory_test {
 namespace {
 
 // Eq. (7)-(9), with numbers that are exact in binary.
@@ -55,4 +55,4 @@ TEST(Positions, CountsRecordsOfAnyStride) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::territory_test

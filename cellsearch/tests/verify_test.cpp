@@ -5,7 +5,7 @@
 
 #include "scenes.hpp"
 
-namespace cellsearch {
+namespace cellsearch::verify_test {
 namespace {
 
 const Candidates three_rows{{0, 2, 2, 5}, {4, 7, 1, 3, 8}};
@@ -65,4 +65,4 @@ TEST(Verify, ComparesWithBruteForceInTheSameDomain) {
 }
 
 }  // namespace
-}  // namespace cellsearch
+}  // namespace cellsearch::verify_test

@@ -7,7 +7,7 @@
 #include "app/perturbation.hpp"
 #include "app/print.hpp"
 #include "base/error.hpp"
-#include "base/pack.hpp"
+#include "base/lanes.hpp"
 
 namespace crumple::app {
 

@@ -13,7 +13,7 @@
 #include <immintrin.h>
 #endif
 
-#include "base/index.hpp"
+#include "base/lanes.hpp"
 
 #if defined(__GNUC__)
 #define CRUMPLE_INLINE [[gnu::always_inline]] inline
@@ -22,10 +22,6 @@
 #endif
 
 namespace crumple {
-
-/// Elements per group of the state layout: state[group][component][lane]. The same for every instruction set,
-/// so that a state written by one can be read by another; a kernel walks a group in packs of its own width.
-inline constexpr Index lanes = 16;
 
 namespace simd = std::experimental;
 

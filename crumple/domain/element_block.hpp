@@ -6,7 +6,7 @@
 
 #include "base/aligned_array.hpp"
 #include "base/index.hpp"
-#include "base/pack.hpp"
+#include "base/lanes.hpp"
 #include "base/precision.hpp"
 
 namespace crumple::domain {

@@ -6,7 +6,7 @@
 #include "compare/binout_sample.hpp"
 #include "support/larger.hpp"
 
-namespace crumple::app {
+namespace crumple::app::compare_test {
 namespace {
 
 using compare::BinoutSample;
@@ -220,4 +220,4 @@ TEST_F(CompareTest, ADamagedBinoutIsAWarning) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::compare_test

@@ -7,7 +7,7 @@
 #include "math/vec3.hpp"
 #include "support/larger.hpp"
 
-namespace crumple::app {
+namespace crumple::app::contact_node_history_test {
 namespace {
 
 /// A plate of 2 x 2 shells that flies with 1 mm/ms onto another one, whose mesh is turned and at rest.
@@ -138,4 +138,4 @@ TEST_F(ContactNodeHistoryRun, SectionsOfPlanesAndOfTheSameSetsAreEqual) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::contact_node_history_test

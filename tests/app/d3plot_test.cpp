@@ -7,7 +7,7 @@
 #include "app/program_fixture.hpp"
 #include "output/d3plot_reader.hpp"
 
-namespace crumple::app {
+namespace crumple::app::d3plot_test {
 namespace {
 
 /// Shells of two parts, one of which tears, a solid, a beam and a spring, in free flight or on a wall.
@@ -180,4 +180,4 @@ TEST_F(D3plotTest, AFileThatCannotBeWrittenEndsTheRunAsForOtherResults) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::d3plot_test

@@ -6,7 +6,7 @@
 #include "math/vec3.hpp"
 #include "support/larger.hpp"
 
-namespace crumple::app {
+namespace crumple::app::discrete_history_test {
 namespace {
 
 /// Two springs in a row along (3, 4, 0) between a held node, a mass and a mass that flies off, a damper to
@@ -89,4 +89,4 @@ TEST_F(DiscreteHistoryRun, HoldsWhatIsNamedIfAnythingIs) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::discrete_history_test

@@ -5,7 +5,7 @@
 #include "app/program_fixture.hpp"
 #include "support/larger.hpp"
 
-namespace crumple::app {
+namespace crumple::app::element_history_test {
 namespace {
 
 constexpr double modulus = 210.0;
@@ -123,4 +123,4 @@ TEST_F(ElementHistoryRun, NothingNamedIsNothingWritten) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::element_history_test

@@ -6,7 +6,7 @@
 
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::first_deck_test {
 namespace {
 
 const std::string deck = "examples/00_first_deck/tube.k";
@@ -66,4 +66,4 @@ TEST_F(FirstDeckSlow, FiguresOfTheTutorial) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::first_deck_test

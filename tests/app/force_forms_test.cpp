@@ -8,7 +8,7 @@
 #include "app/program_fixture.hpp"
 #include "output/lsda_reader.hpp"
 
-namespace crumple::app {
+namespace crumple::app::force_forms_test {
 namespace {
 
 using output::LsdaReader;
@@ -317,4 +317,4 @@ TEST_F(ForceForms, ARunThatIsTakenUpWritesTheSame) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::force_forms_test

@@ -5,7 +5,7 @@
 
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::foreign_forms_test {
 namespace {
 
 class ForeignForms : public ProgramTest {
@@ -49,4 +49,4 @@ TEST_F(ForeignForms, DoNotOutliveADeckThatAskedForThem) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::foreign_forms_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::keywords_test {
 namespace {
 
 class Keywords : public ProgramTest {};
@@ -44,4 +44,4 @@ TEST_F(Keywords, TellsProgramsEverything) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::keywords_test

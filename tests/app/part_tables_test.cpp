@@ -5,7 +5,7 @@
 
 #include "support/meshes.hpp"
 
-namespace crumple::app {
+namespace crumple::app::part_tables_test {
 namespace {
 
 TEST(RateWords, SayWhichEffectActsAndHow) {
@@ -40,4 +40,4 @@ TEST(HourglassWords, AreNoneWhereThereIsNoControl) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::part_tables_test

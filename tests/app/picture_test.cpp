@@ -3,7 +3,7 @@
 
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::picture_test {
 namespace {
 
 class PictureTest : public ProgramTest {};
@@ -29,4 +29,4 @@ TEST_F(PictureTest, ShowsTheModelOnWhite) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::picture_test

@@ -4,7 +4,7 @@
 
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::python_examples_test {
 namespace {
 
 class PythonExamples : public ProgramTest {
@@ -35,4 +35,4 @@ TEST_F(PythonExamples, ReadFrames) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::python_examples_test

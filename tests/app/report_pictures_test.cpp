@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 
-namespace crumple::app {
+namespace crumple::app::report_pictures_test {
 namespace {
 
 TEST(ReportPictures, AddressesAreEncoded) {
@@ -63,4 +63,4 @@ TEST_F(BrowserTest, ABrowserThatDrawsNothingIsAnError) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::report_pictures_test

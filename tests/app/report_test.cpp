@@ -3,7 +3,7 @@
 
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::report_test {
 namespace {
 
 class ReportTest : public ProgramTest {
@@ -114,4 +114,4 @@ TEST_F(ReportTest, APageWithoutItsMarkIsRefused) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::report_test

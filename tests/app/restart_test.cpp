@@ -5,7 +5,7 @@
 
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::restart_test {
 namespace {
 
 const std::string control = "*CONTROL_TERMINATION\n       1.0\n*DATABASE_RWFORC\n     0.013\n";
@@ -243,4 +243,4 @@ TEST_F(RestartTest, WhatIsNoRestartFileIsTold) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::restart_test

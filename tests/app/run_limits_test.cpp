@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crumple::app {
+namespace crumple::app::run_limits_test {
 namespace {
 
 class RunLimits : public ::testing::Test {
@@ -47,4 +47,4 @@ TEST_F(RunLimits, MassIncreaseUsesTheWordsUsersSearchFor) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::run_limits_test

@@ -5,7 +5,7 @@
 
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::run_test {
 namespace {
 
 class RunTest : public ProgramTest {};
@@ -348,4 +348,4 @@ TEST_F(CheckTest, AMistakeOnTheCommandLineIsTwo) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::run_test

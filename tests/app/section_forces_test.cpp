@@ -8,7 +8,7 @@
 #include "support/larger.hpp"
 #include "support/lines.hpp"
 
-namespace crumple {
+namespace crumple::section_forces_test {
 namespace {
 
 using math::Vec3;
@@ -194,4 +194,4 @@ TEST(SectionForces, LeaveTheRunAsItIs) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::section_forces_test

@@ -5,7 +5,7 @@
 
 #include "model/model.hpp"
 
-namespace crumple::app {
+namespace crumple::app::shell_benchmark_test {
 namespace {
 
 /// Each formulation gets shells that it computes, and as many as its figures are divided by.
@@ -22,4 +22,4 @@ TEST(ShellBenchmark, ModelsOfAllFormulationsCanBeRun) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::shell_benchmark_test

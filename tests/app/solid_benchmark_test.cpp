@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crumple::app {
+namespace crumple::app::solid_benchmark_test {
 namespace {
 
 TEST(SolidBenchmark, ModelsOfAllFormulationsCanBeRun) {
@@ -17,4 +17,4 @@ TEST(SolidBenchmark, ModelsOfAllFormulationsCanBeRun) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::solid_benchmark_test

@@ -6,7 +6,7 @@
 #include "app/program_fixture.hpp"
 #include "output/d3plot_reader.hpp"
 
-namespace crumple::app {
+namespace crumple::app::state_extent_test {
 namespace {
 
 constexpr double yield_stress = 0.2;
@@ -118,4 +118,4 @@ TEST_F(StateExtentRun, VtkReadsWhatParaviewIsShown) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::state_extent_test

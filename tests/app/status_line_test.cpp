@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace crumple::app {
+namespace crumple::app::status_line_test {
 namespace {
 
 TEST(StatusLineTest, Durations) {
@@ -68,4 +68,4 @@ TEST_F(StatusDomain, TheBarFillsAndFitsALine) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::status_line_test

@@ -5,7 +5,7 @@
 
 #include "app/program_fixture.hpp"
 
-namespace crumple::app {
+namespace crumple::app::switch_file_test {
 namespace {
 
 TEST(SwitchText, IsTheFirstWordInEitherCase) {
@@ -37,4 +37,4 @@ TEST_F(SwitchFileTest, AFolderOfThatNameIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::switch_file_test

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace crumple {
+namespace crumple::aligned_array_test {
 namespace {
 
 std::uintptr_t address(const void* of) {
@@ -33,4 +33,4 @@ TEST(AlignedArray, KeepsItsNumbersWhenItGrowsIntoHugePages) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::aligned_array_test

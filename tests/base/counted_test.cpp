@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crumple {
+namespace crumple::counted_test {
 namespace {
 
 TEST(Counted, OnlyOneIsSingular) {
@@ -14,4 +14,4 @@ TEST(Counted, OnlyOneIsSingular) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::counted_test

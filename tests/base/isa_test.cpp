@@ -10,7 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/state_hash.hpp"
 
-namespace crumple {
+namespace crumple::isa_test {
 namespace {
 
 TEST(InstructionSets, NamesAreReadBack) {
@@ -59,4 +59,4 @@ TEST(StateHash, SeesEveryBitAndTheLength) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::isa_test

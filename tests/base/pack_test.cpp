@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-namespace crumple {
+namespace crumple::pack_test {
 namespace {
 
 template <class Pack>
@@ -66,4 +66,4 @@ TYPED_TEST(Packs, ComputeEveryLaneAsANumber) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::pack_test

@@ -7,7 +7,7 @@
 
 // Texts laid out as LS-DYNA's l2a writes them.
 
-namespace crumple::compare {
+namespace crumple::compare::ascii_reader_test {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -167,4 +167,4 @@ TEST(ReadAscii, OtherTextGivesNothing) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::ascii_reader_test

@@ -9,7 +9,7 @@
 #include "binout_sample.hpp"
 #include "curve_lookup.hpp"
 
-namespace crumple::compare {
+namespace crumple::compare::binout_reader_test {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -215,4 +215,4 @@ TEST(Binout, Noise) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::binout_reader_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace crumple::compare {
+namespace crumple::compare::channel_filter_test {
 namespace {
 
 /// Size of a sine after the filter, in the middle, where the ends do not matter.
@@ -69,4 +69,4 @@ TEST(ChannelFilter, TheUnitOfTimeMatters) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::channel_filter_test

@@ -13,7 +13,7 @@
 #include "compare/comparison_text.hpp"
 #include "nlohmann/json.hpp"
 
-namespace crumple::compare {
+namespace crumple::compare::comparison_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -270,4 +270,4 @@ TEST(ComparisonPayload, KeepsPeaksOfLongCurves) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::comparison_test

@@ -7,7 +7,7 @@
 #include "compare/quantity_names.hpp"
 #include "curve_lookup.hpp"
 
-namespace crumple::compare {
+namespace crumple::compare::csv_reader_test {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -79,4 +79,4 @@ TEST(DerivedCurves, AreSumsThatOthersWriteAsOne) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::csv_reader_test

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace crumple::compare {
+namespace crumple::compare::iso_rating_test {
 namespace {
 
 using std::numbers::pi;
@@ -175,4 +175,4 @@ TEST(IsoRating, AgreesWithTheOpenImplementation) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::iso_rating_test

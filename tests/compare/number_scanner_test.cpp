@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace crumple::compare {
+namespace crumple::compare::number_scanner_test {
 namespace {
 
 TEST(NumberScanner, ReadsWhatFortranWrites) {
@@ -49,4 +49,4 @@ TEST(NumberScanner, LinesEndInEitherWay) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::number_scanner_test

@@ -11,7 +11,7 @@
 #include "binout_sample.hpp"
 #include "curve_lookup.hpp"
 
-namespace crumple::compare {
+namespace crumple::compare::open_results_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -123,4 +123,4 @@ TEST_F(OpenResults, TheUnitOfTimeIsThatOfTheRecord) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::open_results_test

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace crumple::compare {
+namespace crumple::compare::resample_test {
 namespace {
 
 Curve line(double start, double end, std::size_t points) {
@@ -74,4 +74,4 @@ TEST(CommonTimes, ThereMayBeNone) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::resample_test

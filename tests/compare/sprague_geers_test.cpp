@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace crumple::compare {
+namespace crumple::compare::sprague_geers_test {
 namespace {
 
 using std::numbers::pi;
@@ -84,4 +84,4 @@ TEST(SpragueGeers, HugeAndTinyValuesDoNotOverflow) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::sprague_geers_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace crumple::compare {
+namespace crumple::compare::time_warp_test {
 namespace {
 
 using Path = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -81,4 +81,4 @@ TEST(WarpingPath, OneSample) {
 }
 
 }  // namespace
-}  // namespace crumple::compare
+}  // namespace crumple::compare::time_warp_test

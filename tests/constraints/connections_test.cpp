@@ -10,7 +10,7 @@
 #include "constraints/spot_welds.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::constraints {
+namespace crumple::constraints::connections_test {
 namespace {
 
 using math::Vec3;
@@ -197,4 +197,4 @@ TEST_F(WeldTest, FailsAtItsTime) {
 }
 
 }  // namespace
-}  // namespace crumple::constraints
+}  // namespace crumple::constraints::connections_test

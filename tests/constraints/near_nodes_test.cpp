@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace crumple::constraints {
+namespace crumple::constraints::near_nodes_test {
 namespace {
 
 /// Nodes above a surface, which come and go at speeds that change all the time.
@@ -80,4 +80,4 @@ TEST_F(NearNodesTest, ForgetsWhereNodesWere) {
 }
 
 }  // namespace
-}  // namespace crumple::constraints
+}  // namespace crumple::constraints::near_nodes_test

@@ -10,7 +10,7 @@
 #include "constraints/rigid_bodies.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::constraints {
+namespace crumple::constraints::rigid_motion_test {
 namespace {
 
 using math::Vec3;
@@ -155,4 +155,4 @@ TEST_F(Dumbbell, ReleasedNodesAreFree) {
 }
 
 }  // namespace
-}  // namespace crumple::constraints
+}  // namespace crumple::constraints::rigid_motion_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace crumple::constraints {
+namespace crumple::constraints::rigid_wall_test {
 namespace {
 
 using math::Vec3;
@@ -175,4 +175,4 @@ TEST_F(RigidWallTest, ADisplacementCurvePlacesTheWall) {
 }
 
 }  // namespace
-}  // namespace crumple::constraints
+}  // namespace crumple::constraints::rigid_wall_test

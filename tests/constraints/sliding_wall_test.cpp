@@ -14,7 +14,7 @@
 #include "constraints/rigid_wall.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::constraints {
+namespace crumple::constraints::sliding_wall_test {
 namespace {
 
 using math::Vec3;
@@ -366,4 +366,4 @@ TEST_F(SlidingWallTest, TheStateHasItsVelocity) {
 }
 
 }  // namespace
-}  // namespace crumple::constraints
+}  // namespace crumple::constraints::sliding_wall_test

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::constraints {
+namespace crumple::constraints::tied_nodes_test {
 namespace {
 
 using math::Vec3;
@@ -203,4 +203,4 @@ TEST_F(TiedNodesTest, RigidSegmentsAndCirclesAreRefused) {
 }
 
 }  // namespace
-}  // namespace crumple::constraints
+}  // namespace crumple::constraints::tied_nodes_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace crumple::constraints {
+namespace crumple::constraints::wall_impact_test {
 namespace {
 
 /// A mass that takes no push from a wall slower than its limit.
@@ -105,4 +105,4 @@ TEST(CommonVelocity, OfManyMassesIsThatOfTheSetThatIsPushed) {
 }
 
 }  // namespace
-}  // namespace crumple::constraints
+}  // namespace crumple::constraints::wall_impact_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-namespace crumple::constraints {
+namespace crumple::constraints::wall_shapes_test {
 namespace {
 
 using math::Vec3;
@@ -153,4 +153,4 @@ TEST(WallShapes, ANodeThatStartsInsideIsHeldAndNotThrownOut) {
 }
 
 }  // namespace
-}  // namespace crumple::constraints
+}  // namespace crumple::constraints::wall_shapes_test

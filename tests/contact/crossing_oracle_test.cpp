@@ -14,7 +14,7 @@
 
 #include "contact/bodies.hpp"
 
-namespace crumple {
+namespace crumple::crossing_oracle_test {
 namespace {
 
 using test::Bodies;
@@ -110,4 +110,4 @@ TEST(CrossingOracle, EveryPassageIsNoticed) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::crossing_oracle_test

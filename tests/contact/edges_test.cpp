@@ -14,7 +14,7 @@
 #include "contact/edges.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::edges_test {
 namespace {
 
 using model::ContactEdges;
@@ -455,4 +455,4 @@ TEST(Edges, AppearWhereShellsErode) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::edges_test

@@ -7,7 +7,7 @@
 #include "contact/penalty.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::energy_test {
 namespace {
 
 using test::balance;
@@ -123,4 +123,4 @@ TEST(Energy, ManyNodesOnOneSegmentStayStable) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::energy_test

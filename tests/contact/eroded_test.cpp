@@ -12,7 +12,7 @@
 #include "support/meshes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::eroded_test {
 namespace {
 
 using test::Bodies;
@@ -235,4 +235,4 @@ TEST(Eroded, SolidsLeaveTheFacesBehindThem) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::eroded_test

@@ -7,7 +7,7 @@
 #include "contact/bodies.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::flat_patch_test {
 namespace {
 
 using test::at;
@@ -129,4 +129,4 @@ TEST(FlatPatch, NodeAboveAnInnerEdgeGetsOneForce) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::flat_patch_test

@@ -9,7 +9,7 @@
 #include "contact/intersections.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::folds_test {
 namespace {
 
 using test::at;
@@ -189,4 +189,4 @@ TEST(Folds, ThicknessOfNeighboursIsIgnored) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::folds_test

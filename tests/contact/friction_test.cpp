@@ -11,7 +11,7 @@
 #include "support/drawn.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::friction_test {
 namespace {
 
 using test::at;
@@ -315,4 +315,4 @@ TEST(Friction, SlidesToRest) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::friction_test

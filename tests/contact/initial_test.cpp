@@ -9,7 +9,7 @@
 #include "contact/move_apart.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::initial_test {
 namespace {
 
 using test::at;
@@ -184,4 +184,4 @@ TEST(Initial, OverlapsAreListedTheDeepestFirst) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::initial_test

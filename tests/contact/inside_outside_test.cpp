@@ -10,7 +10,7 @@
 #include "contact/bodies.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::inside_outside_test {
 namespace {
 
 using contact::NearestPoint;
@@ -189,4 +189,4 @@ TEST(InsideOutside, DividingPlaneIsEquidistantInAConcaveRidge) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::inside_outside_test

@@ -10,7 +10,7 @@
 #include "contact/force_transducer.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::multipliers_test {
 namespace {
 
 using test::Bodies;
@@ -160,4 +160,4 @@ TEST(Multipliers, KeepMomentum) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::multipliers_test

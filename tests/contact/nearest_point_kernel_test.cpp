@@ -13,7 +13,7 @@
 #include <map>
 #include <random>
 
-namespace crumple::contact {
+namespace crumple::contact::nearest_point_kernel_test {
 namespace {
 
 std::uint64_t bits(double a) {
@@ -110,4 +110,4 @@ INSTANTIATE_TEST_SUITE_P(InstructionSets, NearestPointKernelTest, ::testing::Val
                          [](const auto& tested) { return std::string(isa_name(tested.param)); });
 
 }  // namespace
-}  // namespace crumple::contact
+}  // namespace crumple::contact::nearest_point_kernel_test

@@ -14,7 +14,7 @@
 #include "support/largest.hpp"
 #include "support/meshes.hpp"
 
-namespace crumple {
+namespace crumple::pinballs_test {
 namespace {
 
 using contact::PinballShape;
@@ -330,4 +330,4 @@ TEST(Pinballs, WhatTheyCannotServeIsRefused) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::pinballs_test

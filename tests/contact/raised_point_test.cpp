@@ -11,7 +11,7 @@
 #include "contact/segment_shape.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::contact {
+namespace crumple::contact::raised_point_test {
 namespace {
 
 /// Unit normal of a quadrilateral or triangle.
@@ -71,4 +71,4 @@ TEST_P(RaisedPoint, NothingTurnsWhereThereIsNoArea) {
 INSTANTIATE_TEST_SUITE_P(Nodes, RaisedPoint, ::testing::Values(3, 4));
 
 }  // namespace
-}  // namespace crumple::contact
+}  // namespace crumple::contact::raised_point_test

@@ -11,7 +11,7 @@
 #include "contact/global_search.hpp"
 #include "contact/intersections.hpp"
 
-namespace crumple {
+namespace crumple::search_test {
 namespace {
 
 using test::Bodies;
@@ -277,4 +277,4 @@ TEST(Intersections, PenetrationsAreSummarised) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::search_test

@@ -10,7 +10,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::sliding_test {
 namespace {
 
 using test::at;
@@ -197,4 +197,4 @@ TEST(Sliding, RoundAFreeEdgeToTheOtherSide) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::sliding_test

@@ -12,7 +12,7 @@
 
 #include "support/larger.hpp"
 
-namespace crumple::contact {
+namespace crumple::contact::travel_test {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -153,4 +153,4 @@ TEST(Travel, RefusesWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace crumple::contact
+}  // namespace crumple::contact::travel_test

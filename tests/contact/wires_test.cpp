@@ -9,7 +9,7 @@
 #include "contact/bodies.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::wires_test {
 namespace {
 
 using test::Bodies;
@@ -140,4 +140,4 @@ TEST(Wires, NodesOfErodedBeamsTouchNothing) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::wires_test

@@ -10,7 +10,7 @@
 
 #include "deck/reader.hpp"
 
-namespace crumple::deck {
+namespace crumple::deck::bad_deck_test {
 namespace {
 
 const std::filesystem::path folder = "tests/deck/bad";
@@ -124,4 +124,4 @@ TEST(BadText, IncludesThatGrowWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace crumple::deck
+}  // namespace crumple::deck::bad_deck_test

@@ -2,7 +2,7 @@
 // Beams, trusses, springs and dampers from the cards to the model.
 #include "deck/small_deck.hpp"
 
-namespace crumple::deck {
+namespace crumple::deck::beams_test {
 namespace {
 
 using test::read_clean;
@@ -148,4 +148,4 @@ TEST(Springs, MayBeTorsionalBetweenInertias) {
 }
 
 }  // namespace
-}  // namespace crumple::deck
+}  // namespace crumple::deck::beams_test

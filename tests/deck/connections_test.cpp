@@ -2,7 +2,7 @@
 // Spot welds, rivets and constrained sets of nodes.
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::connections_test {
 namespace {
 
 TEST(Connections, SpotWeldsOfPairsAndSets) {
@@ -97,4 +97,4 @@ TEST(Connections, NodesAreNotMovedBySomethingElseToo) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::connections_test

@@ -8,7 +8,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::contacts_test {
 namespace {
 
 TEST(Contact, EveryValue) {
@@ -232,4 +232,4 @@ TEST(Contact, AutomaticWhereTheDeckHasNone) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::contacts_test

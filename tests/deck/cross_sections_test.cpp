@@ -4,7 +4,7 @@
 
 #include "deck/small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::cross_sections_test {
 namespace {
 
 using Indices = std::vector<Index>;
@@ -101,4 +101,4 @@ TEST(StateExtent, WhatCannotBeFollowedHasAWarning) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::cross_sections_test

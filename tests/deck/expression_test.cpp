@@ -9,7 +9,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::expression_test {
 namespace {
 
 /// With the parameters LENGTH = 2.5 (real) and COUNT = 7 (whole).
@@ -161,4 +161,4 @@ TEST(Parameter, TheCommandLineIsEnough) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::expression_test

@@ -2,7 +2,7 @@
 // Every form in which the same deck may be written gives the same model.
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::format_test {
 namespace {
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
@@ -232,4 +232,4 @@ TEST(Parameter, WholeRealMayStandForAnInteger) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::format_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace crumple::deck {
+namespace crumple::deck::keyword_cards_test {
 namespace {
 
 KeywordForm form_of(std::string_view name) {
@@ -71,4 +71,4 @@ TEST(KeywordCards, EveryKeywordHasSome) {
 }
 
 }  // namespace
-}  // namespace crumple::deck
+}  // namespace crumple::deck::keyword_cards_test

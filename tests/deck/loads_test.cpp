@@ -5,7 +5,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::loads_test {
 namespace {
 
 TEST(Loads, NodesSegmentsAndShells) {
@@ -34,4 +34,4 @@ TEST(Loads, NodesSegmentsAndShells) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::loads_test

@@ -4,7 +4,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::materials_test {
 namespace {
 
 model::Material material_of(const std::string& text) {
@@ -282,4 +282,4 @@ TEST(RateMaterial, TableFaults) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::materials_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crumple::deck {
+namespace crumple::deck::numbers_test {
 namespace {
 
 TEST(ParseReal, ReadsCAndFortranForms) {
@@ -43,4 +43,4 @@ TEST(ParseInteger, RefusesFractionsAndText) {
 }
 
 }  // namespace
-}  // namespace crumple::deck
+}  // namespace crumple::deck::numbers_test

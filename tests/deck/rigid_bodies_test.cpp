@@ -7,7 +7,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::rigid_bodies_test {
 namespace {
 
 using Axes = std::array<bool, 3>;
@@ -298,4 +298,4 @@ TEST(BodyLoads, OnEverythingAndOnBodies) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::rigid_bodies_test

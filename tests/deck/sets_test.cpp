@@ -10,7 +10,7 @@
 #include "model/solid_faces.hpp"
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::sets_test {
 namespace {
 
 using Indices = std::vector<Index>;
@@ -227,4 +227,4 @@ TEST(Sets, WithoutMembersGiveAWarning) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::sets_test

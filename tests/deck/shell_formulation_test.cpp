@@ -4,7 +4,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::shell_formulation_test {
 namespace {
 
 using model::ShellFormulation;
@@ -88,4 +88,4 @@ TEST(Triangle, HasASectionOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::shell_formulation_test

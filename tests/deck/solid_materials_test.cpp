@@ -6,7 +6,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::solid_materials_test {
 namespace {
 
 constexpr const char* gruneisen = "*EOS_GRUNEISEN\n4,3940,1.489,0.1,0.2,2.02,0.47,0.5\n0.9\n";
@@ -151,4 +151,4 @@ TEST(SolidMaterial, IsForTheElementsOfItsPart) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::solid_materials_test

@@ -7,7 +7,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::solids_test {
 namespace {
 
 using model::SolidHourglassForm;
@@ -276,4 +276,4 @@ TEST(Solid, TakePartInContact) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::solids_test

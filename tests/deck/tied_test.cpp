@@ -4,7 +4,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::tied_test {
 namespace {
 
 /// Two plates in two parts.
@@ -137,4 +137,4 @@ TEST(Tied, Faults) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::tied_test

@@ -5,7 +5,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::units_test {
 namespace {
 
 struct Solid {
@@ -140,4 +140,4 @@ TEST(Units, UsualMistakesAreFound) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::units_test

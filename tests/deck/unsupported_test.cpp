@@ -4,7 +4,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::unsupported_test {
 namespace {
 
 TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
@@ -51,4 +51,4 @@ TEST(Units, GuessedFromSteel) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::unsupported_test

@@ -9,7 +9,7 @@
 #include "domain/build.hpp"
 #include "support/meshes.hpp"
 
-namespace crumple::domain {
+namespace crumple::domain::assembly_test {
 namespace {
 
 model::Model sheet(Index columns, Index rows) {
@@ -118,4 +118,4 @@ TEST(Assembly, ChunksOfDifferentPartsNeverWriteTheSamePlace) {
 }
 
 }  // namespace
-}  // namespace crumple::domain
+}  // namespace crumple::domain::assembly_test

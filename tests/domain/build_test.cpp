@@ -12,7 +12,7 @@
 #include "domain/numbering.hpp"
 #include "support/meshes.hpp"
 
-namespace crumple::domain {
+namespace crumple::domain::build_test {
 namespace {
 
 model::Model sheet() {
@@ -95,4 +95,4 @@ TEST(Build, ListsEveryFaultOfAModelAtOnce) {
 }
 
 }  // namespace
-}  // namespace crumple::domain
+}  // namespace crumple::domain::build_test

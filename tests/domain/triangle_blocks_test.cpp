@@ -8,7 +8,7 @@
 #include "domain/build.hpp"
 #include "support/meshes.hpp"
 
-namespace crumple::domain {
+namespace crumple::domain::triangle_blocks_test {
 namespace {
 
 /// Two parts of quadrilaterals and triangles; the repeated node at any place of the connectivity.
@@ -80,4 +80,4 @@ TEST(Triangles, AreAllThatTheirFormulationTakes) {
 }
 
 }  // namespace
-}  // namespace crumple::domain
+}  // namespace crumple::domain::triangle_blocks_test

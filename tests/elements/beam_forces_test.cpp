@@ -10,7 +10,7 @@
 #include "support/largest.hpp"
 #include "support/meshes.hpp"
 
-namespace crumple::elements {
+namespace crumple::elements::beam_forces_test {
 namespace {
 
 using domain::Domain;
@@ -136,4 +136,4 @@ TEST(BeamForces, StepAndMassAreThoseOfTheRodAndScale) {
 }
 
 }  // namespace
-}  // namespace crumple::elements
+}  // namespace crumple::elements::beam_forces_test

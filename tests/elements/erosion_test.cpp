@@ -7,7 +7,7 @@
 #include "shell_harness.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::erosion_test {
 namespace {
 
 constexpr double failure_strain = 0.05;
@@ -167,4 +167,4 @@ TEST(Erosion, FailedElementsMayLoseTheirArea) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::erosion_test

@@ -7,7 +7,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::fully_integrated_test {
 namespace {
 
 constexpr double plane = youngs_modulus / (1 - poissons_ratio * poissons_ratio);
@@ -116,4 +116,4 @@ TEST(FullyIntegratedShell, BendsInItsPlaneLikeABeam) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::fully_integrated_test

@@ -7,7 +7,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::hughes_liu_selective_test {
 namespace {
 
 constexpr double small = 1e-17;  // curvature: the square of the slope is below round-off
@@ -83,4 +83,4 @@ TEST(HughesLiuSelectiveShell, LocksInItsPlaneLikeTheBilinearElement) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::hughes_liu_selective_test

@@ -7,7 +7,7 @@
 #include "shell_harness.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::hughes_liu_test {
 namespace {
 
 using Corners = std::array<Vec3, 4>;
@@ -138,4 +138,4 @@ TEST(Fold, KeepsItsPlasticMoment) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::hughes_liu_test

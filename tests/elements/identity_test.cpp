@@ -8,7 +8,7 @@
 #include "support/larger.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::identity_test {
 namespace {
 
 /// Everything that the shells leave behind after some cycles of violent motion.
@@ -147,4 +147,4 @@ TEST_P(Identity, InactiveElementsAreSilent) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::identity_test

@@ -7,7 +7,7 @@
 #include "shell_harness.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::material_axes_test {
 namespace {
 
 model::Material fibre(double angle) {
@@ -161,4 +161,4 @@ TEST(NullShell, HasMassAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::material_axes_test

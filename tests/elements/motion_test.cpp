@@ -9,7 +9,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::motion_test {
 namespace {
 
 constexpr double dt = 1e-7;
@@ -341,4 +341,4 @@ TEST(Frame, DoesNotDependOnTheFirstNode) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::motion_test

@@ -7,7 +7,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::node_place_test {
 namespace {
 
 model::Model flat_plate(const Kind& kind, double node_place) {
@@ -101,4 +101,4 @@ TEST(TrapezoidalRule, FindsTheFullyPlasticMoment) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::node_place_test

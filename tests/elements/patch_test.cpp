@@ -6,7 +6,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::patch_test {
 namespace {
 
 const Vec3 tilt_axis = math::normalised({1, 2, -0.5});
@@ -262,4 +262,4 @@ TEST(MembranePatch, HoldsForTriangles) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::patch_test

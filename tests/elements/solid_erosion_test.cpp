@@ -4,7 +4,7 @@
 
 #include "solid_harness.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::solid_erosion_test {
 namespace {
 
 /// Two cubes of side 2 in a row along x; the second is stretched until it fails.
@@ -69,4 +69,4 @@ TEST(SolidErosion, TakesForceEnergyAndStepOfTheElement) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::solid_erosion_test

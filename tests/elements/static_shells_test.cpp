@@ -7,7 +7,7 @@
 #include "support/shell_benchmarks.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::static_shells_test {
 namespace {
 
 void control_hourglass(model::Model& model) {
@@ -165,4 +165,4 @@ TEST(StaticShell, DoesNotLockAtLengthOverThickness1000) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::static_shells_test

@@ -9,7 +9,7 @@
 #include "static_solution.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::static_solids_test {
 namespace {
 
 constexpr SolidCase form_4{.form = model::SolidHourglassForm::FlanaganBelytschkoStiffness, .name = "IHQ 4"};
@@ -163,4 +163,4 @@ TEST(StaticSolids, ThickCylinderThatHardlyChangesItsVolume) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::static_solids_test

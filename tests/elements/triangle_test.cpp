@@ -7,7 +7,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::triangle_test {
 namespace {
 
 constexpr double plane = youngs_modulus / (1 - poissons_ratio * poissons_ratio);
@@ -235,4 +235,4 @@ TEST(TrianglePlate, CutAlikeLocksWhenVeryThin) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::triangle_test

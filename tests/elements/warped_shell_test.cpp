@@ -7,7 +7,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::warped_shell_test {
 namespace {
 
 constexpr double plane = youngs_modulus / (1 - poissons_ratio * poissons_ratio);
@@ -221,4 +221,4 @@ TEST(WarpedElement, DoesNotFeelRotationsAboutItsFibres) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::warped_shell_test

@@ -19,7 +19,7 @@
 #include "golden/cases.hpp"
 #include "support/run.hpp"
 
-namespace crumple::golden {
+namespace crumple::golden::golden_test {
 namespace {
 
 constexpr const char* golden_file = "tests/golden/hashes.txt";
@@ -124,4 +124,4 @@ INSTANTIATE_TEST_SUITE_P(All, Golden,
                          });
 
 }  // namespace
-}  // namespace crumple::golden
+}  // namespace crumple::golden::golden_test

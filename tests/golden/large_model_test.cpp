@@ -12,7 +12,7 @@
 #include "support/meshes.hpp"
 #include "timeloop/simulation.hpp"
 
-namespace crumple::golden {
+namespace crumple::golden::large_model_test {
 namespace {
 
 /// A square sheet in waves that is thrown into others.
@@ -50,4 +50,4 @@ TEST(LargeModel, HasTheSameBitsForAllThreadsAndAFamilyOfInstructionSets) {
 }
 
 }  // namespace
-}  // namespace crumple::golden
+}  // namespace crumple::golden::large_model_test

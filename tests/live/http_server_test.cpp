@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crumple::live {
+namespace crumple::live::http_server_test {
 namespace {
 
 TEST(LoopbackHost, KnowsItsNames) {
@@ -19,4 +19,4 @@ TEST(LoopbackHost, RefusesOthers) {
 }
 
 }  // namespace
-}  // namespace crumple::live
+}  // namespace crumple::live::http_server_test

@@ -16,7 +16,7 @@
 #include "output/atomic_file.hpp"
 #include "output/vtu_file.hpp"
 
-namespace crumple::live {
+namespace crumple::live::live_page_test {
 namespace {
 
 /// A triangle whose third node has moved.
@@ -194,4 +194,4 @@ TEST_F(LivePageTest, DoesNotShareItsPort) {
 }
 
 }  // namespace
-}  // namespace crumple::live
+}  // namespace crumple::live::live_page_test

@@ -10,7 +10,7 @@
 
 #include "live/folder_status.hpp"
 
-namespace crumple::live {
+namespace crumple::live::run_status_test {
 namespace {
 
 nlohmann::json json_of(const RunStatus& status) {
@@ -91,4 +91,4 @@ TEST_F(FolderStatus, StartsRunsAndEnds) {
 }
 
 }  // namespace
-}  // namespace crumple::live
+}  // namespace crumple::live::run_status_test

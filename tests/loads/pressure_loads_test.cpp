@@ -10,7 +10,7 @@
 #include "support/meshes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::pressure_loads_test {
 namespace {
 
 using math::Vec3;
@@ -144,4 +144,4 @@ TEST(NodalLoads, DoTheWorkOfForcesAndMoments) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::pressure_loads_test

@@ -9,7 +9,7 @@
 #include "support/drawn.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::crushable_foam_test {
 namespace {
 
 constexpr double modulus = 20;  // MPa
@@ -160,4 +160,4 @@ TEST(FoamConstants, AreChecked) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::crushable_foam_test

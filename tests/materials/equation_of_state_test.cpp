@@ -12,7 +12,7 @@
 #include "support/drawn.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::equation_of_state_test {
 namespace {
 
 constexpr double density = test::copper_density;
@@ -375,4 +375,4 @@ TEST(EosStart, ListsAgreeWithTheDescription) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::equation_of_state_test

@@ -5,7 +5,7 @@
 #include "materials/point_driver.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::failure_test {
 namespace {
 
 constexpr double failure_strain = 0.05;
@@ -114,4 +114,4 @@ TEST(Failure, PointsFailOneByOne) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::failure_test

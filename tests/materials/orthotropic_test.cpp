@@ -8,7 +8,7 @@
 #include "materials/point_driver.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::orthotropic_test {
 namespace {
 
 using math::Vec3;
@@ -225,4 +225,4 @@ TEST(Null, HasNoStress) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::orthotropic_test

@@ -8,7 +8,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::plasticity_general_test {
 namespace {
 
 constexpr double tangent = 2100;
@@ -200,4 +200,4 @@ TEST(Plasticity, EnergyIsTheTrapezoidOfStressOverStrain) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::plasticity_general_test

@@ -6,7 +6,7 @@
 #include "materials/point_driver.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::plasticity_paths_test {
 namespace {
 
 constexpr double tangent = 2100;
@@ -193,4 +193,4 @@ TEST(PlasticityInput, BadNumbersAreNamed) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::plasticity_paths_test

@@ -11,7 +11,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::rate_effects_test {
 namespace {
 
 constexpr double step = 1e-6;
@@ -396,4 +396,4 @@ TEST(RateInput, BadNumbersAreNamed) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::rate_effects_test

@@ -11,7 +11,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::rubber_test {
 namespace {
 
 constexpr double shear = 1.04;  // MPa
@@ -290,4 +290,4 @@ TEST(RubberConstants, AreChecked) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::rubber_test

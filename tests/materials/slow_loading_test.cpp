@@ -5,7 +5,7 @@
 #include "materials/point_driver.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::slow_loading_test {
 namespace {
 
 constexpr double tangent = 2100;
@@ -98,4 +98,4 @@ TEST(SlowLoading, DoubleIsExact) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::slow_loading_test

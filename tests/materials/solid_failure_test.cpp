@@ -6,7 +6,7 @@
 #include "materials/solid_driver.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::solid_failure_test {
 namespace {
 
 constexpr double failure_strain = 0.05;
@@ -120,4 +120,4 @@ TEST(SolidRegistry, TellsWhichLawsSolidsHave) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::solid_failure_test

@@ -8,7 +8,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::solid_general_test {
 namespace {
 
 constexpr double tangent = 2100;
@@ -262,4 +262,4 @@ TEST(SolidPlasticity, EnergyIsTheTrapezoidOfStressOverStrain) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::solid_general_test

@@ -5,7 +5,7 @@
 #include "materials/solid_driver.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::solid_paths_test {
 namespace {
 
 constexpr double tangent = 2100;
@@ -244,4 +244,4 @@ TEST_P(Solid, PowerLawIsExactInTension) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::solid_paths_test

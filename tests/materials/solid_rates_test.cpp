@@ -10,7 +10,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::solid_rates_test {
 namespace {
 
 constexpr double step = 1e-6;
@@ -214,4 +214,4 @@ TEST(SolidSlowLoading, AMillionFloatStepsGiveThePlasticStrain) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::solid_rates_test

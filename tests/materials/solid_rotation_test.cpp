@@ -8,7 +8,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::materials::testing {
+namespace crumple::materials::testing::solid_rotation_test {
 namespace {
 
 const std::array<double, 3> tilted_axis{2.0 / 7, -3.0 / 7, 6.0 / 7};
@@ -120,4 +120,4 @@ TEST(SolidRotation, ATurningBodyCarriesItsStressAlong) {
 }
 
 }  // namespace
-}  // namespace crumple::materials::testing
+}  // namespace crumple::materials::testing::solid_rotation_test

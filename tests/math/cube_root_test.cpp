@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace crumple::math {
+namespace crumple::math::cube_root_test {
 namespace {
 
 /// Largest error over half the range of exponents, in units in the last place.
@@ -43,4 +43,4 @@ TEST(CubeRoot, OfWhatIsNotPositiveIsZero) {
 }
 
 }  // namespace
-}  // namespace crumple::math
+}  // namespace crumple::math::cube_root_test

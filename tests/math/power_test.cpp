@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace crumple::math {
+namespace crumple::math::power_test {
 namespace {
 
 /// Distance in units in the last place of `expected`, but at least of `floor`.
@@ -72,4 +72,4 @@ TEST(Power, PacksGiveTheBitsOfTheScalar) {
 }
 
 }  // namespace
-}  // namespace crumple::math
+}  // namespace crumple::math::power_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace crumple::math {
+namespace crumple::math::quadrature_test {
 namespace {
 
 double integral(const Quadrature& rule, int degree) {
@@ -67,4 +67,4 @@ TEST(Quadrature, SymmetricToTheBit) {
 }
 
 }  // namespace
-}  // namespace crumple::math
+}  // namespace crumple::math::quadrature_test

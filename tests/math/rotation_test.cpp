@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace crumple::math {
+namespace crumple::math::rotation_test {
 namespace {
 
 double difference(const Matrix3& a, const Matrix3& b) {
@@ -65,4 +65,4 @@ TEST(Rotation, PrincipalAxesMakeTheTensorDiagonal) {
 }
 
 }  // namespace
-}  // namespace crumple::math
+}  // namespace crumple::math::rotation_test

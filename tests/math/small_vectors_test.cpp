@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crumple::math {
+namespace crumple::math::small_vectors_test {
 namespace {
 
 TEST(SmallVectors, TransposeIsATranspose) {
@@ -23,4 +23,4 @@ TEST(SmallVectors, TransposeIsATranspose) {
 }
 
 }  // namespace
-}  // namespace crumple::math
+}  // namespace crumple::math::small_vectors_test

@@ -10,7 +10,7 @@
 
 #include "output/write_error.hpp"
 
-namespace crumple::output {
+namespace crumple::output::atomic_file_test {
 namespace {
 
 class AtomicFileTest : public ::testing::Test {
@@ -89,4 +89,4 @@ TEST_F(AtomicFileTest, MakesFoldersWithTheirParentsAndRefusesAFileInTheWay) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::atomic_file_test

@@ -5,7 +5,7 @@
 #include "output/sample.hpp"
 #include "support/lines.hpp"
 
-namespace crumple::output {
+namespace crumple::output::d3plot_elements_test {
 namespace {
 
 using Integers = std::vector<std::int32_t>;
@@ -119,4 +119,4 @@ TEST_F(D3plotElementsTest, WallsHaveTheirMeanForceAndTheirPlace) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::d3plot_elements_test

@@ -11,7 +11,7 @@
 #include "output/sample.hpp"
 #include "output/write_error.hpp"
 
-namespace crumple::output {
+namespace crumple::output::d3plot_series_test {
 namespace {
 
 using Integers = std::vector<std::int32_t>;
@@ -261,4 +261,4 @@ TEST_F(D3plotSeriesTest, TheRecorderWritesAStateForEachFrameIfAsked) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::d3plot_series_test

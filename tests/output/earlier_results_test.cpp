@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-namespace crumple::output {
+namespace crumple::output::earlier_results_test {
 namespace {
 
 TEST(EarlierResults, OnlyWhatIsOurOwnIsRemoved) {
@@ -39,4 +39,4 @@ TEST(EarlierResults, AFolderThatIsNotThereIsNoError) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::earlier_results_test

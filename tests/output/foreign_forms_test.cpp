@@ -15,7 +15,7 @@
 #include "output/sample.hpp"
 #include "output/write_error.hpp"
 
-namespace crumple::output {
+namespace crumple::output::foreign_forms_test {
 namespace {
 
 using model::HistoryFile;
@@ -420,4 +420,4 @@ TEST_F(ForeignFormsTest, AFullDiskLeavesWholeStates) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::foreign_forms_test

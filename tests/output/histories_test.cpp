@@ -8,7 +8,7 @@
 #include "output/sample.hpp"
 #include "output/write_error.hpp"
 
-namespace crumple::output {
+namespace crumple::output::histories_test {
 namespace {
 
 std::vector<std::string> cells(const std::string& line) {
@@ -236,4 +236,4 @@ TEST_F(SampleTest, AFullDeviceIsAnErrorThatNamesTheTable) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::histories_test

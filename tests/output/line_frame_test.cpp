@@ -6,7 +6,7 @@
 #include "output/vtu_reader.hpp"
 #include "support/lines.hpp"
 
-namespace crumple::output {
+namespace crumple::output::line_frame_test {
 namespace {
 
 class LineFrameTest : public SampleTest {
@@ -56,4 +56,4 @@ TEST_F(LineFrameTest, ShowsBeamsAndSpringsAsLinesWithTheirForces) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::line_frame_test

@@ -11,7 +11,7 @@
 #include "output/sample.hpp"
 #include "output/write_error.hpp"
 
-namespace crumple::output {
+namespace crumple::output::lsda_file_test {
 namespace {
 
 class LsdaFileTest : public SampleTest {
@@ -146,4 +146,4 @@ TEST_F(LsdaFileTest, AFileThatIsGoneBeginsAnew) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::lsda_file_test

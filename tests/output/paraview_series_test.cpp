@@ -7,7 +7,7 @@
 #include "output/sample.hpp"
 #include "output/vtu_reader.hpp"
 
-namespace crumple::output {
+namespace crumple::output::paraview_series_test {
 namespace {
 
 class ParaviewSeriesTest : public SampleTest {
@@ -131,4 +131,4 @@ TEST_F(ParaviewSeriesTest, VtkItselfReadsTheSameValues) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::paraview_series_test

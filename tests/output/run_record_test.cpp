@@ -6,7 +6,7 @@
 
 #include "output/sample.hpp"
 
-namespace crumple::output {
+namespace crumple::output::run_record_test {
 namespace {
 
 class RunRecordTest : public SampleTest {
@@ -111,4 +111,4 @@ TEST_F(RunRecordTest, WhatIsNotANumberIsNullAndBadTextDoesNotStopIt) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::run_record_test

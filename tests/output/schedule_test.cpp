@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace crumple::output {
+namespace crumple::output::schedule_test {
 namespace {
 
 /// Times at which something is written in a run with steps of `step(cycle)`.
@@ -68,4 +68,4 @@ TEST(Schedule, ARunThatOnlyCyclesEndCountsCycles) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::schedule_test

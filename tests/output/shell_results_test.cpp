@@ -6,7 +6,7 @@
 
 #include "output/sample.hpp"
 
-namespace crumple::output {
+namespace crumple::output::shell_results_test {
 namespace {
 
 class ShellResultsTest : public SampleTest {
@@ -97,4 +97,4 @@ TEST_F(ShellResultsTest, WhatABlockDoesNotKeepIsTheModelsOrZero) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::shell_results_test

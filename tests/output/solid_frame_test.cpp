@@ -5,7 +5,7 @@
 #include "output/vtu_reader.hpp"
 #include "support/meshes.hpp"
 
-namespace crumple::output {
+namespace crumple::output::solid_frame_test {
 namespace {
 
 class SolidFrameTest : public SampleTest {
@@ -54,4 +54,4 @@ TEST_F(SolidFrameTest, ShowsShellsThenSolidsAsTheShapesTheyAre) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::solid_frame_test

@@ -5,7 +5,7 @@
 
 #include "output/vtu_reader.hpp"
 
-namespace crumple::output {
+namespace crumple::output::vtu_file_test {
 namespace {
 
 std::vector<float> ramp(std::size_t count) {
@@ -53,4 +53,4 @@ TEST(VtuFile, SaysWhatReadersNeedToKnow) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::vtu_file_test

@@ -10,7 +10,7 @@
 #include "output/sample.hpp"
 #include "output/vtu_reader.hpp"
 
-namespace crumple::output {
+namespace crumple::output::wall_mesh_test {
 namespace {
 
 using model::WallShape;
@@ -79,4 +79,4 @@ TEST_F(WallSeries, WallsAreASecondPartOfEachFrameAndMove) {
 }
 
 }  // namespace
-}  // namespace crumple::output
+}  // namespace crumple::output::wall_mesh_test

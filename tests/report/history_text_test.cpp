@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crumple::report {
+namespace crumple::report::history_text_test {
 namespace {
 
 TEST(HistoryText, ShortOnesAreKept) {
@@ -29,4 +29,4 @@ TEST(HistoryText, TheRowThatIsBeingWrittenIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace crumple::report
+}  // namespace crumple::report::history_text_test

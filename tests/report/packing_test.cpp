@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace crumple::report {
+namespace crumple::report::packing_test {
 namespace {
 
 /// Reads frames back from the description of the format alone.
@@ -143,4 +143,4 @@ TEST(DeflatedBase64, GivesBackTexts) {
 }
 
 }  // namespace
-}  // namespace crumple::report
+}  // namespace crumple::report::packing_test

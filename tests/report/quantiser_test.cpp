@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace crumple::report {
+namespace crumple::report::quantiser_test {
 namespace {
 
 Range range_of(double low, double high) {
@@ -70,4 +70,4 @@ TEST(Range, PassesOverWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace crumple::report
+}  // namespace crumple::report::quantiser_test

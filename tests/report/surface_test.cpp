@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 
-namespace crumple::report {
+namespace crumple::report::surface_test {
 namespace {
 
 constexpr Index never = 10;  // frames of the run
@@ -113,4 +113,4 @@ TEST(Surface, RefusesCellsThatAreWrong) {
 }
 
 }  // namespace
-}  // namespace crumple::report
+}  // namespace crumple::report::surface_test

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "output/vtu_file.hpp"
 
-namespace crumple::report {
+namespace crumple::report::vtu_reader_test {
 namespace {
 
 using Section = VtuReader::Section;
@@ -131,4 +131,4 @@ TEST_F(VtuReaderTest, NamesAFileThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace crumple::report
+}  // namespace crumple::report::vtu_reader_test

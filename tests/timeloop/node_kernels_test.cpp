@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-namespace crumple::timeloop {
+namespace crumple::timeloop::node_kernels_test {
 namespace {
 
 using domain::NodeFields;
@@ -191,4 +191,4 @@ INSTANTIATE_TEST_SUITE_P(All, NodeKernelsOf, ::testing::ValuesIn(available_isas(
                          [](const auto& which) { return std::string(isa_name(which.param)); });
 
 }  // namespace
-}  // namespace crumple::timeloop
+}  // namespace crumple::timeloop::node_kernels_test

@@ -10,7 +10,7 @@
 #include "support/run.hpp"
 #include "support/ties.hpp"
 
-namespace crumple {
+namespace crumple::step_way_test {
 namespace {
 
 using math::Vec3;
@@ -69,4 +69,4 @@ INSTANTIATE_TEST_SUITE_P(All, StepWay, ::testing::Bool(),
                          [](const auto& which) { return which.param ? "rigid" : "tied"; });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::step_way_test

@@ -12,7 +12,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::bar_impact_test {
 namespace {
 
 constexpr double length = 100;
@@ -146,4 +146,4 @@ TEST(BarImpact, TheStepRecoversBesideMultipliers) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::bar_impact_test

@@ -15,7 +15,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::bar_wave_test {
 namespace {
 
 constexpr double length = 100.0;
@@ -151,4 +151,4 @@ INSTANTIATE_TEST_SUITE_P(BothShells, BarWave,
                          });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::bar_wave_test

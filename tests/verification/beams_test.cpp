@@ -13,7 +13,7 @@
 #include "support/lines.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::beams_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -328,4 +328,4 @@ TEST(Beams, SameBitsForThreadsAndInstructionSets) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::beams_test

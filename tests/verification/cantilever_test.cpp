@@ -18,7 +18,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::cantilever_test {
 namespace {
 
 constexpr double length = 120.0;
@@ -119,4 +119,4 @@ INSTANTIATE_TEST_SUITE_P(Shells, Cantilever,
                          name_of);
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::cantilever_test

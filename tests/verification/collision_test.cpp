@@ -13,7 +13,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::collision_test {
 namespace {
 
 using math::Vec3;
@@ -134,4 +134,4 @@ TEST(Sliding, APressedPlateGlidesAtTheContactThickness) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::collision_test

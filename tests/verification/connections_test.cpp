@@ -12,7 +12,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::connections_test {
 namespace {
 
 using math::Vec3;
@@ -224,4 +224,4 @@ TEST(NodeSet, JoinsTwoStripsLikeAHinge) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::connections_test

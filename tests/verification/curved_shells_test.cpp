@@ -14,7 +14,7 @@
 #include "support/shell_benchmarks.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::curved_shells_test {
 namespace {
 
 using model::ShellFormulation;
@@ -92,4 +92,4 @@ TEST_P(CurvedShell, HemisphereNightly16x16) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::curved_shells_test

@@ -27,7 +27,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::cylindrical_panel_test {
 namespace {
 
 constexpr double radius = 2.9375;
@@ -121,4 +121,4 @@ INSTANTIATE_TEST_SUITE_P(BothShells, CylindricalPanel,
                          });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::cylindrical_panel_test

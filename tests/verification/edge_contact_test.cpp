@@ -15,7 +15,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::edge_contact_test {
 namespace {
 
 using math::Vec3;
@@ -103,4 +103,4 @@ TEST(EdgeContact, GratingsBounceEdgeOnEdge) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::edge_contact_test

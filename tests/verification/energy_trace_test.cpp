@@ -11,7 +11,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::energy_trace_test {
 namespace {
 
 /// Two free plates apart from each other, each of 3 chunks of elements and bent by its velocities. A third,
@@ -115,4 +115,4 @@ TEST(EnergyTrace, FewerElementsAtATimeFindTheFaultMoreClosely) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::energy_trace_test

@@ -14,7 +14,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::erosion_test {
 namespace {
 
 constexpr double size = 2.0;
@@ -136,4 +136,4 @@ INSTANTIATE_TEST_SUITE_P(Formulations, Strip,
                          });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::erosion_test

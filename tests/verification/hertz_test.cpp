@@ -21,7 +21,7 @@
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::hertz_test {
 namespace {
 
 constexpr double radius = 10;
@@ -215,7 +215,7 @@ void expect_hertz(const std::string& mesh, const Impact& found, double curve) {
 constexpr double speed = 7;
 
 /// Four elements over the radius of contact.
-TEST(Hertz, BallOnPlate) {
+TEST(HertzSlow, BallOnPlate) {
   const Impact found = strike(8, 0, speed);
   expect_hertz("8 x 8 x 16", found, 0.03);
   test::drawn("Steel ball on a plate, loading and unloading", "approach [micrometre]", "force [kN]")
@@ -246,4 +246,4 @@ TEST(HertzSlow, BallOnBall) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::hertz_test

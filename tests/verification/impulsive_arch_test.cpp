@@ -21,7 +21,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::impulsive_arch_test {
 namespace {
 
 constexpr double radius = 2.9375;
@@ -276,4 +276,4 @@ INSTANTIATE_TEST_SUITE_P(BothShells, ImpulsiveArch,
                          });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::impulsive_arch_test

@@ -26,7 +26,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::impulsive_beam_test {
 namespace {
 
 constexpr double half_length = 5;
@@ -444,10 +444,10 @@ std::vector<Case> cases() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shells, ImpulsiveBeam, ::testing::ValuesIn(cases()),
+INSTANTIATE_TEST_SUITE_P(ShellsSlow, ImpulsiveBeam, ::testing::ValuesIn(cases()),
                          [](const auto& which) { return which.param.name; });
 INSTANTIATE_TEST_SUITE_P(BothSides, ImpulsiveBeamMeshes, ::testing::Values(Sides::Held, Sides::Free),
                          [](const auto& which) { return which.param == Sides::Held ? "Held" : "Free"; });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::impulsive_beam_test

@@ -22,7 +22,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::impulsive_ring_test {
 namespace {
 
 constexpr double radius = 2.9375;
@@ -131,4 +131,4 @@ INSTANTIATE_TEST_SUITE_P(BothShells, ImpulsiveRing,
                          });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::impulsive_ring_test

@@ -14,7 +14,7 @@
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::linked_rings_test {
 namespace {
 
 using math::Vec3;
@@ -134,4 +134,4 @@ TEST(LinkedRings, OfPlasticSteelWithFrictionStayLinked) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::linked_rings_test

@@ -18,7 +18,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::moving_mass_wall_test {
 namespace {
 
 using math::Vec3;
@@ -279,4 +279,4 @@ TEST(MassOnBall, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::moving_mass_wall_test

@@ -6,7 +6,7 @@
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 
-namespace crumple {
+namespace crumple::negative_volume_test {
 namespace {
 
 /// Two cubes, or twelve tetrahedra, of which the second cube's are pushed through themselves.
@@ -41,4 +41,4 @@ TEST(NegativeVolume, EndsTheRunWithTheElement) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::negative_volume_test

@@ -16,7 +16,7 @@
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::oblique_impact_test {
 namespace {
 
 using math::Vec3;
@@ -137,4 +137,4 @@ INSTANTIATE_TEST_SUITE_P(On, ObliqueImpact,
                          name_of);
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::oblique_impact_test

@@ -14,7 +14,7 @@
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::plate_stack_test {
 namespace {
 
 constexpr Index plates = 10;
@@ -105,7 +105,7 @@ TEST(PlateStack, FallsAndReboundsWithoutLossOfEnergy) {
   EXPECT_LT(left, 0.03 * domain.energy.initial_total);
 }
 
-TEST(PlateStack, ComesToRestUnderItsWeight) {
+TEST(PlateStackSlow, ComesToRestUnderItsWeight) {
   constexpr double gravity = 1;
   model::Model model = stack(1, gravity, 0.3);
   model.control.end_time = 20;
@@ -137,4 +137,4 @@ TEST(PlateStack, ComesToRestUnderItsWeight) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::plate_stack_test

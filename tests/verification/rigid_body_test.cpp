@@ -13,7 +13,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::rigid_body_test {
 namespace {
 
 using math::Vec3;
@@ -468,4 +468,4 @@ TEST(RigidBody, GivenInertiaMayMoveAsItsNodesDo) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::rigid_body_test

@@ -12,7 +12,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::rigid_contact_test {
 namespace {
 
 using math::Vec3;
@@ -101,4 +101,4 @@ TEST(RigidContact, RigidPlateStrikesADeformableOne) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::rigid_contact_test

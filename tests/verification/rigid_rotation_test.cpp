@@ -15,7 +15,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::rigid_rotation_test {
 namespace {
 
 using math::Vec3;
@@ -126,4 +126,4 @@ TEST(RigidRotation, SymmetricBodyPrecessesAsInClosedForm) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::rigid_rotation_test

@@ -11,7 +11,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::rubber_and_foam_test {
 namespace {
 
 class Soft : public ::testing::TestWithParam<Precision> {};
@@ -136,4 +136,4 @@ TEST_P(Soft, FoamTakesTheEnergyOfItsCurve) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::rubber_and_foam_test

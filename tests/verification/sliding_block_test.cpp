@@ -16,7 +16,7 @@
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::sliding_block_test {
 namespace {
 
 constexpr double side = 20;    // of the block, mm
@@ -141,4 +141,4 @@ std::string name_of(const ::testing::TestParamInfo<Plate>& info) {
 INSTANTIATE_TEST_SUITE_P(Plates, SlidingBlock, ::testing::Values(Plate::Shells, Plate::Solids), name_of);
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::sliding_block_test

@@ -14,7 +14,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::solid_wave_test {
 namespace {
 
 constexpr double length = 100;
@@ -101,4 +101,4 @@ TEST(SolidWave, StressAndSpeedAreThoseOfTheWaveEquation) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::solid_wave_test

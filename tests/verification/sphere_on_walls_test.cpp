@@ -17,7 +17,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::sphere_on_walls_test {
 namespace {
 
 using math::Vec3;
@@ -170,4 +170,4 @@ TEST(BallOnPlane, SlidingFrictionTakesItsCoefficientTimesTheNormalImpulse) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::sphere_on_walls_test

@@ -23,7 +23,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::spherical_cap_test {
 namespace {
 
 constexpr double radius = 22.27;
@@ -397,4 +397,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& which) { return which.param.name; });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::spherical_cap_test

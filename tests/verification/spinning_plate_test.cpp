@@ -12,7 +12,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::spinning_plate_test {
 namespace {
 
 using math::Vec3;
@@ -77,4 +77,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& which) { return which.param.name; });
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::spinning_plate_test

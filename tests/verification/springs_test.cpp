@@ -15,7 +15,7 @@
 #include "support/rigid.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::springs_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -296,4 +296,4 @@ TEST(Springs, MassesThatAreMissingAreNamed) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::springs_test

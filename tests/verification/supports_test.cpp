@@ -9,7 +9,7 @@
 #include "support/ties.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::supports_test {
 namespace {
 
 using math::Vec3;
@@ -131,4 +131,4 @@ TEST(Supports, OfACantileverBearForceAndMomentOfItsLoad) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::supports_test

@@ -14,7 +14,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::taylor_bar_test {
 namespace {
 
 /// mm, ms, kg: GPa, m/s.
@@ -214,4 +214,4 @@ TEST(TaylorBarSlow, OfTetrahedraNeedsThePressureOfNodes) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::taylor_bar_test

@@ -12,7 +12,7 @@
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 
-namespace crumple {
+namespace crumple::thick_shells_test {
 namespace {
 
 const char* name_of(model::ShellFormulation formulation) {
@@ -63,4 +63,4 @@ TEST(ThickShells, StayStableWithEitherHourglassControl) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::thick_shells_test

@@ -13,7 +13,7 @@
 #include "support/tied_runs.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::tie_springs_test {
 namespace {
 
 using math::Vec3;
@@ -243,4 +243,4 @@ TEST(Tiebreak, BlockThatTearsItselfOffLosesTheEnergyOfTheSprings) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::tie_springs_test

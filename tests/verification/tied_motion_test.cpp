@@ -12,7 +12,7 @@
 #include "support/ties.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::tied_motion_test {
 namespace {
 
 using math::Vec3;
@@ -198,4 +198,4 @@ TEST(TiedMotion, SameBitsForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::tied_motion_test

@@ -11,7 +11,7 @@
 #include "support/tied_runs.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::tied_test {
 namespace {
 
 using math::Vec3;
@@ -149,4 +149,4 @@ TEST(Tied, EdgeOfShellCarriesItsMoment) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::tied_test

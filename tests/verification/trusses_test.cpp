@@ -13,7 +13,7 @@
 #include "support/lines.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::trusses_test {
 namespace {
 
 using test::Point;
@@ -183,4 +183,4 @@ TEST(Trusses, WaveRunsThroughARowOfThem) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::trusses_test
