@@ -86,6 +86,12 @@ void read_control_timestep(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(timestep_card);
   deck.control.initial_step = card.real("DTINIT");
   deck.control.step_scale = card.real("TSSFAC");
+  constexpr double usual = 0.9;
+  if (card.good("TSSFAC") && card.real("TSSFAC") > usual)
+    cards.report().field_warning(
+        card.where(), {"TSSFAC", std::string(card.text("TSSFAC")), "a factor up to 0.9",
+                       "it is used, but leaves little of the stable step to contact, friction and damping",
+                       "factor on the step"});
   deck.control.mass_scaling_step = card.real("DT2MS");
   if (cards.has_line()) cards.next(timestep_card_2);
 }

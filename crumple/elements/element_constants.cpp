@@ -27,6 +27,7 @@ void for_each_solid_number(Constants& constants, const Visit& visit) {
   visit(constants.anticlastic);
   visit(constants.uniaxial);
   visit(constants.density);
+  visit(constants.shear_share);
   visit(constants.wave_speed);
   visit(constants.present_wave_speed);
   visit(constants.equation_of_state);

@@ -83,6 +83,8 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.can_fail = materials::solid_can_fail(material);
   constants.density = start.density;
   constants.wave_speed = start.wave_speed;
+  const double modulus = start.density * start.wave_speed * start.wave_speed;
+  constants.shear_share = std::clamp(2 * elastic.shear_modulus() / modulus, 0.0, 1.0);
   const model::HourglassControl& control = model::hourglass_of(model, part);
   constants.bulk_quadratic =
       control.bulk_quadratic > 0 ? control.bulk_quadratic : model.control.bulk_quadratic;
@@ -113,7 +115,7 @@ struct SolidMass {
 SolidMass prepare_element(const model::Model& model, const domain::Domain& domain, SolidBlock& block,
                           const SolidConstants<double>& constants, Index place) {
   const model::SolidElement& solid = model.solids[block.element[std::min(place, block.elements - 1)]];
-  const SolidSize size = solid_size(domain, block, place, constants.exact_volume);
+  const SolidSize size = solid_size(domain, block, place, constants);
   if (!(size.volume > 0) || !(size.length > 0))
     throw Error(
         "Solid " + std::to_string(solid.id) +

@@ -133,7 +133,8 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
   const Pack pressure = multiply_add(spherical, resistance.per_volume, Pack(-resistance.pressure));
   for (int p = 0; p < 6; ++p) conjugate.of[p] = multiply_add(pressure, whole.gradient[p], conjugate.of[p]);
   // One that is inside out at a point ends the run.
-  const Pack length = whole.volume / square_root(largest_face_squared(x));
+  const Pack length = smaller(Pack(whole.volume / square_root(largest_face_squared(x))),
+                              free_length(whole, 6, shear_share_of<Pack>(place)));
   leave_limit(place, active, select<Pack>(narrowest > zero, length, narrowest), resistance.speed);
   return nodal_forces(conjugate);
 }

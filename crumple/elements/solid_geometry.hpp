@@ -96,4 +96,26 @@ CRUMPLE_INLINE Pack largest_face_squared(const SolidPatterns<Pack>& x) {
   return Pack(RealOf<Pack>(1.0 / 256)) * largest;
 }
 
+/// l of the stable step l / c of a free hexahedron: 2 / omega of its uniform strain with an eighth of the
+/// mass at each node, c that of longitudinal waves. With the pattern gradients g_p over the volume, omega^2
+/// is at most 64 c^2 (sum g_p.g_p - shear_share (sum g_p.g_p - m)), m the largest eigenvalue of g_p.g_q, here
+/// by Gershgorin's circles; `shear_share` = 2 mu / (lambda + 2 mu). docs/theory/one_point_hexahedron.md.
+template <class Pack>
+CRUMPLE_INLINE Pack free_length(const SolidGeometry<Pack>& g, int patterns, const Pack& shear_share) {
+  const auto& of = g.gradient;
+  const Pack one_two = absolute(math::dot(of[0], of[1]));
+  const Pack two_three = absolute(math::dot(of[1], of[2]));
+  const Pack three_one = absolute(math::dot(of[2], of[0]));
+  const Pack square[3] = {math::dot(of[0], of[0]), math::dot(of[1], of[1]), math::dot(of[2], of[2])};
+  Pack rest(RealOf<Pack>(0));
+  for (int p = 3; p < patterns; ++p) rest = rest + math::dot(of[p], of[p]);
+  const Pack sum = square[0] + (square[1] + (square[2] + rest));
+  const Pack largest = rest + larger(Pack(square[0] + (one_two + three_one)),
+                                     larger(Pack(square[1] + (one_two + two_three)),
+                                            Pack(square[2] + (two_three + three_one))));
+  // The circles may be larger than the sum of all eigenvalues.
+  const Pack others = larger(Pack(RealOf<Pack>(0)), Pack(sum - largest));
+  return Pack(RealOf<Pack>(0.25)) * g.volume / square_root(Pack(sum - shear_share * others));
+}
+
 }  // namespace crumple::elements

@@ -21,8 +21,8 @@ CRUMPLE_INLINE BulkViscosity<Pack> bulk_viscosity(const SolidConstants<RealOf<Pa
   const Pack zero(RealOf<Pack>(0));
   const Pack closing = larger(zero, Pack(-dilatation_rate));
   const Pack linear = Pack(constants.bulk_linear) * wave_speed;
-  const Pack speed = select<Pack>(
-      closing > zero, multiply_add(Pack(constants.bulk_quadratic) * length, closing, linear), zero);
+  // Also of an element that expands: steps that change with the sign of a rate would make energy of it.
+  const Pack speed = multiply_add(Pack(constants.bulk_quadratic) * length, closing, linear);
   return {density * length * closing * speed, speed};
 }
 
@@ -95,6 +95,16 @@ CRUMPLE_INLINE Resistance<Pack> resist(const SolidPlace<RealOf<Pack>>& place, co
   found.mean = Pack(Real(0.5)) * (old_pressure + found.pressure);
   set_own_item(place, solid_state::bulk_viscosity, found.pressure);
   return found;
+}
+
+/// 2 mu / (lambda + 2 mu): of a wave speed that varies only what the pressure adds changes.
+template <class Pack>
+CRUMPLE_INLINE Pack shear_share_of(const SolidPlace<RealOf<Pack>>& place) {
+  const auto& constants = place.task.constants;
+  const Pack share(constants.shear_share);
+  if (constants.present_wave_speed == 0) return share;
+  const Pack slower = Pack(constants.wave_speed) / wave_speed_of<Pack>(place);
+  return smaller(Pack(RealOf<Pack>(1)), Pack(share * (slower * slower)));
 }
 
 /// Leaves the stable step of an element: l / (Q + sqrt(Q^2 + c^2)), Q the speed of the resistance.

@@ -42,14 +42,22 @@ double least_jacobian(const SolidPatterns<double>& x) {
 }  // namespace
 
 SolidSize solid_size(const domain::Domain& domain, const domain::SolidBlock& block, Index place,
-                     bool exact_volume) {
+                     const SolidConstants<double>& constants) {
   const std::array<Index, 8> node = block.nodes_of(place);
   std::array<math::Vec3, 8> corner;
   for (std::size_t k = 0; k < 8; ++k) corner[k] = domain.nodes.position[node[k]];
   if (block.corners == 4) return tetrahedron_size(corner);
   const SolidPatterns<double> x = patterns_of(corner);
-  const double volume = solid_geometry(x, exact_volume).volume;
-  const double length = volume / square_root(largest_face_squared(x));
+  const SolidGeometry<double> geometry = solid_geometry(x, constants.exact_volume);
+  const double volume = geometry.volume;
+  double share = constants.shear_share;
+  if (constants.present_wave_speed > 0) {
+    const double speed = block.state(place, constants.present_wave_speed);
+    if (speed > 0)
+      share = std::min(1.0, share * constants.wave_speed * constants.wave_speed / (speed * speed));
+  }
+  const double length = std::min(volume / square_root(largest_face_squared(x)),
+                                 free_length(geometry, patterns_of_gradient(constants.exact_volume), share));
   if (block.formulation == model::SolidFormulation::SelectiveHexahedron)
     if (const double least = least_jacobian(x); !(least > 0)) return {least, length};
   return {volume, length};

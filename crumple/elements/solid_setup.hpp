@@ -5,6 +5,7 @@
 
 #include "domain/domain.hpp"
 #include "elements/solid_patterns.hpp"
+#include "elements/solid_task.hpp"
 
 namespace crumple::elements {
 
@@ -16,9 +17,9 @@ struct SolidSize {
   double length = 0;  ///< what a wave must cross in one step [length]
 };
 
-/// Of the present positions of an element's nodes, as its formulation sees it. `exact_volume` as in
-/// solid_geometry().
+/// Of the present positions of an element's nodes, as its formulation sees it. The numbers
+/// are those of its block.
 SolidSize solid_size(const domain::Domain& domain, const domain::SolidBlock& block, Index place,
-                     bool exact_volume);
+                     const SolidConstants<double>& constants);
 
 }  // namespace crumple::elements

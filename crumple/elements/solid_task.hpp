@@ -27,6 +27,7 @@ struct SolidConstants {
   Real anticlastic = 0;         ///< nu / (1 - nu), the same [-]
   Real uniaxial = 0;            ///< (1 + nu) / 3, the same [-]
   Real density = 0;             ///< at time zero [mass/volume]
+  Real shear_share = 0;         ///< 2 mu / (lambda + 2 mu) at time zero, at most 1 [-]
   Real wave_speed = 0;          ///< of longitudinal waves without lateral strain, at time zero [length/time]
   /// Component of the state with the wave speed at the end of the last step, where the material tells a new
   /// one every step; 0: it does not vary.

@@ -31,7 +31,7 @@ void for_each_step(const Domain& domain, const domain::SolidBlock& block, const 
   const auto constants = from_numbers<SolidConstants<double>>(block.element_constants);
   for (Index place = 0; place < block.elements; ++place) {
     if (block.state(place, constants.own + solid_state::active) == 0) continue;
-    const SolidSize size = solid_size(domain, block, place, constants.exact_volume);
+    const SolidSize size = solid_size(domain, block, place, constants);
     const double speed = constants.present_wave_speed > 0 ? block.state(place, constants.present_wave_speed)
                                                           : constants.wave_speed;
     visit(place, size.length / speed * block.state(place, constants.own + solid_state::step_scale));
@@ -80,8 +80,8 @@ double stable_step(const Domain& domain, const domain::DiscreteBlock& block) {
 }
 
 double solid_volume(const Domain& domain, const domain::SolidBlock& block, Index place) {
-  const bool exact = from_numbers<SolidConstants<double>>(block.element_constants).exact_volume;
-  return solid_size(domain, block, place, exact).volume;
+  return solid_size(domain, block, place, from_numbers<SolidConstants<double>>(block.element_constants))
+      .volume;
 }
 
 domain::ControllingElement controlling_element(const model::Model& model, const Domain& domain) {

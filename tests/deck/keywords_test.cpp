@@ -4,7 +4,7 @@
 
 #include "small_deck.hpp"
 
-namespace crumple::deck::test {
+namespace crumple::deck::test::keywords_test {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -72,6 +72,19 @@ TEST(Control, SecondOneReplacesTheFirstWithAWarning) {
   ASSERT_EQ(messages.size(), 1U);
   EXPECT_EQ(messages[0],
             "deck.k:22: warning: *CONTROL_TERMINATION: replaces what the same keyword says at deck.k:2");
+}
+
+/// Used, with a warning.
+TEST(Control, StepAboveTheUsualShareOfTheStableOne) {
+  const auto messages = messages_with("*CONTROL_TIMESTEP\n0.0,0.95\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(
+      messages[0],
+      "deck.k:23: warning: *CONTROL_TIMESTEP card 1 field TSSFAC: read \"0.95\", expected a factor up to "
+      "0.9; it is used, but leaves little of the stable step to contact, friction and damping");
+  SmallDeck deck;
+  deck.more = "*CONTROL_TIMESTEP\n0.0,0.95\n";
+  EXPECT_EQ(read_deck_text(deck.text()).model.value().control.step_scale, 0.95);
 }
 
 /// Used, with a warning.
@@ -484,4 +497,4 @@ TEST(Unsupported, CardsBehindTheLastKnownOne) {
 }
 
 }  // namespace
-}  // namespace crumple::deck::test
+}  // namespace crumple::deck::test::keywords_test
