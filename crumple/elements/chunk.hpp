@@ -64,6 +64,9 @@ void update_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf
     material.area = Formulation::own_areas ? scratch.area + material.first_point * tile_lanes : nullptr;
     material.energy = row(scratch_row::material_energy);
     material.thickness_strain = row(scratch_row::thickness_strain);
+    // One-point shells alone have hourglass stresses that yield.
+    const bool one_point = Formulation::planes == 1 && !task.constants.viscous;
+    material.yield = one_point ? scratch.rows + scratch_row::yield * tile_lanes : nullptr;
     material.intact = task.constants.can_fail ? row(scratch_row::intact) : nullptr;
     task.material(material);
   }

@@ -33,7 +33,8 @@ inline constexpr int material_energy =
     sum_row::count;  ///< from the material, by plane: work per volume of the step
 inline constexpr int thickness_strain = material_energy + materials::max_plane_points;  ///< by plane
 inline constexpr int intact = thickness_strain + materials::max_plane_points;           ///< by plane
-inline constexpr int own = intact + materials::max_plane_points;  ///< first row of the formulation
+inline constexpr int yield = intact + materials::max_plane_points;  ///< MaterialTask::yield
+inline constexpr int own = yield + materials::yield_row::count;     ///< first row of the formulation
 }  // namespace scratch_row
 
 /// Where one pack of elements finds everything. Strides are `lanes` in the state, tile_lanes in the scratch.
@@ -138,10 +139,17 @@ template <class Pack>
 CRUMPLE_INLINE HourglassModes<Pack> update_hourglass(const ShellPlace<RealOf<Pack>>& place,
                                                      const LaminaGeometry<Pack>& g, const Pack& thickness,
                                                      const HourglassModes<Pack>& rate) {
+  using Real = RealOf<Pack>;
   const Pack step(place.task.step);
   const HourglassModes<Pack> old = hourglass_state<Pack>(place);
   const auto moduli = hourglass_moduli(place.task.constants, g, thickness);
   auto now = hourglass_stress(place.task.constants, moduli, step, old, rate);
+  if (!place.task.constants.viscous) {
+    namespace yield_row = materials::yield_row;
+    const Real* const yield = place.rows + scratch_row::yield * tile_lanes;
+    now = yielding(now, load<Pack>(yield + yield_row::left * tile_lanes),
+                   plastic_limits(g, thickness, load<Pack>(yield + yield_row::stress * tile_lanes)));
+  }
   // What has failed does not hold its last stress.
   if (place.task.constants.can_fail) now = scaled(now, own_state<Pack>(place, element_state::active));
   set_hourglass_state(place, now);

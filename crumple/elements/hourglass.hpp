@@ -112,6 +112,29 @@ CRUMPLE_INLINE HourglassModes<Pack> hourglass_stress(const ShellConstants<RealOf
           multiply_add(bending, rate.bending_y, old.bending_y)};
 }
 
+/// What the hourglass stresses of a square of the same area are when all of it yields: tension and pressure
+/// of the yield stress in halves of it, the bending moment of that, and the torsion moment for the warping.
+/// docs/theory/hourglass.md.
+template <class Pack>
+CRUMPLE_INLINE HourglassModuli<Pack> plastic_limits(const LaminaGeometry<Pack>& g, const Pack& thickness,
+                                                    const Pack& yield_stress) {
+  using Real = RealOf<Pack>;
+  const Pack force = yield_stress * thickness;
+  const Pack membrane = Real(0.25) * (force * square_root(g.area));
+  return {membrane, Real(0.28867513459481287) * (force * thickness), Real(0.25) * (membrane * thickness)};
+}
+
+/// Hourglass stresses of the stiffness form where the metal flows: they return to the yield surface with the
+/// stress that they vary about, of which `left` remains, and never exceed the limits.
+template <class Pack>
+CRUMPLE_INLINE HourglassModes<Pack> yielding(const HourglassModes<Pack>& trial, const Pack& left,
+                                             const HourglassModuli<Pack>& limit) {
+  const auto bounded = [](const Pack& q, const Pack& most) { return larger(smaller(q, most), Pack(-most)); };
+  return {bounded(left * trial.x, limit.membrane), bounded(left * trial.y, limit.membrane),
+          bounded(left * trial.z, limit.warping), bounded(left * trial.bending_x, limit.bending),
+          bounded(left * trial.bending_y, limit.bending)};
+}
+
 /// Work of the mean of old and new stress over a step.
 template <class Pack>
 CRUMPLE_INLINE Pack hourglass_work(const Pack& step, const HourglassModes<Pack>& old,

@@ -51,9 +51,9 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
     constants.hourglass_warping = control.warping * impedance;
     constants.hourglass_bending = control.bending * impedance / 12;
   } else {
-    constants.hourglass_membrane = control.coefficient * elastic.youngs_modulus / 8;
-    constants.hourglass_warping = control.warping * shear_factor * elastic.shear_modulus() / 12;
-    constants.hourglass_bending = control.bending * elastic.youngs_modulus / 192;
+    constants.hourglass_membrane = control.coefficient * elastic.youngs_modulus / 16;
+    constants.hourglass_warping = control.warping * shear_factor * elastic.shear_modulus() / 24;
+    constants.hourglass_bending = control.bending * elastic.youngs_modulus / 384;
   }
 }
 

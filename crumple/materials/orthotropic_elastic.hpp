@@ -120,6 +120,10 @@ CRUMPLE_INLINE void update_turned_pack(const Law& law, const MaterialTask<RealOf
   }
   store(task.energy + group * lanes + lane, energy);
   store(task.thickness_strain + group * lanes + lane, thickness);
+  if (task.yield == nullptr) return;
+  Real* const yield = task.yield + group * lanes + lane;
+  store(yield + yield_row::stress * tile_lanes, Pack(static_cast<Real>(unlimited)));
+  store(yield + yield_row::left * tile_lanes, Pack(Real(1)));
 }
 
 template <class Law, class Pack>

@@ -7,7 +7,7 @@
 
 #include "base/index.hpp"
 #include "base/isa.hpp"
-#include "base/pack.hpp"
+#include "base/lanes.hpp"
 #include "domain/element_block.hpp"
 #include "math/vec3.hpp"
 #include "model/material.hpp"
@@ -27,6 +27,16 @@ inline constexpr int components = 5;
 inline constexpr Index tile_groups = 2;
 inline constexpr Index tile_lanes = tile_groups * lanes;
 
+/// Rows of MaterialTask::yield.
+namespace yield_row {
+inline constexpr int stress = 0;  ///< present yield stress, mean over the thickness; `unlimited` without one
+inline constexpr int left = 1;    ///< what the return to the yield surface left of the trial stress, mean [-]
+inline constexpr int count = 2;
+}  // namespace yield_row
+
+/// The yield stress of what does not yield. Its product with lengths is a number in any system of units.
+inline constexpr double unlimited = 1e18;
+
 /// One call of a material: the points over one point in plane, of up to tile_groups groups of elements.
 template <class Real>
 struct MaterialTask {
@@ -45,6 +55,7 @@ struct MaterialTask {
   Real step = 0;                      ///< the step that the increments belong to [time]; may be 0
   Real* energy = nullptr;  ///< out: mean over the thickness of area * 1/2 (old + new stress) : strain
   Real* thickness_strain = nullptr;  ///< out: mean increment of the strain zz over the thickness
+  Real* yield = nullptr;             ///< out, if not nullptr: yield_row::count rows of tile_lanes
   Real* intact = nullptr;  ///< out, if not nullptr: 1 where any of the points has not failed, else 0
 };
 

@@ -44,7 +44,9 @@ struct PointUpdate {
   const Real* strains;
   const Real* area;  ///< of the first point, or nullptr
   Pack energy;
-  Pack thickness;  ///< strain zz
+  Pack thickness;     ///< strain zz
+  Pack yield_stress;  ///< mean over the points
+  Pack lost;          ///< mean over the points of what the return takes of the trial stress [-]
 
   CRUMPLE_INLINE PointUpdate(const Law& which, const MaterialTask<Real>& of, Index group, Index lane)
       : law(which),
@@ -54,7 +56,9 @@ struct PointUpdate {
         strains(of.strain + group * lanes + lane),
         area(of.area != nullptr ? of.area + group * lanes + lane : nullptr),
         energy(Real(0)),
-        thickness(Real(0)) {}
+        thickness(Real(0)),
+        yield_stress(Real(0)),
+        lost(Real(0)) {}
 
   CRUMPLE_INLINE HistoryView<Real> history(int p) const {
     return {state + task.history * lanes, task.all_points, task.first_point + p};
@@ -92,6 +96,29 @@ struct PointUpdate {
     set_stress(p, now);
   }
 
+  /// Counts the yield stress of a point: zero of one that has failed.
+  CRUMPLE_INLINE void count_yield(int p, const typename Law::Trial& trial) {
+    Pack radius = trial.radius;
+    if constexpr (Law::may_fail)
+      if (law.fails()) radius = select<Pack>(law.intact(history(p)), radius, Pack(Real(0)));
+    yield_stress = multiply_add(Pack(task.weight[p]), radius, yield_stress);
+  }
+
+  /// Counts what the return has left of the stress of a point. A small tension beside that stress is half
+  /// sum, half difference, and returns with it.
+  template <class Way>
+  CRUMPLE_INLINE void count_return(int p, const MaskOf<Pack>& mask, const Way& way) {
+    const Pack gone = Pack(Real(1)) - Pack(Real(0.5)) * (way.left.sum + way.left.rest);
+    lost = multiply_add(Pack(task.weight[p]), select<Pack>(mask, gone, Pack(Real(0))), lost);
+  }
+
+  /// Leaves MaterialTask::yield.
+  CRUMPLE_INLINE void leave_yield(Real* rows) const {
+    const bool limited = Law::can_yield;
+    store(rows + yield_row::stress * tile_lanes, limited ? yield_stress : Pack(static_cast<Real>(unlimited)));
+    store(rows + yield_row::left * tile_lanes, Pack(Pack(Real(1)) - lost));
+  }
+
   CRUMPLE_INLINE void count_thickness(int p, const Stress& old, const Stress& now, const Pack& plastic_zz) {
     const Pack sum = (now.xx - old.xx) + (now.yy - old.yy);
     const Pack zz = plastic_zz - Pack(law.elasticity.lateral) * sum;
@@ -122,6 +149,7 @@ CRUMPLE_INLINE void return_together(PointUpdate<Law, Pack>& points, YieldingPoin
     auto stress = trial_stress;
     points.law.correct(stress, y.trial, y.mask, y.way, points.history(y.point));
     points.replace(y.point, trial_stress, stress, y.trial.plastic_zz);
+    points.count_return(y.point, y.mask, y.way);
   }
 }
 
@@ -172,13 +200,17 @@ CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>
   for (int p = 0; p < task.points; ++p) {
     const auto strain = points.strain(p);
     [[maybe_unused]] const auto stress = points.elastic_step(p, strain);
-    if constexpr (Law::can_yield)
-      any_yields |= any<Pack>(law.yields(law.trial(stress, strain, points.history(p))));
+    if constexpr (Law::can_yield) {
+      const auto trial = law.trial(stress, strain, points.history(p));
+      points.count_yield(p, trial);
+      any_yields |= any<Pack>(law.yields(trial));
+    }
   }
   if constexpr (Law::can_yield)
     if (any_yields) correct_points(points);
   if constexpr (Law::may_fail)
     if (law.fails()) take_failed_stress(points, task.intact + group * lanes + lane);
+  if (task.yield != nullptr) points.leave_yield(task.yield + group * lanes + lane);
   store(task.energy + group * lanes + lane, points.energy);
   store(task.thickness_strain + group * lanes + lane, points.thickness);
 }

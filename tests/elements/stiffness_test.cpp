@@ -9,7 +9,7 @@
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::stiffness_test {
 namespace {
 
 using Matrix = std::vector<std::vector<double>>;
@@ -154,7 +154,7 @@ double critical_ratio(const model::Model& model) {
   return std::sqrt(eigenvalues(k).back()) * body.domain.clock.element_limit;
 }
 
-TEST(StableStep, KeepsPatchesStable) {
+TEST(StableStepSlow, KeepsPatchesStable) {
   for (const Kind& kind : kinds) {
     test::Largest off(std::string(kind.name) + ", patches of nine shapes: 0.9 omega dt", "stable below 2", 2);
     for (const double distortion : {0.0, 0.15, 0.25})
@@ -170,7 +170,7 @@ TEST(StableStep, KeepsPatchesStable) {
 }
 
 /// Nodes on a surface couple stretching and bending: the step takes that into account.
-TEST(StableStep, KeepsPatchesWithNodesOffTheMidSurfaceStable) {
+TEST(StableStepSlow, KeepsPatchesWithNodesOffTheMidSurfaceStable) {
   for (const Kind& kind : kinds) {
     test::Largest off(std::string(kind.name) + ", nodes on a surface, four thicknesses: 0.9 omega dt",
                       "stable below 2", 2);
@@ -187,7 +187,7 @@ TEST(StableStep, KeepsPatchesWithNodesOffTheMidSurfaceStable) {
 }
 
 /// Triangles made of quadrilaterals with a repeated node.
-TEST(StableStep, KeepsTrianglesStable) {
+TEST(StableStepSlow, KeepsTrianglesStable) {
   for (const Kind& kind : kinds)
     for (const double distortion : {0.0, 0.2}) {
       model::Model model = plate(kind.formulation, 3, distortion);
@@ -228,7 +228,7 @@ model::Model random_element(const Kind& kind, double t, double warp, std::mt1993
 
 /// Full integration takes the step of one point: no free element is worse off with it than the worst are with
 /// one point by more than a twentieth, whatever its shape and thickness.
-TEST(StableStep, OfFreeElementsDoesNotDependOnTheIntegration) {
+TEST(StableStepSlow, OfFreeElementsDoesNotDependOnTheIntegration) {
   for (const double t : {0.1, 1.5, 5.0})
     for (const double warp : {0.0, 0.5}) {
       const auto worst = [&](const Kind& kind) {
@@ -258,4 +258,4 @@ TEST(StableStep, ALoneSquareNeedsASmallerFactor) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::stiffness_test

@@ -9,7 +9,7 @@
 #include "shell_harness.hpp"
 #include "support/verified.hpp"
 
-namespace crumple::elements::testing {
+namespace crumple::elements::testing::twisted_beam_test {
 namespace {
 
 constexpr double length = 12;
@@ -81,7 +81,9 @@ struct Tip {
 };
 
 /// The tip's cross section lies along y: the load along y is in its plane, that along z out of it.
-Tip tip_displacement(const Kind& kind, double t, Index columns, Index rows, double hourglass = 0.1) {
+/// The control of the beam as long as B.B was summed over four nodes with 0.1: a control half as strong
+/// leaves the coarse mesh of thick shells 3.5 % too soft.
+Tip tip_displacement(const Kind& kind, double t, Index columns, Index rows, double hourglass = 0.2) {
   const model::Model model = twisted_beam(kind, t, columns, rows, hourglass);
   std::vector<Index> free;
   for (Index node = 0; node < model.nodes.count(); ++node)
@@ -164,4 +166,4 @@ TEST(TwistedBeam, IsFarTooSoftForFlatElements) {
 }
 
 }  // namespace
-}  // namespace crumple::elements::testing
+}  // namespace crumple::elements::testing::twisted_beam_test
