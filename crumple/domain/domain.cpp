@@ -53,6 +53,7 @@ void keep_contact(ContactReport& contact, StateList& list) {
   keep("force", "force", contact.force);
   keep("mass", "mass", contact.mass);
   keep("times", "s", contact.times);
+  keep("withheld", "by item", contact.withheld);
   list.keep_list("contact_initial_overlaps", "by item", Entity::Contact, 1, contact.initial_overlaps);
 }
 

@@ -31,10 +31,15 @@ struct EnergyLedger {
   /// Unbalanced energy [energy].
   double imbalance() const { return total() - initial_total - external_work; }
   /// |unbalanced energy| over what was absorbed: internal, hourglass, contact, friction and eroded energy
-  /// [-].
+  /// [-]. Zero if the imbalance is within the round-off of the largest energy, where nothing may have been
+  /// absorbed.
   double error() const {
+    constexpr double round_off = 1e-12;
+    const double largest =
+        std::fmax(std::fabs(kinetic), std::fmax(std::fabs(initial_total), std::fabs(external_work)));
     const double absorbed = internal + hourglass + contact + friction + eroded;
-    return absorbed == 0 ? 0.0 : std::fabs(imbalance() / absorbed);
+    const double unbalanced = std::fabs(imbalance());
+    return absorbed == 0 || unbalanced <= round_off * largest ? 0.0 : unbalanced / std::fabs(absorbed);
   }
 };
 

@@ -57,6 +57,16 @@ struct InitialOverlap {
   double depth = 0;    ///< [length]
 };
 
+/// Contact forces that were limited because they would have created energy: penetrations that grew without an
+/// approach against a force.
+struct WithheldForces {
+  long count = 0;      ///< touches, summed over the cycles
+  double largest = 0;  ///< largest part of a force that was withheld [force]
+  long cycle = 0;      ///< when that was
+  UserId node = 0;     ///< where
+  UserId segment = 0;  ///< shell, solid or edge
+};
+
 /// What a contact interface did so far.
 struct ContactReport {
   UserId id = 0;
@@ -74,6 +84,7 @@ struct ContactReport {
   bool two_sided = false;
   math::Vec3 force{};            ///< on the first of two sides now, from the second [force]
   std::array<double, 2> mass{};  ///< of the nodes of its sides [mass]
+  WithheldForces withheld{};
   ContactInspection inspection{};
   SearchReport search{};
   ContactTimes times{};

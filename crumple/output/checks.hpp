@@ -24,25 +24,33 @@ class PeakValues {
  public:
   /// Takes in the present state. Costs a pass over the nodes: for now and then, not for every step.
   void observe(const View& view);
+  /// Takes in the energies alone, in every step: an impact lasts a few.
+  void observe(const domain::EnergyLedger& energy);
 
   /// Declares the peaks so far, for a restart.
   void declare(domain::StateList& list) { list.keep("peak_values", "by item", domain::Entity::Run, *this); }
 
   double fastest() const { return fastest_; }
+  /// The fastest that the model says to move, or that the energy supplied so far makes all of it move.
   double reference_speed() const { return reference_speed_; }
   UserId fastest_node() const { return fastest_node_; }
+  /// By which contact energies are judged: where bodies rebound little internal energy is left [energy].
+  double largest_internal_energy() const { return largest_internal_; }
+  double lowest_contact_energy() const { return lowest_contact_; }
 
  private:
-  double fastest_ = 0;          ///< largest speed of a node [length/time]
-  double reference_speed_ = 0;  ///< the same, in the first state observed [length/time]
+  double fastest_ = 0;           ///< largest speed of a node [length/time]
+  double reference_speed_ = 0;   ///< see reference_speed() [length/time]
+  double largest_internal_ = 0;  ///< [energy]
+  double lowest_contact_ = 0;    ///< at most zero [energy]
   UserId fastest_node_ = 0;
   bool has_reference_ = false;
 };
 
-/// The table for the present state, the end of a run.
+/// The table for the present state, the end of a run, which the peaks have observed.
 std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks);
 
 /// What the user should know about the energies: one sentence per excess, naming the part or interface.
-std::vector<std::string> energy_warnings(const View& view);
+std::vector<std::string> energy_warnings(const View& view, const PeakValues& peaks);
 
 }  // namespace crumple::output

@@ -75,6 +75,9 @@ class Simulation {
   /// Where energy goes wrong, if it is traced; else empty.
   domain::EnergyTraceReport energy_trace() const;
 
+  /// Goes on where a contact has given much more energy than it took, which else ends the run.
+  void allow_negative_contact_energy() { guards_contact_energy_ = false; }
+
   /// Has NodeFields::acceleration written in every step, also if the deck asks for no nodes' motion.
   void keep_accelerations();
 
@@ -127,6 +130,7 @@ class Simulation {
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
   KickSums kick_sums_;                          ///< of the last kick, walls included
   bool keeps_accelerations_ = false;
+  bool guards_contact_energy_ = true;
   std::optional<elements::EnergyTrace> energy_trace_;
   double largest_step_ = 0;  ///< no step exceeds this [time]
   double next_step_ = 0;     ///< from n to n+1 [time]

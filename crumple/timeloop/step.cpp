@@ -10,6 +10,7 @@
 
 #include "base/stopwatch.hpp"
 #include "elements/elements.hpp"
+#include "timeloop/guards.hpp"
 #include "timeloop/motion.hpp"
 #include "timeloop/simulation.hpp"
 #include "timeloop/trouble.hpp"
@@ -32,9 +33,6 @@ double steady_step(double last, double allowed) {
   constexpr double middle_use = 0.95;
   return last <= allowed && last >= least_use * allowed ? last : middle_use * allowed;
 }
-
-/// Kinetic energy over all energy supplied that can only come from a run that has lost its stability.
-constexpr double runaway_ratio = 100.0;
 
 }  // namespace
 
@@ -102,6 +100,8 @@ void Simulation::choose_step() {
   if (first) largest_step_ = step_growth_limit * next_step_;
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
   next_step_ = std::min(next_step_, largest_step_);
+  for (const contact::Interface& contact : contacts_)
+    next_step_ = std::min(next_step_, contact.longest_step());
   if (has_multipliers_) next_step_ = steady_step(domain_.clock.step, next_step_);
   if (!first) next_step_ = std::min(next_step_, growth_in_a_cycle * domain_.clock.step);
   if (!(next_step_ > 0) || !std::isfinite(next_step_))
@@ -190,10 +190,8 @@ void Simulation::balance() {
   }
   for (const domain::Tie& tie : domain_.ties) energy.contact += tie.energy;
   for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;
-  const double supplied = std::fabs(energy.initial_total) + std::fabs(energy.external_work);
-  const bool runaway = domain_.clock.cycle > 0 && energy.kinetic > runaway_ratio * supplied;
-  if (runaway || !std::isfinite(energy.total()))
-    throw_trouble(*model_, domain_, "The energy grows without bound");
+  guard_kinetic_energy(*model_, domain_);
+  if (guards_contact_energy_) guard_contact_energy(domain_);
 }
 
 }  // namespace crumple::timeloop

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What ends a run: energies that no sound run has, and no energy that a sound run may have.
+#include "timeloop/guards.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace crumple::timeloop::guards_test {
+namespace {
+
+/// One node of unit mass at x = 1, past the first step.
+domain::Domain sample() {
+  domain::Domain domain;
+  domain.nodes.position.assign(1, {1, 0, 0});
+  domain.nodes.velocity.assign(1, {});
+  domain.nodes.angular_velocity.assign(1, {});
+  domain.nodes.mass.assign(1, 1.0);
+  domain.nodes.model_node = {0};
+  domain.clock.cycle = 1;
+  domain.clock.step = 1e-6;
+  return domain;
+}
+
+model::Model one_node(double step_scale) {
+  model::Model model;
+  model.nodes.id = {7};
+  model.nodes.position = {{1, 0, 0}};
+  model.control.step_scale = step_scale;
+  return model;
+}
+
+TEST(Guards, RoundOffOfAModelAtRestIsNoGrowth) {
+  domain::Domain domain = sample();
+  domain.energy.kinetic = 0.5 * 1e-20;  // a unit in the last place of x per step
+  EXPECT_NO_THROW(guard_kinetic_energy(one_node(0.9), domain));
+  domain.energy.kinetic = -0.5 * 1e-20;
+  EXPECT_NO_THROW(guard_kinetic_energy(one_node(0.9), domain));
+  domain.energy.kinetic = 1e-9;
+  EXPECT_THROW(guard_kinetic_energy(one_node(0.9), domain), NumericalError);
+}
+
+TEST(Guards, GrowthIsJudgedByWhatWasSupplied) {
+  domain::Domain domain = sample();
+  domain.energy.external_work = -2;
+  domain.energy.initial_total = 1;
+  domain.energy.kinetic = 299;
+  EXPECT_NO_THROW(guard_kinetic_energy(one_node(0.9), domain));
+  domain.energy.kinetic = 301;
+  EXPECT_THROW(guard_kinetic_energy(one_node(0.9), domain), NumericalError);
+  domain.energy.internal = 2;
+  EXPECT_NO_THROW(guard_kinetic_energy(one_node(0.9), domain));
+  domain.energy.kinetic = std::nan("");
+  EXPECT_THROW(guard_kinetic_energy(one_node(0.9), domain), NumericalError);
+}
+
+/// The lowest kinetic energy of a free oscillator over its energy, with the step s 2 / omega.
+double lowest_of_oscillator(double s) {
+  const double step = 2 * s;  // omega = 1, mass = 1
+  double x = 0;
+  double v = 1;  // of n - 1/2
+  double least = 1;
+  const double first = 0.5 * v * (v - step * x) + 0.5 * x * x;
+  for (int n = 0; n < 10000; ++n) {
+    x += step * v;
+    const double next = v - step * x;
+    least = std::fmin(least, 0.5 * v * next);
+    v = next;
+  }
+  return least / first;
+}
+
+TEST(Guards, AStableOscillatorMayHaveNegativeKineticEnergyAnUnstableRunMayNot) {
+  for (const double s : {0.6, 0.9, 0.98}) {
+    domain::Domain domain = sample();
+    domain.energy.initial_total = 1;
+    domain.energy.kinetic = lowest_of_oscillator(s);
+    EXPECT_LT(domain.energy.kinetic, 0);
+    EXPECT_NO_THROW(guard_kinetic_energy(one_node(s), domain)) << s;
+    domain.energy.kinetic *= 3;
+    EXPECT_NO_THROW(guard_kinetic_energy(one_node(s), domain)) << "nothing is strained";
+    domain.energy.internal = 1 - domain.energy.kinetic;
+    EXPECT_THROW(guard_kinetic_energy(one_node(s), domain), NumericalError) << s;
+  }
+}
+
+TEST(Guards, AContactThatMakesEnergyIsNamed) {
+  domain::Domain domain = sample();
+  domain.contacts.push_back({.id = 3, .worst_node = 11, .energy = -4.99});
+  domain.energy.initial_total = 50;
+  domain.energy.internal = 10;
+  EXPECT_NO_THROW(guard_contact_energy(domain));
+  domain.contacts[0].energy = -5.01;
+  domain.contacts[0].withheld = {.count = 1, .largest = 5, .cycle = 4, .node = 12, .segment = 13};
+  try {
+    guard_contact_energy(domain);
+    FAIL() << "not stopped";
+  } catch (const NumericalError& error) {
+    const std::string text = error.what();
+    for (const char* const part : {"Contact 3", "node so far is 11", "node 12 on segment 13 in cycle 4",
+                                   "cycle 1", "--allow-negative-contact-energy"})
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+  domain.energy.initial_total = 102;  // early in an impact, little has been absorbed
+  EXPECT_NO_THROW(guard_contact_energy(domain));
+}
+
+}  // namespace
+}  // namespace crumple::timeloop::guards_test
