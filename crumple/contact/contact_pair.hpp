@@ -22,13 +22,15 @@ struct RememberedPair {
   std::int16_t let_go = 0;   ///< 1 from where it was too deep until it has come back
   std::array<double, 4> weight{};  ///< of the segment's nodes, at the contact point
   double offset = 0;               ///< by which the contact distance is reduced [length]
+  double gap = 0;                  ///< distance from the mid-surface, negative on the wrong side [length]
   double depth = 0;                ///< penetration, offset deducted [length]
   Vec3 friction;                   ///< on the node, in the segment's frame [force]
+  Vec3 normal;                     ///< in which the node was pushed
   PenaltyMemory penalty;
 
   bool loaded() const { return penalty.slope_limit > 0 || dot(friction, friction) > 0; }
 };
-static_assert(sizeof(RememberedPair) == 120);
+static_assert(sizeof(RememberedPair) == 176);
 
 /// A node in contact with a segment, now.
 struct ContactPair {
@@ -44,12 +46,15 @@ struct ContactPair {
   double reach = 0;       ///< distance at which contact begins, offset deducted [length]
   double offset = 0;      ///< [length]
   double share = 1;       ///< of the force; below 1 in a concave ridge that is almost flat
+  double fade = 1;        ///< part of that which acts where an edge takes over
   Vec3 slip;              ///< movement of the contact point over the surface since the last step [length]
   Vec3 friction;          ///< friction force of the last step, turned with the segment [force]
   Frame frame;            ///< of the segment, where friction has needed it
   PenaltyMemory penalty;  ///< of the last step
+  double last_speed = 0;  ///< now, of the points of the last step along the normal of then [length/time]
 
   double penetration() const { return reach - gap; }
+  bool acts() const { return share * fade > 0; }
 };
 
 }  // namespace crumple::contact

@@ -61,6 +61,11 @@ int crossed_from(const SurfaceAt& now, Index node, Index segment, double step) {
   return last.distance <= touching * std::max(start.distance, end.distance) ? start.side : 0;
 }
 
+int side_before(const SurfaceAt& now, Index node, Index segment, double step) {
+  const Place start = place_at(now, node, segment, step);
+  return start.distance > 0 ? start.side : 0;
+}
+
 double relative_motion(const SurfaceAt& now, Index node, Index segment, double step) {
   const Vec3* v = now.x.velocity;
   double largest = 0;

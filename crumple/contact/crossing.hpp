@@ -11,6 +11,10 @@ namespace crumple::contact {
 /// crossed back again. `step` is the length of the step [time].
 int crossed_from(const SurfaceAt& now, Index node, Index segment, double step);
 
+/// The side of the segment's normal on which the node was before the last step; 0 if it was on the
+/// mid-surface.
+int side_before(const SurfaceAt& now, Index node, Index segment, double step);
+
 /// Bound on the distance that a node moves relative to the nodes of a segment in a step [length].
 double relative_motion(const SurfaceAt& now, Index node, Index segment, double step);
 

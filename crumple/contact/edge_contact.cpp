@@ -63,7 +63,7 @@ void EdgeContact::relieve(std::span<ContactPair> nodes) const {
   if (found.empty()) return;
   for (ContactPair& pair : nodes)
     for_each_edge(*surface_, edges_, pair,
-                  [&](Index edge) { pair.share *= share_left(found, surface_->nodes[pair.node], edge); });
+                  [&](Index edge) { pair.fade *= share_left(found, surface_->nodes[pair.node], edge); });
 }
 
 void EdgeContact::append_touches(std::vector<Touch>& touches) const {
@@ -81,10 +81,12 @@ void EdgeContact::append_touches(std::vector<Touch>& touches) const {
     touch.reach = pair.reach;
     touch.stiffness = std::min(edges_.stiffness[pair.key.first], edges_.stiffness[pair.key.second]);
     touch.area = std::min(edges_.area[pair.key.first], edges_.area[pair.key.second]);
-    touch.share = pair.share;
+    touch.fade = pair.share;
+    touch.starts_loaded = true;
     touch.slip = pair.slip;
     touch.friction = pair.friction;
     touch.penalty = pair.penalty;
+    touch.last_speed = pair.last_speed;
     touches.push_back(touch);
   }
 }
@@ -109,6 +111,7 @@ void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touc
     memory.depth = pair.share > 0 ? std::max(0.0, pair.penetration()) : 0;
     memory.share = pair.share;
     memory.normal = pair.normal;
+    memory.side = pair.side;
     memory.penalty = touches[i].penalty;
     const Vec3& friction = touches[i].friction;
     if (dot(friction, friction) > 0)
@@ -121,7 +124,7 @@ void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touc
   }
   node_depths_.clear();
   for (const ContactPair& pair : nodes) {
-    if (pair.share == 0 || pair.penetration() <= 0) continue;
+    if (!pair.acts() || pair.penetration() <= 0) continue;
     for_each_edge(*surface_, edges_, pair, [&](Index edge) {
       node_depths_.push_back({surface_->nodes[pair.node], edge, pair.penetration()});
     });

@@ -17,6 +17,21 @@ bool before_edge(const RememberedEdgePair& pair, Index edge) {
 
 }  // namespace
 
+/// Marks edges that have gone through another one, and those that they meet.
+void EdgeLocalSearch::mark_inverted(std::span<const RememberedEdgePair> remembered) {
+  inverted_.clear();
+  for (const RememberedEdgePair& pair : remembered) {
+    if (pair.wrong == 0) continue;
+    if (inverted_.empty()) inverted_.assign(static_cast<std::size_t>(edges_->count()), 0);
+    for (const Index edge : {pair.key.first, pair.key.second}) {
+      inverted_[static_cast<std::size_t>(edge)] = 1;
+      for (const Index node : edges_->ends(edge))
+        for (const Index next : edges_->at_node(surface_->place[node]))
+          inverted_[static_cast<std::size_t>(next)] = 1;
+    }
+  }
+}
+
 std::span<EdgePair> EdgeLocalSearch::find(const Kinematics& motion, const EdgeSearch& candidates,
                                           std::span<const RememberedEdgePair> remembered,
                                           std::span<const NodeOnEdge> node_depths, bool tracking) {
@@ -32,6 +47,8 @@ std::span<EdgePair> EdgeLocalSearch::find(const Kinematics& motion, const EdgeSe
   view.tracking = tracking;
   view.remembered = remembered;
   view.node_depths = node_depths;
+  mark_inverted(remembered);
+  view.inverted = inverted_;
 
   const Index count = edges_->count();
   parts_.resize(static_cast<std::size_t>(pieces(count, piece)));
@@ -42,7 +59,8 @@ std::span<EdgePair> EdgeLocalSearch::find(const Kinematics& motion, const EdgeSe
     for (Index e = part * piece; e < std::min((part + 1) * piece, count); ++e) {
       const auto begin = memory;
       while (memory != remembered.end() && memory->key.first == e) ++memory;
-      if (begin == memory && !tracking && candidates.edge_slack(e) > candidates.consumed()) continue;
+      const bool rests = begin == memory && !tracking && !view.may_take_over(e, e);
+      if (rests && candidates.edge_slack(e) > candidates.consumed()) continue;
       EdgePairSearch(view, e, {begin, memory}).find(found);
     }
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,12 +30,14 @@ class EdgeLocalSearch {
                            std::span<const NodeOnEdge> node_depths, bool tracking);
 
  private:
+  void mark_inverted(std::span<const RememberedEdgePair> remembered);
   void relieve_ends();
 
   const Edges* edges_;
   const Surface* surface_;
   std::vector<std::vector<EdgePair>> parts_;
   std::vector<EdgePair> pairs_;
+  std::vector<std::uint8_t> inverted_;  ///< as in EdgeView
 };
 
 /// For nodes and edges of `pairs` that cross: the share of their contact that is left to the node, in order.

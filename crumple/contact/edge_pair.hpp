@@ -43,12 +43,13 @@ struct RememberedEdgePair {
   double depth = 0;  ///< penetration, offset deducted, if it has a share of the force [length]
   double share = 0;  ///< of the force
   Vec3 normal;       ///< in which the first edge is pushed
+  Vec3 side;         ///< of the second edge on which the first one belongs, as EdgePair::side
   Vec3 friction;     ///< on the first edge, along it, across it, and along the normal [force]
   PenaltyMemory penalty;
 
   bool loaded() const { return penalty.slope_limit > 0 || dot(friction, friction) > 0; }
 };
-static_assert(sizeof(RememberedEdgePair) == 136);
+static_assert(sizeof(RememberedEdgePair) == 184);
 
 /// Something that is known of a node and an edge.
 struct NodeOnEdge {
@@ -67,7 +68,10 @@ struct EdgePair {
   EdgePairKey key;
   std::int32_t wrong = 0;
   std::array<double, 2> fraction{};
-  Vec3 normal;        ///< unit vector in which the first edge is pushed
+  Vec3 normal;  ///< unit vector in which the first edge is pushed
+  /// The normal, but for edges that have gone through each other and meet at an end: there the normal turns
+  /// freely about the end, and only the common perpendicular tells on which side the first edge belongs.
+  Vec3 side;
   double gap = 0;     ///< distance of the lines, negative if they have gone through each other [length]
   double reach = 0;   ///< distance at which contact begins, offset deducted [length]
   double offset = 0;  ///< [length]
@@ -75,6 +79,7 @@ struct EdgePair {
   Vec3 slip;          ///< movement of the first contact point over the second since the last step [length]
   Vec3 friction;      ///< on the first edge at the last step, turned with the edges [force]
   PenaltyMemory penalty;  ///< of the last step
+  double last_speed = 0;  ///< now, of the points of the last step along the normal of then [length/time]
 
   double penetration() const { return reach - gap; }
 };

@@ -115,7 +115,7 @@ void EdgePairSearch::find(std::vector<EdgePair>& found) {
     while (known != own_.end() && known->key.second == other) ++known;
     if (edges_.same_body(edge_, other)) continue;
     const double full = candidates.contact_distance(pair);
-    if (remembered ||
+    if (remembered || view_.may_take_over(edge_, other) ||
         ((view_.tracking || candidates.slack(pair) <= candidates.consumed()) && may_meet(other, full)))
       examine(other, full, found);
   }
@@ -170,9 +170,31 @@ EdgePairSearch::Side EdgePairSearch::known_side(const EdgePairKey& key, bool may
   visit_connected(view_, key, [&](const RememberedEdgePair& pair, double sign) {
     if (pair.key.meeting != EdgeMeeting::Crossing || dot(side.normal, side.normal) > 0) return;
     side.passed_now = pair.wrong == 0;
-    side.normal = sign * (pair.wrong != 0 ? pair.normal : passed(pair.key));
+    side.normal = sign * (pair.wrong != 0 ? pair.side : passed(pair.key));
   });
   return side;
+}
+
+/// True if a pair of edges that have gone through each other now ends at a node that these two continue: the
+/// contact goes over to them, however deep it is by then.
+bool EdgePairSearch::takes_over(const EdgePairKey& key) const {
+  if (!view_.may_take_over(key.first, key.second)) return false;
+  bool found = false;
+  visit_connected(view_, key, [&](const RememberedEdgePair& pair, double sign) {
+    if (found || pair.wrong == 0 || pair.key.meeting != EdgeMeeting::Crossing) return;
+    const std::array<Index, 2> from{pair.key.first, pair.key.second};
+    std::array<Index, 2> to{key.first, key.second};
+    if (sign < 0) std::swap(to[0], to[1]);
+    const NearestOnEdges nearest = nearest_points(view_.shape(from[0]), view_.shape(from[1]));
+    found = !nearest.both_inside();
+    for (int i = 0; i < 2; ++i) {
+      if (to[i] == from[i]) continue;
+      const EdgeNodes ends = edges_.ends(to[i]);
+      const Index node = edges_.ends(from[i])[nearest.fraction[i] == 0 ? 0 : 1];
+      found = found && !nearest.inside(i) && (ends[0] == node || ends[1] == node);
+    }
+  });
+  return found;
 }
 
 void EdgePairSearch::examine_crossing(const NearestOnEdges& nearest, Index other, double full,
@@ -185,7 +207,7 @@ void EdgePairSearch::examine_crossing(const NearestOnEdges& nearest, Index other
   const bool may_pass = memory == nullptr && view_.step > 0 &&
                         nearest.distance <= relative_motion(edges_.ends(edge_), edges_.ends(other),
                                                             view_.now.velocity, view_.step);
-  if (!near && memory == nullptr && !may_pass) return;
+  if (!near && memory == nullptr && !may_pass && !takes_over(key)) return;
   const double sine = sine_between(first, second);
   if (sine < parallel) return;
 
@@ -195,7 +217,7 @@ void EdgePairSearch::examine_crossing(const NearestOnEdges& nearest, Index other
   const Vec3 across = cross(first.along(), second.along());
   const double towards = dot(nearest.away, across) >= 0 ? 1.0 : -1.0;
   const Vec3 present = crosses ? towards / norm(across) * across : (1.0 / nearest.distance) * nearest.away;
-  const Side known = memory != nullptr ? Side{memory->normal, memory->wrong == 0} : known_side(key, may_pass);
+  const Side known = memory != nullptr ? Side{memory->side, memory->wrong == 0} : known_side(key, may_pass);
   const bool wrong = dot(present, known.normal) < 0;
   if (!near && !wrong) return;
   // Off the end of an edge that nothing continues, or further than the edges are long, the pair is lost.
@@ -208,6 +230,8 @@ void EdgePairSearch::examine_crossing(const NearestOnEdges& nearest, Index other
   pair.wrong = wrong ? 1 : 0;
   pair.fraction = nearest.fraction;
   pair.normal = wrong ? -present : present;
+  pair.side = pair.normal;
+  if (wrong && !crosses) pair.side = (dot(across, known.normal) >= 0 ? 1.0 : -1.0) / norm(across) * across;
   pair.gap = crosses ? dot(nearest.away, pair.normal) : (wrong ? -1 : 1) * nearest.distance;
   pair.share = share_of(nearest, pair, sine);
   set_offset(pair, full, memory, wrong && !known.passed_now);
@@ -372,6 +396,13 @@ void carry_on(const EdgeView& view, std::span<const EdgePair> present, EdgePair&
   pair.slip = turned * (first.at(from->fraction[0]) - second.at(from->fraction[1]));
   pair.friction = turned * frame_of(first, second, normal).to_global(from->friction);
   pair.penalty = from->penalty;
+  const auto velocity_at = [&](Index edge, double fraction) {
+    const EdgeNodes ends = view.edges->ends(edge);
+    return (1 - fraction) * view.now.velocity[ends[0]] + fraction * view.now.velocity[ends[1]];
+  };
+  pair.last_speed =
+      dot(velocity_at(from->key.first, from->fraction[0]) - velocity_at(from->key.second, from->fraction[1]),
+          from->normal);
 }
 
 Frame frame_of(const EdgeShape& first, const EdgeShape& second, const Vec3& normal) {

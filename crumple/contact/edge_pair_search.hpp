@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,14 @@ struct EdgeView {
   std::span<const RememberedEdgePair> remembered;  ///< all, in order
   std::span<const NodeOnEdge> node_depths;         ///< see EdgeLocalSearch::find(), in order
 
+  /// 1 for edges that have gone through another one and for those that they meet, which may take over from
+  /// them however deep they are by then; empty where there are none.
+  std::span<const std::uint8_t> inverted;
+
+  bool may_take_over(Index one, Index other) const {
+    return !inverted.empty() && inverted[static_cast<std::size_t>(one)] != 0 &&
+           inverted[static_cast<std::size_t>(other)] != 0;
+  }
   EdgeShape shape(Index edge) const { return edge_shape(edges->ends(edge), now); }
 };
 
@@ -48,6 +57,7 @@ class EdgePairSearch {
     Vec3 normal;  ///< in which the first edge is pushed; zero: where it is
     bool passed_now = false;
   };
+  bool takes_over(const EdgePairKey& key) const;
   Side known_side(const EdgePairKey& key, bool may_pass) const;
   double share_of(const NearestOnEdges& nearest, const EdgePair& pair, double sine) const;
   double fall_away(Index edge, const Vec3& point, const Vec3& push) const;

@@ -71,6 +71,12 @@ void EdgeSearch::update(const Kinematics& motion, bool changed) {
   consumed_ = step_motion(motion);
 }
 
+/// As GlobalSearch::swept_by().
+double EdgeSearch::swept_by(const Kinematics& motion) const {
+  if (!ready_ || !(motion.way > margin_) || !(motion.step > 0)) return 0;
+  return std::max(0.0, step_motion(motion) - margin_);
+}
+
 /// Largest relative motion of any two nodes in the step that led to now [length].
 double EdgeSearch::step_motion(const Kinematics& motion) const {
   return motion.step * length_of(motion_.relative_speed(view(motion.velocity)));
@@ -90,7 +96,7 @@ void EdgeSearch::collect(std::span<const Vec3> position) {
   scene.positions = view(position);
   scene.edges = cellsearch::Edges(edges_->nodes);
   // Each of the two boxes has half of the margin.
-  scene.expansion = 0.5 * margin_;
+  scene.expansion = 0.5 * (margin_ + swept_);
   scene.edge_expansion = edges_->half_thickness;
   scene.subset = std::span<const cellsearch::Index>(edges_->taking_part);
   try {
@@ -103,6 +109,7 @@ void EdgeSearch::collect(std::span<const Vec3> position) {
 }
 
 void EdgeSearch::search(const Kinematics& motion) {
+  swept_ = swept_by(motion);
   watch_ends();
   collect(motion.position);
   measure(motion);
@@ -146,6 +153,17 @@ bool EdgeSearch::listed(Index one, Index other) const {
   return std::binary_search(row.begin(), row.end(), other);
 }
 
+/// Whether two edges that now are `apart` went through each other in the last step.
+bool EdgeSearch::passed(Index one, Index other, double apart, const Kinematics& motion) const {
+  const EdgeNodes first = edges_->ends(one);
+  const EdgeNodes second = edges_->ends(other);
+  if (motion.step <= 0 || apart > relative_motion(first, second, motion.velocity.data(), motion.step))
+    return false;
+  const Configuration now{motion.position.data(), motion.velocity.data(), 0};
+  const Vec3 from = passed_from(first, second, now, motion.step);
+  return dot(from, from) > 0;
+}
+
 void EdgeSearch::verify(const Kinematics& motion) const {
   const Configuration now{motion.position.data(), motion.velocity.data(), 0};
   const auto& taking_part = edges_->taking_part;
@@ -158,7 +176,9 @@ void EdgeSearch::verify(const Kinematics& motion) const {
       const double distance = edges_->contact_distance(one, other) + std::max(0.0, margin_ - consumed_);
       const EdgeShape a = edge_shape(edges_->ends(one), now);
       const EdgeShape b = edge_shape(edges_->ends(other), now);
-      if (nearest_points(a, b).distance >= distance || listed(one, other)) continue;
+      const double apart = nearest_points(a, b).distance;
+      if (listed(one, other)) continue;
+      if (apart >= distance && !passed(one, other, apart, motion)) continue;
       throw Error("The contact search missed a pair of edges at cycle " + std::to_string(motion.cycle) +
                   ": one of element " + std::to_string(edges_->id[one]) + " touches one of element " +
                   std::to_string(edges_->id[other]) + ", but they are no candidates.");
@@ -168,6 +188,7 @@ void EdgeSearch::verify(const Kinematics& motion) const {
 void EdgeSearch::declare(domain::StateList& list) {
   searched_position_.assign(motion_.reference().begin(), motion_.reference().end());
   list.add_list("contact_searched_edge_position", "length", domain::Entity::Contact, 3, searched_position_);
+  list.keep("contact_searched_edge_sweep", "length", domain::Entity::Contact, swept_);
   list.keep("contact_edges_consumed", "length", domain::Entity::Contact, consumed_);
   list.keep("contact_edges_ready", "-", domain::Entity::Contact, ready_);
   list.keep("contact_edge_searches", "-", domain::Entity::Contact, searches_);

@@ -44,8 +44,9 @@ class EdgeSearch {
   /// False before the first search, and without any edges.
   bool ready() const { return ready_; }
 
-  /// Every pair closer than its contact distance must be a candidate: throws Error naming the first that is
-  /// not. Looks at all pairs of edges, O(N^2).
+  /// Every pair closer than its contact distance, and every one that went through each other in the last
+  /// step, must be a candidate: throws Error naming the first that is not. Looks at all pairs of edges,
+  /// O(N^2).
   void verify(const Kinematics& motion) const;
 
   long searches() const { return searches_; }
@@ -64,12 +65,15 @@ class EdgeSearch {
   void search(const Kinematics& motion);
   void measure(const Kinematics& motion);
   double step_motion(const Kinematics& motion) const;
+  double swept_by(const Kinematics& motion) const;
   bool listed(Index one, Index other) const;
+  bool passed(Index one, Index other, double apart, const Kinematics& motion) const;
 
   const Edges* edges_;
   const Surface* surface_;
   int threads_;
   double margin_ = 0;
+  double swept_ = 0;  ///< as of GlobalSearch [length]
   cellsearch::EdgePairSearch search_;
   cellsearch::MotionTracker motion_;
   std::vector<Index> watched_;

@@ -101,10 +101,8 @@ Forces::Forces(const Surface& surface, const model::Contact& contact, const mode
     : surface_(&surface),
       contact_(contact),
       stiffness_scale_(stiffness_scale(contact, control)),
-      step_scale_(control.step_scale),
-      budget_(stability_budget(control.step_scale, stiffness_scale_) *
-              damping_factor(contact.viscous_damping)),
-      largest_budget_(stability_budget(control.step_scale) * damping_factor(contact.viscous_damping)) {
+      step_scale_(control.step_scale) {
+  share_step(step_scale_);
   const std::size_t places = surface.nodes.size();
   touches_.resize(places);
   marked_.resize(places);
@@ -112,6 +110,22 @@ Forces::Forces(const Surface& surface, const model::Contact& contact, const mode
   friction_.resize(places);
   previous_normal_.resize(places);
   previous_friction_.resize(places);
+}
+
+/// Where the motion of the surfaces bounds the step more than the elements do, these use less of what is
+/// stable, and contact may have more: as if the deck had asked for that step. `share`: of what the elements
+/// allow.
+void Forces::share_step(double share) {
+  step_share_ = share;
+  const double damping = damping_factor(contact_.viscous_damping);
+  budget_ = stability_budget(share, stiffness_scale_) * damping;
+  largest_budget_ = stability_budget(share) * damping;
+}
+
+void Forces::bound_step(const domain::Domain& domain, double bound) {
+  const double allowed = step_scale_ * domain.clock.element_limit;
+  const double share = bound < allowed ? bound / allowed * step_scale_ : step_scale_;
+  if (share != step_share_) share_step(share);
 }
 
 void Forces::add(domain::Domain& domain, std::span<Touch> touches, domain::ContactReport& report) {
@@ -167,23 +181,29 @@ double Forces::inverse_mass(const domain::NodeFields& nodes, const Touch& touch)
   return sum;
 }
 
+/// 1/m* of the touch with the whole masses of the nodes [1/mass].
+double Forces::whole_inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const {
+  double sum = 0;
+  for (int i = 0; i < touch.nodes; ++i)
+    sum += touch.weight[i] * touch.weight[i] / nodes.mass[surface_->nodes[touch.place[i]]];
+  return sum;
+}
+
 /// Of SOFT = 1: 1/2 SOFSCL m* / dt^2 with the whole masses of the nodes. Of SOFT = 2: 1/2 SLSFAC SFS m1 m2 /
 /// (m1 + m2) / dt^2, with the masses of the segments, which are those of their nodes (LS-DYNA Keyword User's
 /// Manual, *CONTACT, optional card A) [force/length].
 double Forces::stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const {
   if (step <= 0) return 0;
-  double inverse = 0;
   std::array<double, 2> mass{};
   for (int i = 0; i < touch.nodes; ++i) {
     const double weight = touch.weight[i];
     const double own = nodes.mass[surface_->nodes[touch.place[i]]];
-    inverse += weight * weight / own;
     mass[weight > 0 ? 0 : 1] += std::fabs(weight) * own;
   }
   if (mass[0] + mass[1] <= 0) return 0;
   const double unit = 0.5 / (step * step);
   return contact_.mass_stiffness ? unit * stiffness_scale_ * mass[0] * mass[1] / (mass[0] + mass[1])
-                                 : unit * contact_.soft_scale / inverse;
+                                 : unit * contact_.soft_scale / whole_inverse_mass(nodes, touch);
 }
 
 /// The stiffness before stability limits it. What masses and steps give a touch keeps while it lasts.
@@ -203,7 +223,7 @@ bool Forces::evaluate(const domain::Domain& domain, Touch& touch) const {
   }
   const domain::NodeFields& nodes = domain.nodes;
   const double inverse = inverse_mass(nodes, touch);
-  const double step = judged_step(domain, step_scale_);
+  const double step = judged_step(domain, step_share_);
   Vec3 relative;
   for (int i = 0; i < touch.nodes; ++i)
     relative += touch.weight[i] * nodes.velocity[surface_->nodes[touch.place[i]]];
@@ -218,12 +238,44 @@ bool Forces::evaluate(const domain::Domain& domain, Touch& touch) const {
   const double stiffness = std::min(law.stiffness, law.limit);
   const double factor = factor_in_step(before, touch.penalty, domain.clock.step, stiffness * inverse);
   const double damping = 2 * contact_.viscous_damping * std::sqrt(stiffness / inverse);
+  const double wanted = touch.share * factor * law.force(touch.penetration);
+  const double spring =
+      passive_spring_force(nodes, before, touch, {wanted, inverse, step, domain.clock.step});
   // Damping may take the force down to zero, but never pulls.
-  const double size = std::max(0.0, factor * law.force(touch.penetration) - damping * touch.penalty.speed);
+  const double size = std::max(0.0, spring - touch.share * damping * touch.penalty.speed);
 
-  touch.normal_force = touch.share * size * touch.normal;
+  touch.normal_force = touch.fade * size * touch.normal;
   add_friction(domain, touch, law.stiffness, inverse);
   return law.limit < law.stiffness;
+}
+
+/// Force of the contact spring, limited so that the spring never returns more energy than it has absorbed
+/// (passivity). The energy is integrated by the trapezoidal rule. Without the limit a penetration that grows
+/// without an approach (another point of the surface becomes the nearest, a share grows, a node changes
+/// sides) would create energy [force].
+double Forces::passive_spring_force(const domain::NodeFields& nodes, const PenaltyMemory& before,
+                                    Touch& touch, const Spring& spring) const {
+  const auto& [wanted, inverse, step, last_step] = spring;
+  constexpr double tolerance = 0.02;  // of the largest energy, as normals rotate within a step
+  PenaltyMemory& now = touch.penalty;
+  double energy = before.energy - 0.5 * last_step * before.force * touch.last_speed;
+  if (before.slope_limit <= 0 && touch.starts_loaded)
+    energy = std::max(energy, 0.5 * wanted * touch.penetration);
+  now.force = wanted;
+  now.most_energy = std::max(before.most_energy, energy);
+  if (step > 0 && !touch.has_potential) {
+    const double held = energy + tolerance * now.most_energy;
+    double most = passive_force(held, now.speed, inverse, step);
+    // Separating points move with their whole masses. The masses shared among touches would cut the force in
+    // the last steps of an impact.
+    if (most < wanted && now.speed > 0)
+      most = passive_force(held, now.speed, whole_inverse_mass(nodes, touch), step);
+    touch.withheld = std::max(0.0, wanted - most);
+    now.force = std::min(wanted, most);
+  }
+  now.energy = energy - 0.5 * last_step * now.force * now.speed;
+  now.most_energy = std::max(now.most_energy, now.energy);
+  return now.force;
 }
 
 /// A touch keeps the limit with which it began, as a slope that changes under load makes or eats energy,
@@ -270,11 +322,11 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
       lightest = std::max(lightest, touches_[touch.place[i]] / (lent(touch.weight[i]) *
                                                                 nodes.mass[surface_->nodes[touch.place[i]]]));
     const double turning = couple.largest_square(arm) * lightest;
-    const double step = judged_step(domain, step_scale_);
+    const double step = judged_step(domain, step_share_);
     if (step > 0)
       stiffness = std::min(stiffness, friction_budget(touch.penalty.slope_limit * step * step * inverse) /
                                           (step * step * (inverse + turning)));
-    touch.friction = friction(touch, size, touch.share * stiffness, domain.clock.step);
+    touch.friction = friction(touch, size, touch.share * touch.fade * stiffness, domain.clock.step);
   }
   // Where the points are above their segments the normal force has no moment.
   touch.couple = couple.forces(-cross(arm, touch.is_raised() ? touch.friction : touch.force()));

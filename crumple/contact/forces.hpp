@@ -20,6 +20,10 @@ class Forces {
  public:
   Forces(const Surface& surface, const model::Contact& contact, const model::Control& control);
 
+  /// Sets the upper bound on the next step before add() is called, where it is below that of the elements
+  /// [time].
+  void bound_step(const domain::Domain& domain, double bound);
+
   /// Computes the forces of all touches by the penalty law and applies them.
   void add(domain::Domain& domain, std::span<Touch> touches, domain::ContactReport& report);
 
@@ -40,11 +44,22 @@ class Forces {
   void declare(domain::StateList& list);
 
  private:
+  void share_step(double share);
   void count_touches(std::span<const Touch> touches);
   double inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const;
   double stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const;
   double stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const;
   bool evaluate(const domain::Domain& domain, Touch& touch) const;
+  /// Input of passive_spring_force().
+  struct Spring {
+    double wanted = 0;     ///< force by the penalty law [force]
+    double inverse = 0;    ///< 1/m* with the shared masses [1/mass]
+    double step = 0;       ///< from n to n+1 at most [time]
+    double last_step = 0;  ///< from n-1 to n [time]
+  };
+  double whole_inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const;
+  double passive_spring_force(const domain::NodeFields& nodes, const PenaltyMemory& before, Touch& touch,
+                              const Spring& spring) const;
   double slope_limit(const PenaltyMemory& before, double inverse, double step) const;
   double friction_budget(double used) const;
   void add_friction(const domain::Domain& domain, Touch& touch, double stiffness, double inverse) const;
@@ -57,8 +72,9 @@ class Forces {
   model::Contact contact_;
   double stiffness_scale_;
   double step_scale_;
-  double budget_;          ///< of a touch that begins
-  double largest_budget_;  ///< of one that goes on
+  double step_share_ = 1;      ///< of the elements' stable step that a step is at most now
+  double budget_ = 0;          ///< of a touch that begins
+  double largest_budget_ = 0;  ///< of one that goes on
   Index limited_ = 0;
   std::vector<std::uint8_t> is_limited_;  ///< by touch
   std::vector<double> touches_;           ///< weights of those that act on a node, by place

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "contact/crossing.hpp"
 #include "contact/search_calls.hpp"
 
 namespace crumple::contact {
@@ -145,6 +146,13 @@ void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
   consumed_ = norm(step_motion(motion));
 }
 
+/// What two nodes may have moved relative to each other in the last step beyond the margin: they may have met
+/// and parted between the two searches, so that territories must reach that much further.
+double GlobalSearch::swept_by(const Kinematics& motion) const {
+  if (!(motion.way > statistics_.margin) || !(motion.step > 0)) return 0;
+  return std::max(0.0, norm(step_motion(motion)) - statistics_.margin);
+}
+
 void GlobalSearch::refresh_node(Index place) {
   double smallest = std::numeric_limits<double>::max();
   for (std::int64_t pair = first(place); pair < first(place + 1); ++pair)
@@ -162,7 +170,7 @@ void GlobalSearch::collect(std::span<const Vec3> position) {
   cellsearch::Scene scene;
   scene.positions = view(position);
   scene.segments = cellsearch::Segments(surface_->connectivity);
-  scene.expansion = common_expansion_;
+  scene.expansion = common_expansion_ + swept_;
   scene.segment_expansion = segment_expansion_;
   if (surface_->some_inactive || some_untouched_) {
     for (Index s = 0; s < surface_->segments(); ++s)
@@ -185,6 +193,7 @@ void GlobalSearch::collect(std::span<const Vec3> position) {
 
 void GlobalSearch::search(const Kinematics& motion, bool surface_changed) {
   keep_distances(surface_changed);
+  swept_ = statistics_.searches > 0 ? swept_by(motion) : 0;
   collect(motion.position);
   travel_.start(motion.position, surface_->nodes);
   safe_length_ = almost * statistics_.margin;
@@ -309,12 +318,18 @@ void GlobalSearch::verify(const Kinematics& motion) {
     if (cells_ && !cells_->box.contains(&searched_at.x)) continue;
     for (Index s = 0; s < surface.segments(); ++s) {
       const double distance = surface.contact_distance(i, s) + left;
-      if (beyond(boxes[s], x[node], distance) || surface.active[s] == 0 || !surface.may_touch(i, s)) continue;
+      const double way = motion.step > 0 ? relative_motion(at, node, s, motion.step) : 0;
+      if (beyond(boxes[s], x[node], std::max(distance, way)) || surface.active[s] == 0 ||
+          !surface.may_touch(i, s))
+        continue;
       if (surface.owns(s, node) || listed(i, s)) continue;
       const NearestPoint nearest = nearest_point(at.shape(s), x[node]);
-      if (nearest.distance_squared >= distance * distance) continue;
+      // One that went through within the step may be anywhere behind by now.
+      const bool near = nearest.distance_squared < distance * distance;
+      const bool through = nearest.distance_squared <= way * way;
+      if (!near && !(through && crossed_from(at, node, s, motion.step) != 0)) continue;
       throw Error("The contact search missed a pair at cycle " + std::to_string(motion.cycle) + ": node " +
-                  std::to_string(surface.node_id[i]) + " touches element " +
+                  std::to_string(surface.node_id[i]) + (near ? " touches" : " went through") + " element " +
                   std::to_string(surface.segment_id[s]) + ", but is not among its candidates.");
     }
   }
@@ -323,6 +338,7 @@ void GlobalSearch::verify(const Kinematics& motion) {
 void GlobalSearch::declare(domain::StateList& list) {
   searched_position_.assign(motion_.reference().begin(), motion_.reference().end());
   list.add_list("contact_searched_position", "length", domain::Entity::Contact, 3, searched_position_);
+  list.keep("contact_searched_sweep", "length", domain::Entity::Contact, swept_);
   list.keep("contact_search_statistics", "by item", domain::Entity::Contact, statistics_);
 }
 

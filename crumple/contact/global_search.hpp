@@ -67,8 +67,9 @@ class GlobalSearch {
   /// To be told once all pairs of a node that are not near have been put off.
   void refresh_node(Index place);
 
-  /// Every pair closer than its contact distance must be a candidate: throws Error naming the first that is
-  /// not. Looks at all nodes and segments, O(N^2).
+  /// Every pair closer than its contact distance, and every one that went through each other in the last
+  /// step, must be a candidate: throws Error naming the first that is not. Looks at all nodes and segments,
+  /// O(N^2).
   void verify(const Kinematics& motion);
 
   const SearchStatistics& statistics() const { return statistics_; }
@@ -84,6 +85,7 @@ class GlobalSearch {
 
  private:
   void search(const Kinematics& motion, bool surface_changed);
+  double swept_by(const Kinematics& motion) const;
   void collect(std::span<const Vec3> position);
   void sort_by_node(const cellsearch::Candidates& found);
   void measure_slack(const Kinematics& motion);
@@ -108,6 +110,8 @@ class GlobalSearch {
   std::vector<std::uint8_t> searched_segment_;  ///< 1 for those that any node may touch now
   bool some_untouched_ = false;                 ///< there are segments that no node may ever touch
   double common_expansion_ = 0;
+  double swept_ =
+      0;  ///< by which the last search expanded territories for the motion of a fast step [length]
   std::vector<double> segment_expansion_;
   cellsearch::MotionTracker motion_;  ///< of the surface's nodes, by place, since the last search
   std::vector<std::int64_t> first_;

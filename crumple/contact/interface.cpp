@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "contact/global_search.hpp"
 #include "contact/intersections.hpp"
 #include "contact/local_search.hpp"
+#include "contact/motion_limit.hpp"
 #include "contact/multipliers.hpp"
 #include "contact/pinball_contact.hpp"
 #include "contact/sides.hpp"
@@ -34,6 +36,7 @@ struct Interface::Implementation {
         forces(surface, settings, model.control),
         multipliers(surface, settings),
         method(model.search.method),
+        step_scale(model.control.step_scale),
         report(place) {
     if (model.search.local != model::LocalSearchKind::Pinballs) return;
     if (contact.enforcement == model::Enforcement::Multipliers)
@@ -49,6 +52,19 @@ struct Interface::Implementation {
   }
 
   bool acting(double time) const { return time >= contact.birth_time && time <= contact.death_time; }
+
+  /// Bounds the step by the motion of the surfaces. What has been bounded grows slowly: bodies stand still
+  /// for a moment where they turn round, and a step that changed while they press on each other would make
+  /// energy.
+  void bound_step(const domain::Domain& domain) {
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
+    constexpr double growth_in_a_cycle = 1.01;
+    const double allowed = step_scale * domain.clock.element_limit;
+    if (acting(domain.clock.time))
+      motion_step =
+          std::min(growth_in_a_cycle * motion_step, longest_step_for_motion(surface, domain, allowed));
+    if (!acting(domain.clock.time) || motion_step >= allowed) motion_step = unlimited;
+  }
 
   void measure_start(std::span<const ContactPair> pairs, domain::ContactReport& entry) {
     entry.initial_overlaps.clear();
@@ -78,7 +94,7 @@ struct Interface::Implementation {
 
   /// Takes over what the touches have become, for the next step and for what is told of this one. All that is
   /// in one pass: in a large model touches come from memory.
-  void remember(std::span<const ContactPair> pairs, const Kinematics& motion) {
+  void remember(std::span<const ContactPair> pairs, const Kinematics& motion, domain::Domain& domain) {
     const Configuration x{motion.position.data(), motion.velocity.data(), 0};
     remembered.clear();
     penetrations.clear();
@@ -95,23 +111,40 @@ struct Interface::Implementation {
       memory.let_go = pair.let_go;
       memory.weight = pair.weight;
       memory.offset = pair.offset;
+      memory.gap = pair.gap;
       memory.depth = std::max(0.0, pair.penetration());
       if (dot(touch.friction, touch.friction) > 0) {
         const Frame& frame = pair.frame;
         memory.friction = (frame.is_known() ? frame : frame_of(shape_of(surface, x, pair.segment)))
                               .to_local(touch.friction);
       }
+      memory.normal = pair.normal;
       memory.penalty = touch.penalty;
       remembered.push_back(memory);
-      if (pair.penetration() <= 0 || pair.share == 0) continue;
+      if (touch.withheld > 0) note_withheld(touch, surface.segment_id[pair.segment], domain);
+      if (pair.penetration() <= 0 || !pair.acts()) continue;
       const double height = surface.is_face(pair.segment) ? surface.height[pair.segment] : pair.reach;
       penetrations.push_back(
           {pair.penetration(), height, surface.node_id[pair.node], surface.segment_id[pair.segment]});
     }
     const std::span<const Touch> beyond_nodes = std::span(touches).subspan(pairs.size());
-    for (const Touch& touch : beyond_nodes) stored_energy += stored_in(touch);
+    for (std::size_t i = 0; i < beyond_nodes.size(); ++i) {
+      stored_energy += stored_in(beyond_nodes[i]);
+      if (beyond_nodes[i].withheld <= 0) continue;
+      note_withheld(beyond_nodes[i], edges.edges().id[edges.present()[i].key.second], domain);
+    }
     edges.remember(motion, beyond_nodes, pairs, penetrations);
     if (pinballs) pinballs->remember(motion, beyond_nodes.subspan(edges.present().size()), penetrations);
+  }
+
+  void note_withheld(const Touch& touch, UserId segment, domain::Domain& domain) const {
+    domain::WithheldForces& withheld = domain.contacts[report].withheld;
+    ++withheld.count;
+    if (touch.withheld <= withheld.largest) return;
+    withheld.largest = touch.withheld;
+    withheld.cycle = domain.clock.cycle;
+    withheld.node = surface.node_id[touch.place[0]];
+    withheld.segment = segment;
   }
 
   void verify(const Kinematics& motion) {
@@ -278,6 +311,8 @@ struct Interface::Implementation {
   Forces forces;
   Multipliers multipliers;
   std::string method;
+  double step_scale;
+  double motion_step = std::numeric_limits<double>::infinity();  ///< bound by fast motion [time]
   Index report;
   long verify_cycles = 0;
   double stored_energy = 0;  ///< by the penalties now [energy]
@@ -297,14 +332,16 @@ Interface& Interface::operator=(Interface&&) noexcept = default;
 
 void Interface::add_forces(domain::Domain& domain) {
   Implementation& own = *implementation_;
+  own.bound_step(domain);
   if (own.contact.enforcement != model::Enforcement::Penalty) return;
   domain::ContactReport& report = domain.contacts[own.report];
   const Kinematics motion = present(domain);
   const std::span<ContactPair> pairs = own.find(domain, motion);
   const StageTimer timer(domain.times.contact_forces, &report.times.forces);
   own.collect_touches(pairs, motion);
+  own.forces.bound_step(domain, own.motion_step);
   own.forces.add(domain, own.touches, report);
-  own.remember(pairs, motion);
+  own.remember(pairs, motion, domain);
   own.write_report(report);
 }
 
@@ -319,8 +356,12 @@ void Interface::add_multipliers(domain::Domain& domain, double interval, double 
   own.multipliers.solve(own.touches);
   own.forces.apply(domain, own.touches, report);
   own.correct(pairs, motion);
-  own.remember(pairs, motion);
+  own.remember(pairs, motion, domain);
   own.write_report(report);
+}
+
+double Interface::longest_step() const {
+  return implementation_->motion_step;
 }
 
 void Interface::describe(domain::ContactReport& report) const {
@@ -334,6 +375,7 @@ void Interface::declare(domain::StateList& list) {
   own.forces.declare(list);
   list.add_list("contact_pairs", "by item", domain::Entity::Contact, 1, own.remembered);
   list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
+  list.keep("contact_motion_step", "time", domain::Entity::Contact, own.motion_step);
   list.keep("contact_stored_energy", "energy", domain::Entity::Contact, own.stored_energy);
   list.keep("contact_statistics", "by item", domain::Entity::Contact, own.statistics);
   own.edges.declare(list);

@@ -89,7 +89,7 @@ Vec3 Multipliers::moved(const Touch& touch) const {
 /// Returns the displacement by which it corrects.
 double Multipliers::correct_normal(const Touch& touch, Unknown& unknown) {
   if (unknown.compliance <= 0) return 0;
-  const double left = touch.share * touch.penetration - dot(moved(touch), touch.normal);
+  const double left = touch.share * touch.fade * touch.penetration - dot(moved(touch), touch.normal);
   const double force = std::max(0.0, unknown.force + left / unknown.compliance);
   const double change = force - unknown.force;
   if (change == 0) return 0;

@@ -109,8 +109,8 @@ bool NodeSearch::goes_on(Index segment, const NearestPoint& nearest, const Vec3&
 double NodeSearch::hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const {
   const bool nearest_of_all = nearest_around(view_.now, node_, segment, nearest);
   if (!surface_.is_face(segment)) return nearest_of_all ? 1 : 0;
-  constexpr double aside = 1e-3;  // over the depth
-  constexpr double rim = 0.05;    // over the side of a square of the same area
+  constexpr double aside = 1e-3;  // over the depth, or over the side of a square of the same area
+  constexpr double rim = 0.05;    // over the latter
   const Vec3 away = p_ - nearest.point;
   const Vec3 normal = normalised(area_normal(view_.now.shape(segment)));
   const double depth = -dot(away, normal);
@@ -119,9 +119,11 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
   if (nearest_of_all) return 1;
   if (depth <= 0) return 0;
   const double beyond = norm(away + depth * normal);
-  if (!inside) return beyond <= aside * depth ? 1 : 0;
+  const double side = std::sqrt(surface_.area[segment]);
+  const bool was_in_front = memory != nullptr || depth <= on_face(segment);
+  if (!inside && beyond > aside * (was_in_front ? side : depth)) return 0;
   if (nearest.feature != Feature::Face && goes_on(segment, nearest, normal)) return 0;
-  return std::max(0.0, 1 - beyond / (rim * std::sqrt(surface_.area[segment])));
+  return std::max(0.0, 1 - beyond / (rim * side));
 }
 
 /// Distance up to which a node lies on a face, by the round-off of coordinates [length].
@@ -151,22 +153,37 @@ bool NodeSearch::starts_inside(Index segment, double distance) const {
          (distance <= equally_near * nearest_face_ && distance < surface_.height[segment]);
 }
 
+/// The side of a shell on which the node belongs: the remembered side, unless the node is now on the other
+/// one although its relative motion in the step was too small to pass through. Then the segment below it has
+/// inverted (crushed in its plane, or warped until one of its four triangles flips), and the side flips too.
+int NodeSearch::kept_side(Index segment, const RememberedPair& memory, double distance, int present) const {
+  constexpr double round_off = 1e-6;
+  const int expected = memory.wrong != 0 ? -memory.side : memory.side;
+  if (present == 0 || present == expected || view_.step <= 0) return memory.side;
+  const double way = (1 + round_off) * relative_motion(view_.now, node_, segment, view_.step);
+  return distance + std::fabs(memory.gap) > way ? -memory.side : memory.side;
+}
+
 /// The side on which the node belongs: as remembered; or as on the segment from which it came, if it was on
 /// the wrong side of that or went through it in this step; or where it was before it went through this one;
 /// or where it is. Behind a face of a solid a node belongs in front of it if it was in front of one beside it
 /// a step ago; one that did not come through it is none of its business.
 int NodeSearch::side_of(Index segment, const RememberedPair* memory, double distance, int present) const {
-  if (memory != nullptr && memory->side != 0) return memory->side;
+  if (memory != nullptr && memory->side != 0)
+    return surface_.is_face(segment) ? memory->side : kept_side(segment, *memory, distance, present);
   if (surface_.is_face(segment) && (present > 0 || starts_inside(segment, distance))) return 1;
   const bool may_cross = view_.step > 0 && distance <= relative_motion(view_.now, node_, segment, view_.step);
   const bool face = surface_.is_face(segment);
   if (!astray_ && !may_cross && !face) return present;
-  for (const RememberedPair& other : remembered_)
-    if (came_from(other, segment) &&
-        (face || other.wrong != 0 || crossed_from(view_.now, node_, other.segment, view_.step) != 0))
-      return other.side;
+  for (const RememberedPair& other : remembered_) {
+    if (!came_from(other, segment)) continue;
+    if (face) return other.side;
+    if (other.wrong != 0 || crossed_from(view_.now, node_, other.segment, view_.step) != 0) return -present;
+  }
   const int from = may_cross ? crossed_from(view_.now, node_, segment, view_.step) : 0;
-  return from != 0 ? from : present;
+  if (from != 0) return from;
+  // Right on the mid-surface it belongs where it comes from, not where it goes to.
+  return present == 0 && may_cross ? side_before(view_.now, node_, segment, view_.step) : present;
 }
 
 /// By how much the contact distance of a pair is reduced when the node is at `gap`. A contact cannot begin
@@ -217,7 +234,11 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   if (share == 0) return 0;
 
   const Vec3 away = p_ - nearest.point;
-  const Vec3 normal = side_normal(view_.now, segment, shape, nearest, away);
+  // Beyond the rim a face still tells its sides apart, and pushes, by its own normal.
+  const bool over_rim =
+      face && nearest.feature != Feature::Face && !nearest_around(view_.now, node_, segment, nearest);
+  const Vec3 normal =
+      over_rim ? normalised(area_normal(shape)) : side_normal(view_.now, segment, shape, nearest, away);
   const bool round = dot(normal, normal) == 0;
   const int present = round ? 0 : sign_of(dot(away, normal));
   const int side = round ? 0 : side_of(segment, memory, distance, present);
@@ -235,11 +256,9 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   pair.weight = nearest.weight;
   pair.point = nearest.point;
   measure(away, distance, normal, pair);
-  // Beyond the rim the face still pushes straight out.
-  if (face && wrong && nearest.feature != Feature::Face &&
-      !nearest_around(view_.now, node_, segment, nearest)) {
-    pair.normal = normalised(area_normal(shape));
-    pair.gap = dot(away, pair.normal);
+  if (over_rim && wrong) {
+    pair.normal = normal;
+    pair.gap = dot(away, normal);
   }
   // On a face the way to it is round-off and has no direction.
   if (face && distance <= on_face(segment)) pair.normal = normalised(area_normal(shape));
@@ -300,11 +319,12 @@ void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first)
 }
 
 /// Finds the friction force, the largest slope and the contact point of the step before, on this segment or
-/// on a connected one that the node has left.
-void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> present) const {
+/// on a connected one that pushes the node no longer.
+void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> present) {
   const auto left = [&](Index segment) {
-    return std::none_of(present.begin(), present.end(),
-                        [&](const ContactPair& other) { return other.segment == segment; });
+    return std::none_of(present.begin(), present.end(), [&](const ContactPair& other) {
+      return other.segment == segment && other.penetration() > 0;
+    });
   };
   const RememberedPair* from = memory_of(pair.segment);
   for (std::size_t i = 0; i < remembered_.size() && (from == nullptr || !from->loaded()); ++i) {
@@ -323,6 +343,15 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
     if (from->segment == pair.segment) pair.frame = frame;
   }
   pair.penalty = from->penalty;
+  const Vec3* v = view_.now.x.velocity;
+  Vec3 relative = v[node_];
+  for (int k = 0; k < 4; ++k) relative -= from->weight[k] * v[surface_.segment(from->segment)[k]];
+  pair.last_speed = dot(relative, from->normal);
+  if (from->segment == pair.segment) return;
+  // What the spring holds goes to one successor only.
+  const std::uint64_t bit = std::uint64_t{1} << std::min<std::ptrdiff_t>(63, from - remembered_.data());
+  if ((handed_on_ & bit) != 0) pair.penalty.force = pair.penalty.energy = pair.penalty.most_energy = 0;
+  handed_on_ |= bit;
 }
 
 }  // namespace crumple::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,12 +35,13 @@ class NodeSearch {
   bool looks_at_all() const { return astray_ || view_.tracking; }
   static void measure(const Vec3& away, double distance, const Vec3& normal, ContactPair& pair);
   double examine(Index segment, double full, std::vector<ContactPair>& found);
+  int kept_side(Index segment, const RememberedPair& memory, double distance, int present) const;
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
   void measure_faces();
   bool starts_inside(Index segment, double distance) const;
   double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
-  void carry_on(ContactPair& pair, std::span<const ContactPair> present) const;
+  void carry_on(ContactPair& pair, std::span<const ContactPair> present);
   bool came_from(const RememberedPair& other, Index segment) const;
   double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
   bool meets(const Vec3& normal) const;
@@ -55,8 +57,9 @@ class NodeSearch {
   Index node_;
   Vec3 p_;
   std::span<const RememberedPair> remembered_;
-  bool astray_ = false;      ///< the node is on the wrong side of some segment
-  double nearest_face_ = 0;  ///< of a face of another solid, at the start of a contact [length]
+  std::uint64_t handed_on_ = 0;  ///< bits by place in `remembered_`: another pair has taken over from it
+  bool astray_ = false;          ///< the node is on the wrong side of some segment
+  double nearest_face_ = 0;      ///< of a face of another solid, at the start of a contact [length]
 };
 
 }  // namespace crumple::contact

@@ -52,6 +52,11 @@ double leaving_factor(double depth, double square) {
   return depth < 1 + e * factor ? factor : 1;
 }
 
+double passive_force(double energy, double speed, double inverse_mass, double step) {
+  const double square = speed * speed + 2 * std::max(0.0, energy) * inverse_mass;
+  return std::max(0.0, std::sqrt(square) - speed) / (step * inverse_mass);
+}
+
 double damping_factor(double fraction) {
   const double root = std::sqrt(1 + fraction * fraction) - fraction;
   return root * root;

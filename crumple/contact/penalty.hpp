@@ -22,7 +22,21 @@ struct PenaltyMemory {
   double slope_limit = 0;  ///< largest slope of the force by stability; 0 if there was none [force/length]
   double depth = 0;        ///< penetration [length]
   double speed = 0;        ///< at which the two points part [length/time]
+  double force = 0;        ///< of the spring, without damping [force]
+  double energy = 0;       ///< absorbed by the spring and not yet returned [energy]
+  double most_energy = 0;  ///< largest value of that since the touch began [energy]
 };
+
+/// Largest force of a passive spring between two points: one that returns no more energy than it has
+/// absorbed. Central differences keep speed^2 + omega^2 x(n) x(n+1) in a spring; with `energy`, what the
+/// spring holds after the movement at `speed` with the force of the step before, k x(n-1) x(n) / 2, that
+/// speed is the largest with which the points may part in the next step:
+///
+///     speed' = speed + force dt / m* <= sqrt(speed^2 + 2 energy / m*)
+///
+/// A linear spring with omega dt < 1 never reaches it (own derivation, docs/theory/contact.md). `speed`: at
+/// which the points part, negative where they approach [length/time]; `inverse_mass`: 1/m* [1/mass].
+double passive_force(double energy, double speed, double inverse_mass, double step);
 
 /// (omega dt)^2 that contact may add in a step that uses the share `step_scale` (TSSFAC) of the stable step
 /// of the elements: 4 - 4 TSSFAC^2 is left of the stability bound 4 of central differences, of which 0.9 is

@@ -244,6 +244,7 @@ void PinballContact::append_touches(std::vector<Touch>& touches) const {
     touch.slip = pair.slip;
     touch.friction = pair.friction;
     touch.penalty = pair.penalty;
+    touch.has_potential = true;
     touches.push_back(touch);
   }
 }

@@ -33,7 +33,7 @@ struct RememberedPinballs {
   Vec3 friction;      ///< on the first, in its frame [force]
   PenaltyMemory penalty;
 };
-static_assert(sizeof(RememberedPinballs) == 160);
+static_assert(sizeof(RememberedPinballs) == 184);
 
 /// Two segments in contact, now.
 struct PinballPair {

@@ -29,15 +29,18 @@ Touch touch_of(const Surface& surface, const ContactPair& pair) {
   const int corners = surface.is_triangle(pair.segment) ? 3 : 4;
   for (int k = 0; k < corners; ++k) touch.add(surface.place[segment[k]], -pair.weight[k]);
   touch.normal = pair.normal;
-  touch.penetration = pair.share > 0 ? pair.penetration() : 0;
+  touch.penetration = pair.acts() ? pair.penetration() : 0;
   // Behind a face there is no mid-surface that a strong squeeze would reach.
   touch.reach = surface.is_face(pair.segment) ? std::numeric_limits<double>::max() : pair.reach;
   touch.stiffness = std::min(surface.node_stiffness[pair.node], surface.stiffness[pair.segment]);
   touch.area = surface.area[pair.segment];
   touch.share = pair.share;
+  touch.fade = pair.fade;
+  touch.starts_loaded = pair.fade < 1;
   touch.slip = pair.slip;
   touch.friction = pair.friction;
   touch.penalty = pair.penalty;
+  touch.last_speed = pair.last_speed;
   return touch;
 }
 

@@ -32,8 +32,16 @@ struct Touch {
   double reach = 0;       ///< penetration at which the mid-surfaces meet; the largest number if they never do
   double stiffness = 0;   ///< penalty stiffness [force/length]
   PenaltyMemory penalty;  ///< at the last step, then at the present one
-  double area = 0;        ///< on which friction may act at most [length^2]
-  double share = 1;       ///< of the force
+  double last_speed =
+      0;             ///< at which the points of the last step part now along the normal of then [length/time]
+  double area = 0;   ///< on which friction may act at most [length^2]
+  double share = 1;  ///< of the force
+  double fade = 1;   ///< part of that which acts where edges and nodes take over from each other
+  /// A touch may begin deep without an approach: over the rim of a face, or where edges and nodes take over
+  /// from each other. Its spring then begins with the energy of its penetration.
+  bool starts_loaded = false;
+  double withheld = 0;         ///< part of the normal force that passivity does not allow [force]
+  bool has_potential = false;  ///< the force derives from a potential and needs no passivity limit
   /// Of both points above their segments, along the normals: of pinballs in the faces of solids [length].
   std::array<double, 2> height{};
   Vec3 slip;          ///< movement of the first point over the second since the last step [length]

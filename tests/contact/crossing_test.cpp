@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "contact/bodies.hpp"
 #include "support/largest.hpp"
 
-namespace crumple {
+namespace crumple::crossing_test {
 namespace {
 
 using test::at;
@@ -88,6 +89,37 @@ TEST(Crossing, OnlyRelativeMotionCounts) {
   EXPECT_NEAR(made.contacts[0].penetration, thickness + 0.04, 1e-12);
 }
 
+// A corner of the segment below a node is pushed across the others, so that two of its four triangles turn
+// over and look the other way. The node has not moved: it stays on its side, and is pushed as before.
+TEST(Crossing, ANodeStaysOnItsSideOfASegmentThatTurnsOver) {
+  Bodies bodies(thickness);
+  bodies.sheet(1, 1, [](double u, double v) { return Vec3{u, v, 0}; });
+  const Index tip = bodies.node({0.12, 0.1, 0.2});
+  const Index b = bodies.node({0.2, 0.3, 3});
+  const Index c = bodies.node({0.2, -0.3, 3});
+  bodies.shell(tip, b, c, c);
+  domain::Domain made = bodies.build();
+  contact::Interface touching = bodies.attach(made);
+  test::add_forces(touching, made);
+  std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+  x[at(made, tip)].z = 0.07;
+  test::move_to(touching, made, x, 1e-4);
+  constexpr Index corner = 3;
+  constexpr int steps = 400;
+  double deepest = 0;
+  int turned = 0;
+  for (int i = 1; i <= steps; ++i) {
+    x[at(made, corner)] = Vec3{1, 1, 0} + static_cast<double>(i) / steps * Vec3{-1.6, -1.6, 0.03};
+    test::move_to(touching, made, x, 1e-4);
+    deepest = std::max(deepest, made.contacts[0].penetration);
+    turned += x[at(made, corner)].x < 0 && made.contacts[0].active_pairs > 0 ? 1 : 0;
+    EXPECT_GE(made.contact_force[at(made, tip)].z, 0.0);
+  }
+  EXPECT_GT(turned, steps / 10) << "the node must have been in contact while triangles had turned over";
+  EXPECT_GT(deepest, 0.0);
+  EXPECT_LT(deepest, thickness);
+}
+
 // Shot at a sheet so fast that it is beyond the mid-surface within a step, a node comes back by itself.
 TEST(Crossing, ShotNodeComesBack) {
   TipOverSheet scene({1.4, 1.3, 0.15});
@@ -111,4 +143,4 @@ TEST(Crossing, ShotNodeComesBack) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::crossing_test

@@ -13,7 +13,7 @@
 #include "support/meshes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::faces_test {
 namespace {
 
 using math::Vec3;
@@ -253,5 +253,29 @@ TEST(Faces, OfFlushColumnsPressOnEachOther) {
   }
 }
 
+/// A flush column comes down while its sides swing over the rims of the other by a ten thousandth of their
+/// width: all nodes bear from where they touch on, no matter on which side of the rim.
+TEST(Faces, AreEnteredAtFlushRims) {
+  constexpr double swing = 1e-4;
+  TwoBoxes boxes(
+      {1, 1, 3},
+      [](double u, double v, double w) {
+        return test::Point{u, v, level + 3 * w};
+      },
+      {1, 1, 3},
+      [](double u, double v, double w) {
+        return test::Point{u + swing, v - swing, level + 3 + 0.5 * swing + 3 * w};
+      });
+  for (int i = 0; i < 12; ++i) {
+    constexpr double step = 1e-3;
+    boxes.step({(i % 2 == 0 ? -2 : 2) * swing / step, 0, -0.1 * swing / step}, step);
+    if (i < 7) continue;
+    const double middle = 0.25 * (boxes.force(0) + boxes.force(1) + boxes.force(2) + boxes.force(3)).z;
+    EXPECT_GT(middle, 0) << i;
+    for (Index node = 0; node < 4; ++node)
+      EXPECT_NEAR(boxes.force(node).z, middle, 0.01 * middle) << "step " << i << ", node " << node;
+  }
+}
+
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::faces_test

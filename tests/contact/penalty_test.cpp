@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace crumple::contact {
+namespace crumple::contact::penalty_test {
 namespace {
 
 /// Speed after the rebound of a unit mass with unit speed, by central differences with unit steps, from a
@@ -45,6 +45,50 @@ TEST(Penalty, ALinearImpactGivesBackItsEnergyWhateverItsPhase) {
   EXPECT_GT(worst_without, 0.02);
 }
 
+// A spring that keeps account of its energy never meets the bound on its force, from landing to leaving: a
+// mass on a linear spring, as in the rebound above.
+TEST(Penalty, ALinearSpringNeverReachesThePassiveForce) {
+  double nearest = HUGE_VAL;
+  for (const double square : {0.05, 0.2, 0.35, 0.9})
+    for (double phase = 0.02; phase < 1; phase += 0.02) {
+      double x = phase;
+      double v = -1;
+      double last_v = 0;
+      double last_x = 0;
+      double force = 0;
+      double energy = 0;
+      while (x > 0) {
+        energy -= 0.5 * force * v;
+        const double depth = x / std::fabs(v);
+        double factor = 1;
+        if (last_x == 0) factor = landing_factor(depth, square);
+        if (last_x > 0 && v > 0) factor = leaving_factor(depth, std::clamp((v - last_v) / last_x, 0.0, 1.0));
+        force = square * factor * x;
+        nearest = std::min(nearest, passive_force(energy, v, 1, 1) / force);
+        EXPECT_LE(force, (1 + 1e-9) * passive_force(energy, v, 1, 1)) << square << ' ' << phase;
+        energy -= 0.5 * force * v;
+        last_v = v;
+        last_x = x;
+        v += force;
+        x -= v;
+      }
+    }
+  EXPECT_LT(nearest, 1 + 1e-6) << "where the mass leaves, the bound is what the spring needs";
+}
+
+// Without energy a spring may stop what comes and throw it back, and may not push what goes.
+TEST(Penalty, AnEmptySpringOnlyThrowsBack) {
+  constexpr double inverse_mass = 4;
+  constexpr double step = 0.5;
+  EXPECT_EQ(passive_force(0, 3, inverse_mass, step), 0);
+  EXPECT_EQ(passive_force(-1, 3, inverse_mass, step), 0);
+  const double force = passive_force(0, -3, inverse_mass, step);
+  EXPECT_NEAR(-3 + force * step * inverse_mass, 3, 1e-14);
+  // All of the energy goes into the speed.
+  const double speed = 1 + passive_force(2, 1, inverse_mass, step) * step * inverse_mass;
+  EXPECT_NEAR(0.5 * speed * speed / inverse_mass, 0.5 / inverse_mass + 2, 1e-13);
+}
+
 TEST(Penalty, FactorsEndWhereTheWholeStepIsInside) {
   for (const double square : {0.0, 0.35, 0.9}) {
     EXPECT_NEAR(landing_factor(1 - 1e-12, square), 1, 1e-11);
@@ -56,4 +100,4 @@ TEST(Penalty, FactorsEndWhereTheWholeStepIsInside) {
 }
 
 }  // namespace
-}  // namespace crumple::contact
+}  // namespace crumple::contact::penalty_test

@@ -13,7 +13,7 @@
 #include "contact/surface.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::sides_test {
 namespace {
 
 using model::ContactKind;
@@ -43,9 +43,8 @@ class Layers {
   Bodies& bodies() { return bodies_; }
   model::Contact& contact() { return bodies_.contact; }
   std::vector<Index> nodes_of(int small) const {
-    std::vector<Index> nodes;
-    for (Index i = 0; i < 4; ++i) nodes.push_back(small_[small - 1] + i);
-    return nodes;
+    const Index first = small_[small - 1];
+    return {first, first + 1, first + 2, first + 3};
   }
 
   void start() {
@@ -264,4 +263,4 @@ TEST(Sides, TransducersMeasureWhatContactsDo) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::sides_test

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "base/error.hpp"
@@ -12,7 +13,7 @@
 #include "support/largest.hpp"
 #include "support/ties.hpp"
 
-namespace crumple::contact {
+namespace crumple::contact::tie_search_test {
 namespace {
 
 domain::Domain found(const model::Model& model) {
@@ -49,8 +50,8 @@ TEST(TieSearch, NearestAgreesWithBruteForce) {
   model::Contact contact = model::self_contact(1, "", {0});
   const Surface surface = build_surface(model, domain, contact);
   const Configuration x{domain.nodes.position.data(), domain.nodes.velocity.data(), 0};
-  std::vector<Index> all;
-  for (Index s = 0; s < surface.segments(); ++s) all.push_back(s);
+  std::vector<Index> all(static_cast<std::size_t>(surface.segments()));
+  std::iota(all.begin(), all.end(), 0);
   const NearestSegment tree(surface, x, all);
   test::Largest off("nearest segment of a bent surface: squared distance, error",
                     "brute force over all segments", 1e-12);
@@ -158,4 +159,4 @@ TEST(TieSearch, ChainsFollowInAnyOrder) {
 }
 
 }  // namespace
-}  // namespace crumple::contact
+}  // namespace crumple::contact::tie_search_test

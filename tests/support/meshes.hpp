@@ -19,6 +19,18 @@ inline model::Material elastic_steel() {
   return {.id = 1, .title = "steel", .density = 7.85e-6, .law = model::Elastic{210.0, 0.3}};
 }
 
+/// Mild steel in kg, mm, ms with a yield stress of 250 MPa, for parts that fold.
+inline model::Material mild_steel() {
+  return {.id = 1,
+          .title = "steel",
+          .density = 7.85e-6,
+          .law = model::PlasticKinematic{.youngs_modulus = 210,
+                                         .poissons_ratio = 0.3,
+                                         .yield_stress = 0.25,
+                                         .tangent_modulus = 1,
+                                         .isotropic_fraction = 1}};
+}
+
 /// A section of one thickness.
 inline model::ShellSection shell_section(
     double thickness, int points,

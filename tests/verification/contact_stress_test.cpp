@@ -17,22 +17,8 @@
 #include "support/shapes.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::contact_stress_test {
 namespace {
-
-using math::Vec3;
-
-/// Soft steel, which folds.
-model::Material mild_steel() {
-  return {.id = 1,
-          .title = "steel",
-          .density = 7.85e-6,
-          .law = model::PlasticKinematic{.youngs_modulus = 210,
-                                         .poissons_ratio = 0.3,
-                                         .yield_stress = 0.25,
-                                         .tangent_modulus = 1,
-                                         .isotropic_fraction = 1}};
-}
 
 struct Ordeal {
   Index cuts = 0;
@@ -91,7 +77,7 @@ void expect_sound(const std::string& name, const Ordeal& found, double energy_er
 /// A square tube, 40 mm wide and 1.2 mm thick, thrown onto a rigid wall with a mass at its far end.
 model::Model box_tube(Index cells_of_side, double length, double time) {
   constexpr double half = 20;
-  model::Model model = test::one_part(mild_steel(), test::shell_section(1.2, 3));
+  model::Model model = test::one_part(test::mild_steel(), test::shell_section(1.2, 3));
   model.control.hourglass.form = model::HourglassForm::Stiffness;
   const Index around = 4 * cells_of_side;
   const auto along = static_cast<Index>(length / (2 * half / cells_of_side));
@@ -125,7 +111,7 @@ TEST(ContactStress, BoxTubeFoldsOntoItself) {
 model::Model crossing_tubes(Index layers, Index in_layer, Index around, Index along, double time) {
   constexpr double radius = 15;
   constexpr double pitch = 36;
-  model::Model model = test::one_part(mild_steel(), test::shell_section(1.5, 3));
+  model::Model model = test::one_part(test::mild_steel(), test::shell_section(1.5, 3));
   model.control.hourglass.form = model::HourglassForm::Stiffness;
   const double length = std::max(100.0, in_layer * pitch + 20);
   for (Index layer = 0; layer < layers; ++layer)
@@ -145,31 +131,45 @@ model::Model crossing_tubes(Index layers, Index in_layer, Index around, Index al
   return model;
 }
 
-TEST(ContactStress, CrossingTubes) {
+TEST(ContactStressSlow, CrossingTubes) {
   const Ordeal found = endure("4 tubes", crossing_tubes(2, 2, 16, 14, 0.8));
   expect_sound("four crossing tubes", found, 5e-5);
   expect_kept("four crossing tubes", found);
 }
 
-void expect_twenty_tubes_sound(long every) {
-  const Ordeal found = endure("20 tubes", crossing_tubes(5, 4, 20, 32, 0.6), every);
-  expect_sound("twenty crossing tubes", found, 3e-4);
+Ordeal twenty_crossing_tubes(model::ContactEdges edges, long every) {
+  model::Model model = crossing_tubes(5, 4, 20, 32, 0.6);
+  model.contacts[0].edges = edges;
+  return endure(edges == model::ContactEdges::None ? "20 tubes" : "20 tubes with edges", model, every);
+}
+
+/// Edges cross between their nodes in folds as tight as these. Nodes and segments alone do not see it, and
+/// four pairs of segments cut through each other at the end: so only the rest is asked for.
+void expect_sound_but_for_crossing_edges(const Ordeal& found) {
+  test::verified("twenty crossing tubes: error of the energy balance", "conservation")
+      .below(found.energy.error(), 3e-4);
+  EXPECT_EQ(found.beyond, 0);
+  EXPECT_GT(found.energy.contact, -0.004 * found.energy.internal);
   expect_kept("twenty crossing tubes", found);
 }
 
 TEST(ContactStressSlow, TwentyCrossingTubes) {
-  expect_twenty_tubes_sound(25);
+  expect_sound_but_for_crossing_edges(twenty_crossing_tubes(model::ContactEdges::None, 50));
+  // Brute force over all pairs of edges takes seconds for each look.
+  const Ordeal found = twenty_crossing_tubes(model::ContactEdges::All, 1000);
+  expect_sound("twenty crossing tubes with edges", found, 3e-4);
+  expect_kept("twenty crossing tubes with edges", found);
 }
 
 /// Brute force over all nodes and segments takes minutes.
 TEST(ContactStressNightly, TwentyCrossingTubesInEveryCycle) {
-  expect_twenty_tubes_sound(1);
+  expect_sound_but_for_crossing_edges(twenty_crossing_tubes(model::ContactEdges::None, 1));
 }
 
 /// A thin sheet that is held nowhere, with a ball that flies into it: it wraps around the ball and onto
 /// itself.
 TEST(ContactStressSlow, SheetCrumpledByABall) {
-  model::Model model = test::one_part(mild_steel(), test::shell_section(0.4, 3));
+  model::Model model = test::one_part(test::mild_steel(), test::shell_section(0.4, 3));
   model.solid_sections.emplace_back().id = 1;
   model.control.hourglass.form = model::HourglassForm::Stiffness;
   test::add_grid(model, 0, 30, 30, [](double u, double v) {
@@ -188,7 +188,7 @@ TEST(ContactStressSlow, SheetCrumpledByABall) {
 
 /// Strips one element wide, thrown at each other at random.
 model::Model thin_strips(model::ContactEdges edges, double friction) {
-  model::Model model = test::one_part(mild_steel(), test::shell_section(0.8, 3));
+  model::Model model = test::one_part(test::mild_steel(), test::shell_section(0.8, 3));
   model.control.hourglass.form = model::HourglassForm::Stiffness;
   std::mt19937 engine(7);
   const auto random = [&engine](double low, double high) {
@@ -237,7 +237,7 @@ TEST(ContactStress, ThinStripsWithSmoothEdgesKeepTheirMoment) {
 
 /// A ball above or below a sheet of 20 x 20 elements of 4 mm.
 model::Model sheet_and_ball(const test::Point& centre, const test::Point& velocity) {
-  model::Model model = test::one_part(mild_steel(), test::shell_section(1.0, 3));
+  model::Model model = test::one_part(test::mild_steel(), test::shell_section(1.0, 3));
   model.solid_sections.emplace_back().id = 1;
   model.control.hourglass.form = model::HourglassForm::Stiffness;
   test::add_grid(model, 0, 20, 20, [](double u, double v) {
@@ -249,15 +249,16 @@ model::Model sheet_and_ball(const test::Point& centre, const test::Point& veloci
   return model;
 }
 
-/// It grazes the sheet at 12 km/s and flies five elements of it in the 15 steps for which candidates usually
-/// hold.
-TEST(ContactStress, ShotThatFliesFiveElementsInAUsualSearchInterval) {
+/// It grazes the sheet at 12 km/s and flies more than two elements of it in the 15 steps for which candidates
+/// usually hold: it would be six, if its motion did not bound the step.
+TEST(ContactStress, ShotThatFliesTwoElementsInAUsualSearchInterval) {
   model::Model model = sheet_and_ball({-55, 1, 8.45}, {12000, 0, 0});
   model.control.end_time = 0.009;
   const Ordeal found = endure("grazing shot", model);
   const double step = 0.009 / static_cast<double>(found.cycles);
   std::printf("elements in 15 steps: %.2f\n", 15 * step * 12000 / 4);
-  EXPECT_GT(15 * step * 12000, 5 * 4.0);
+  EXPECT_GT(15 * step * 12000, 2 * 4.0);
+  EXPECT_LT(15 * step * 12000, 15 * 0.2 * 4.0) << "a fifth of an edge in each step";
   EXPECT_GT(found.contact.worst_penetration, 0);
   EXPECT_EQ(found.cuts, 0);
   EXPECT_EQ(found.beyond, 0);
@@ -270,7 +271,7 @@ TEST(ContactStress, ShotThatFliesFiveElementsInAUsualSearchInterval) {
       .below(found.drift, 1e-13);
 }
 
-TEST(ContactStress, ShotIntoASheet) {
+TEST(ContactStressSlow, ShotIntoASheet) {
   model::Model model = sheet_and_ball({1, 0.5, 30}, {0, 0, -300});
   model.control.end_time = 0.3;
   const Ordeal found = endure("shot", model);
@@ -279,4 +280,4 @@ TEST(ContactStress, ShotIntoASheet) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::contact_stress_test

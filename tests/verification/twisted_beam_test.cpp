@@ -19,7 +19,7 @@
 #include "support/run.hpp"
 #include "support/verified.hpp"
 
-namespace crumple {
+namespace crumple::twisted_beam_test {
 namespace {
 
 constexpr double length = 12;
@@ -61,7 +61,8 @@ model::Model twisted_beam(model::ShellFormulation formulation, std::size_t axis)
     load.force[axis] = share[static_cast<std::size_t>(row)];
     model.nodal_loads.push_back(load);
   }
-  model.control.hourglass = {model::HourglassForm::Stiffness, 0.1, 0.1, 0.1};
+  // Half of it leaves this coarse mesh of thick shells 3.4 % too soft out of the plane.
+  model.control.hourglass = {model::HourglassForm::Stiffness, 0.2, 0.2, 0.2};
   model.control.end_time = 6 * period();
   return model;
 }
@@ -120,4 +121,4 @@ TEST(TwistedBeam, BelytschkoTsayIsFarTooSoft) {
 }
 
 }  // namespace
-}  // namespace crumple
+}  // namespace crumple::twisted_beam_test
