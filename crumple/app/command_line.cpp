@@ -50,6 +50,7 @@ constexpr const char* examples = R"(Examples:
   crumple report deck.out                   deck.out/report.html: animation, curves, tables
   crumple report deck.out --png             and pictures of it
   crumple run deck.k --serve 8000           the same while it runs, at http://127.0.0.1:8000/
+  crumple scatter deck.k --runs 8           the scatter band of perturbed runs
   crumple compare ref.out deck.out          how far two results are apart, curve by curve
   crumple keywords MAT_024                  cards and fields of a keyword
   crumple bench -t 2                        how fast this machine is, about a minute
@@ -166,6 +167,8 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_flag(
       "--move-apart", options.move_apart,
       "Move nodes that overlap other surfaces at the start; otherwise their contact begins where they are");
+  run.add_flag("--allow-negative-contact-energy", options.allow_negative_contact_energy,
+               "Go on where a contact has given more energy than it took, by 10 % of the internal energy");
   run.add_flag("--trace-energy{512}", options.trace_energy,
                "Follow the energy balance by part and contact: energy_residual.csv, run.json; with =16\n"
                "(32, 64 ... 512) by groups of so many elements, in a run whose last digits differ")
@@ -207,6 +210,28 @@ void add_restart_options(CLI::App& run, Options& options) {
        {"--precision", "--search", "--local-search", "--move-apart", "--perturb", "--seed", "--parameter",
         "--allow-unsupported", "--contact", "--trace-energy"})
     run.get_option(fixed)->excludes(restart);
+}
+
+/// Those of a run that several runs of the same deck have in common, and how many runs.
+void add_scatter_options(CLI::App& scatter, Options& options, double& perturbation) {
+  scatter.footer(
+      "Runs the deck as it is (run_000) and with nodes moved at random, nodes at one place alike, and "
+      "writes\n"
+      "bands.csv: median, 5th and 95th percentile of every history over the runs.");
+  scatter.add_option("-o,--output", options.folder,
+                     "Folder of the results [the deck's name with .scatter, here]");
+  scatter.add_option("-t,--threads", options.threads, "Runs at once, each on one thread [1]")
+      ->check(CLI::Range(1, 1024));
+  scatter.add_option("--runs", options.scatter_runs, "Runs, with the unperturbed one [8]")
+      ->check(CLI::Range(2, 1000));
+  scatter.add_option("--perturb", perturbation, "Largest move of a node over the model's size [1e-6]")
+      ->check(number_that("a positive number up to 1", [](double value) { return value > 0 && value <= 1; }));
+  scatter.add_option("--seed", options.seed, "Seed of run_001; the others follow [1]");
+  scatter.add_option("--precision", options.precision, "Arithmetic of elements and contact [double]")
+      ->check(CLI::IsMember({"mixed", "double"}));
+  scatter.add_option("--end", options.end_time, "End time, instead of the deck's")
+      ->check(number_that("a positive number", [](double value) { return value > 0; }));
+  scatter.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");
 }
 
 /// `12`, `40%` or `last`.
@@ -306,12 +331,18 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
   add_run_options(*run, line.options);
   add_restart_options(*run, line.options);
   add_reading_options(*check, line.options, automatic_contact);
+  CLI::App* scatter =
+      program.add_subcommand("scatter", "Run a deck several times, perturbed: how far results scatter");
+  double scatter_perturbation = 1e-6;
+  add_reading_options(*scatter, line.options, automatic_contact);
+  add_scatter_options(*scatter, line.options, scatter_perturbation);
   try {
     std::vector<std::string> own = translate_foreign_arguments(arguments, line.options.notes);
     // CLI11 takes its arguments from the back of the list.
     std::reverse(own.begin(), own.end());
     program.parse(own);
-    if ((run->parsed() && line.options.restart.empty()) || check->parsed()) require_deck(line.options);
+    if ((run->parsed() && line.options.restart.empty()) || check->parsed() || scatter->parsed())
+      require_deck(line.options);
   } catch (const CLI::ParseError& stop) {
     std::ostringstream out;
     std::ostringstream err;
@@ -325,8 +356,10 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     return line;
   }
   line.options.automatic_contact = automatic_contact;
+  if (scatter->parsed()) line.options.perturbation = scatter_perturbation;
   line.command = run->parsed()        ? Command::Run
                  : check->parsed()    ? Command::Check
+                 : scatter->parsed()  ? Command::Scatter
                  : report->parsed()   ? Command::Report
                  : compare->parsed()  ? Command::Compare
                  : keywords->parsed() ? Command::Keywords

@@ -39,6 +39,7 @@ struct Options {
   std::vector<std::pair<std::string, std::string>> parameters;  ///< names and values, before the deck's
   bool automatic_contact = false;
   bool allow_unsupported = false;
+  bool allow_negative_contact_energy = false;
   bool quiet = false;
   bool report = false;             ///< write a report at the end of the run
   std::optional<int> serve;        ///< port of a live page; 0 is any free one
@@ -48,10 +49,11 @@ struct Options {
   long verify_search = 0;          ///< cycles between comparisons with brute force; 0 is never
   double perturbation = 0;         ///< of the coordinates, relative to the model's size [-]
   std::uint64_t seed = 1;          ///< of the perturbation
+  int scatter_runs = 8;            ///< of `crumple scatter`, with the unperturbed one
   std::vector<std::string> notes;  ///< on arguments that were accepted without effect
 };
 
-enum class Command { Run, Check, Bench, Report, Compare, Keywords, Help, Mistake };
+enum class Command { Run, Check, Scatter, Bench, Report, Compare, Keywords, Help, Mistake };
 
 /// Pictures of a report.
 struct PictureOptions {

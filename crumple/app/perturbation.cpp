@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/perturbation.hpp"
 
+#include <array>
+#include <bit>
+
 #include "app/bounding_box.hpp"
 
 namespace crumple::app {
@@ -15,9 +18,17 @@ std::uint64_t scrambled(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
+/// The same for all nodes at one place; adding zero makes one zero of both.
+std::uint64_t hash_of_place(const std::array<double, 3>& position, std::uint64_t seed) {
+  std::uint64_t hash = scrambled(seed);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    hash = scrambled(hash ^ std::bit_cast<std::uint64_t>(position[axis] + 0.0));
+  return hash;
+}
+
 /// Uniform in [-1, 1).
-double random_number(UserId node, std::uint64_t axis, std::uint64_t seed) {
-  const std::uint64_t bits = scrambled(scrambled(scrambled(seed) ^ static_cast<std::uint64_t>(node)) ^ axis);
+double random_number(std::uint64_t place, std::uint64_t axis) {
+  const std::uint64_t bits = scrambled(place ^ axis);
   return static_cast<double>(bits >> 11) * 0x1.0p-52 - 1.0;
 }
 
@@ -25,9 +36,10 @@ double random_number(UserId node, std::uint64_t axis, std::uint64_t seed) {
 
 void perturb_coordinates(model::Model& model, double fraction, std::uint64_t seed) {
   const double amplitude = fraction * bounding_box(model).diagonal();
-  for (Index node = 0; node < model.nodes.count(); ++node)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      model.nodes.position[node][axis] += amplitude * random_number(model.nodes.id[node], axis, seed);
+  for (auto& position : model.nodes.position) {
+    const std::uint64_t place = hash_of_place(position, seed);
+    for (std::size_t axis = 0; axis < 3; ++axis) position[axis] += amplitude * random_number(place, axis);
+  }
 }
 
 }  // namespace crumple::app

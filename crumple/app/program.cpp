@@ -12,6 +12,7 @@
 #include "app/print.hpp"
 #include "app/report_command.hpp"
 #include "app/run_command.hpp"
+#include "app/scatter_command.hpp"
 
 namespace crumple::app {
 
@@ -27,6 +28,8 @@ ExitCode run_program(const std::vector<std::string>& arguments, const Console& c
         return ExitCode::Usage;
       case Command::Check:
         return check_deck(line.options, console);
+      case Command::Scatter:
+        return scatter_deck(line.options, console);
       case Command::Bench:
         return bench_machine(line.options, console);
       case Command::Report:

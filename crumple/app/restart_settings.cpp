@@ -35,6 +35,7 @@ Json json_of(const Options& options) {
           {"parameters", options.parameters},
           {"automatic_contact", options.automatic_contact},
           {"allow_unsupported", options.allow_unsupported},
+          {"allow_negative_contact_energy", options.allow_negative_contact_energy},
           {"d3plot", options.d3plot},
           {"trace_energy", options.trace_energy},
           {"move_apart", options.move_apart},
@@ -55,6 +56,7 @@ Options options_of(const Json& json) {
   options.parameters = json.at("parameters").get<std::vector<std::pair<std::string, std::string>>>();
   options.automatic_contact = json.at("automatic_contact");
   options.allow_unsupported = json.at("allow_unsupported");
+  options.allow_negative_contact_energy = json.at("allow_negative_contact_energy");
   options.d3plot = json.at("d3plot");
   options.trace_energy = json.at("trace_energy");
   options.move_apart = json.at("move_apart");
@@ -166,6 +168,7 @@ Options continued_options(const Options& asked, const Restart& restart) {
   options.serve = asked.serve;
   options.verify_search = asked.verify_search;
   options.notes = asked.notes;
+  options.allow_negative_contact_energy |= asked.allow_negative_contact_energy;
   options.d3plot = options.d3plot || asked.d3plot;
   if (asked.threads) options.threads = asked.threads;
   if (asked.isa) options.isa = asked.isa;

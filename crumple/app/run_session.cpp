@@ -62,6 +62,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   simulation_.verify_search_every(options.verify_search);
   if (options.d3plot) simulation_.keep_accelerations();
   if (options.trace_energy > 0) simulation_.trace_energy();
+  if (options.allow_negative_contact_energy) simulation_.allow_negative_contact_energy();
   if (restart == nullptr)
     begin();
   else
@@ -180,6 +181,7 @@ output::View RunSession::view() const {
 void RunSession::observe() {
   {
     const StageTimer timer(simulation_.domain().times.output);
+    peaks_.observe(simulation_.domain().energy);
     if (simulation_.domain().clock.cycle % peak_cycles == 0) peaks_.observe(view());
     recorder_->write_due(view());
     if (restart_writer_->due(simulation_.domain().clock)) write_restart(RestartKind::Due);
@@ -287,7 +289,6 @@ void RunSession::finish(Ending& ending) {
   try {
     {
       const StageTimer timer(simulation_.domain().times.output);
-      peaks_.observe(view());
       if (positions_are_finite(simulation_.domain().nodes)) simulation_.inspect_contacts();
       // After a numerical error the frames before are the last good state, unless the nodes still are
       // somewhere.
@@ -310,7 +311,8 @@ ExitCode RunSession::run() {
   if (!options_.quiet && ending.code != ExitCode::Output) monitor_->print_last_line();
   for (const deck::Diagnostic& diagnostic : deck_.diagnostics)
     if (diagnostic.severity == deck::Severity::Warning) warnings_.push_back(deck::to_string(diagnostic));
-  for (std::string& warning : output::energy_warnings(view())) warn(std::move(warning));
+  peaks_.observe(view());
+  for (std::string& warning : output::energy_warnings(view(), peaks_)) warn(std::move(warning));
   finish(ending);
   if (board_ != nullptr) {
     board_->post(live_status(simulation_.domain(), monitor_->progress(), recorder_->frames()));

@@ -80,6 +80,12 @@ void print_contacts(std::ostream& out, const output::View& view) {
           static_cast<double>(domain.clock.cycle) / searches, counted(contact.segments, "segment"),
           static_cast<double>(contact.candidates) / searches, contact.active_pairs, contact.penetration,
           contact.worst_penetration, contact.worst_node);
+    if (contact.withheld.count > 0)
+      print(out,
+            "  contact forces limited because they would have created energy: {} pair-cycles, the largest "
+            "excess {:.4g} on node {} at element {} in cycle {}\n",
+            contact.withheld.count, contact.withheld.largest, contact.withheld.node, contact.withheld.segment,
+            contact.withheld.cycle);
     print_inspection(out, contact);
     print_contact_times(out, domain, contact.times);
   }

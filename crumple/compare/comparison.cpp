@@ -13,6 +13,7 @@
 #include "compare/channel_filter.hpp"
 #include "compare/quantity_names.hpp"
 #include "compare/resample.hpp"
+#include "compare/scatter_bands.hpp"
 
 namespace crumple::compare {
 
@@ -31,6 +32,14 @@ using ByName = std::map<std::string, const Curve*>;
 ByName by_name(const CurveSet& set) {
   ByName names;
   for (const Curve& curve : set.curves) names.try_emplace(name_of(curve), &curve);
+  return names;
+}
+
+using BandsByName = std::map<std::string, const Band*>;
+
+BandsByName by_name(const std::vector<Band>& bands) {
+  BandsByName names;
+  for (const Band& band : bands) names.try_emplace(band.name, &band);
   return names;
 }
 
@@ -206,12 +215,15 @@ Comparison compare(const CurveSet& reference, const CurveSet& other, const Compa
   std::vector<std::string> apart;
   std::vector<ComparedCurve> all;
   std::map<std::string, double> largest_of_kind;
+  const BandsByName bands = by_name(reference.bands);
   for (const Pair& pair : pairing.pairs()) {
     std::optional<ComparedCurve> result = measured(pair, settings, unfiltered);
     if (!result) {
       apart.push_back(name_of(*pair.first));
       continue;
     }
+    if (const auto band = bands.find(name_of(*pair.first)); band != bands.end())
+      result->inside_band = share_inside(*band->second, *pair.second);
     double& largest = largest_of_kind[kind_of(result->reference)];
     largest = std::max({largest, result->peak, peak_between(result->other, result->start, result->end)});
     all.push_back(std::move(*result));

@@ -40,6 +40,8 @@ struct ComparedCurve {
   bool negligible = false;  ///< zero, or below the floor: without scores
   SpragueGeers errors;
   IsoRating rating;
+  /// Share of the reference's times at which the other lies in the band of the reference's runs [-].
+  std::optional<double> inside_band;
 };
 
 struct Comparison {

@@ -26,6 +26,7 @@ Json description(const ComparedCurve& curve) {
                {"difference", curve.difference},
                {"time", curve.time},
                {"relative", curve.relative}});
+  if (curve.inside_band) json["inside_band"] = *curve.inside_band;
   return json;
 }
 

@@ -55,6 +55,11 @@ void add_range(std::string& text, const Comparison& comparison, int cfc) {
                  start, end, samples, filter);
 }
 
+/// Of a reference that is the median of several runs.
+std::string in_band(const ComparedCurve& curve) {
+  return curve.inside_band ? fmt::format(", {} of the time in the band", percent(*curve.inside_band)) : "";
+}
+
 void add_rows(std::string& text, const Comparison& comparison, std::size_t rows) {
   std::size_t width = 20;
   for (std::size_t row = 0; row < rows; ++row)
@@ -70,11 +75,11 @@ void add_rows(std::string& text, const Comparison& comparison, std::size_t rows)
     const IsoRating& rating = curve.rating;
     fmt::format_to(
         std::back_inserter(text),
-        "{:<{}} {:>11.4g} {:>11} {:>11.5g} | {:>6} {:>7} {:>7} | {:.2f} {:.2f} {:.2f} {:.2f}  {:.3f} {}\n",
+        "{:<{}} {:>11.4g} {:>11} {:>11.5g} | {:>6} {:>7} {:>7} | {:.2f} {:.2f} {:.2f} {:.2f}  {:.3f} {}{}\n",
         name_of(curve.reference), width, curve.difference, percent(curve.relative), curve.time,
         score(curve.errors.magnitude), score(curve.errors.phase), score(curve.errors.combined),
-        rating.corridor, rating.phase, rating.magnitude, rating.slope, rating.rating,
-        grade_of(rating.rating));
+        rating.corridor, rating.phase, rating.magnitude, rating.slope, rating.rating, grade_of(rating.rating),
+        in_band(curve));
   }
   if (rows < comparison.curves.size())
     fmt::format_to(std::back_inserter(text), "... and {} more that differ less (--rows 0 shows all)\n",

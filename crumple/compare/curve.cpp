@@ -12,6 +12,14 @@ std::string name_of(const Curve& curve) {
   return name;
 }
 
+Curve curve_named(const std::string& name) {
+  const std::size_t dot = name.find('.');
+  const std::size_t bracket = name.ends_with(']') ? name.find('[', dot) : std::string::npos;
+  Curve curve{name.substr(0, dot), name.substr(dot + 1, bracket - dot - 1), ""};
+  if (bracket != std::string::npos) curve.item = name.substr(bracket + 1, name.size() - bracket - 2);
+  return curve;
+}
+
 void append_point(Curve& curve, double time, double value) {
   if (!std::isfinite(time) || !std::isfinite(value)) return;
   while (!curve.times.empty() && curve.times.back() >= time) {

@@ -16,6 +16,7 @@
 #include "compare/binout_reader.hpp"
 #include "compare/csv_reader.hpp"
 #include "compare/quantity_names.hpp"
+#include "compare/scatter_bands.hpp"
 #include "report/text_file.hpp"
 
 namespace crumple::compare {
@@ -89,6 +90,11 @@ class Reader {
   }
 
   void read_folder(const Path& folder) {
+    const Path scatter = folder / bands_file;
+    if (std::filesystem::is_regular_file(scatter)) {
+      read_scatter(scatter);
+      if (!set_.bands.empty()) return;
+    }
     std::vector<Path> tables;
     std::vector<Path> binouts;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -105,6 +111,12 @@ class Reader {
     if (!binouts.empty()) read_binout_files(binouts);
     for (const std::string_view name : ascii_files())
       if (std::filesystem::is_regular_file(folder / name)) read_ascii_file(folder / name, name);
+  }
+
+  /// The medians of `crumple scatter`, with their bands.
+  void read_scatter(const Path& table) {
+    set_.bands = read_bands(report::read_file(table));
+    keep(medians_of(set_.bands), table.filename().string());
   }
 
   CurveSet finish() {

@@ -11,7 +11,8 @@ namespace crumple::compare {
 /// histories of OpenRadioss as CSV. In a folder every known file is read; where several hold the same group
 /// of curves
 /// (`glstat.csv`, binout, `glstat`) the first of them, in this order, counts and a note says so. Curves that
-/// are sums of others are added (`add_derived_curves`). What cannot be read becomes a note.
+/// are sums of others are added (`add_derived_curves`). In a folder of `crumple scatter` the bands are read
+/// alone: its curves are their medians. What cannot be read becomes a note.
 ///
 /// Throws Error if there is no such file or folder, or if nothing in it could be read.
 CurveSet open_results(const std::filesystem::path& source);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace crumple::app {
+namespace crumple::app::command_line_test {
 namespace {
 
 TEST(CommandLineTest, TakesEveryOptionOfRun) {
@@ -22,6 +22,7 @@ TEST(CommandLineTest, TakesEveryOptionOfRun) {
                                                "--contact",
                                                "auto",
                                                "--allow-unsupported",
+                                               "--allow-negative-contact-energy",
                                                "--verify-search",
                                                "7",
                                                "--quiet",
@@ -41,6 +42,7 @@ TEST(CommandLineTest, TakesEveryOptionOfRun) {
   EXPECT_EQ(line.options.search, "brute-force");
   EXPECT_TRUE(line.options.automatic_contact);
   EXPECT_TRUE(line.options.allow_unsupported);
+  EXPECT_TRUE(line.options.allow_negative_contact_energy);
   EXPECT_TRUE(line.options.quiet);
   EXPECT_TRUE(line.options.d3plot);
   EXPECT_EQ(line.options.verify_search, 7);
@@ -138,4 +140,4 @@ INSTANTIATE_TEST_SUITE_P(CommandLine, Mistakes,
                                            std::vector<std::string>{"i=a.k", "ncpu=many"}));
 
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::command_line_test

@@ -11,7 +11,7 @@
 #include "support/larger.hpp"
 #include "support/meshes.hpp"
 
-namespace crumple::app {
+namespace crumple::app::preparation_test {
 namespace {
 
 model::Model plate() {
@@ -66,5 +66,14 @@ TEST(Perturbation, IsSmallDifferentForEveryCoordinateAndRepeatable) {
   EXPECT_NE(other.nodes.position, moved.nodes.position);
 }
 
+TEST(Perturbation, MovesNodesAtOnePlaceAlike) {
+  model::Model model = plate();
+  model.nodes.position[7] = model.nodes.position[3];
+  const auto before = model.nodes.position[3];
+  perturb_coordinates(model, 1e-3, 5);
+  EXPECT_EQ(model.nodes.position[7], model.nodes.position[3]);
+  EXPECT_NE(model.nodes.position[3], before);
+}
+
 }  // namespace
-}  // namespace crumple::app
+}  // namespace crumple::app::preparation_test

@@ -10,15 +10,17 @@
 
 #include "base/error.hpp"
 
-namespace crumple::report {
+namespace crumple::report::result_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
 
 class ResultFolderTest : public testing::Test {
- protected:
+ public:
   ResultFolderTest() { fs::create_directories(folder_); }
   ~ResultFolderTest() override { fs::remove_all(folder_); }
+
+ protected:
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
   }
@@ -45,4 +47,4 @@ TEST_F(ResultFolderTest, AFolderWithoutFramesIsNoResult) {
 }
 
 }  // namespace
-}  // namespace crumple::report
+}  // namespace crumple::report::result_folder_test

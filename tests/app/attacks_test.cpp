@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small decks that broke the program at 3b5ed1e: each is run as its user would, with nothing set for it.
+#include <string>
+
+#include "app/program_fixture.hpp"
+
+namespace crumple::app::attacks_test {
+namespace {
+
+class Attacks : public ProgramTest {
+ protected:
+  nlohmann::json survive(const std::string& name) {
+    const Result result = run({"run", "tests/app/attacks/" + name + ".k", "-o", path(name), "-q"});
+    EXPECT_EQ(result.code, ExitCode::Normal) << name << ": " << result.err;
+    return record(name);
+  }
+  static double value(const nlohmann::json& record, const std::string& check) {
+    for (const auto& entry : record["checks"])
+      if (entry["name"].get<std::string>().starts_with(check)) return entry["value"].get<double>();
+    ADD_FAILURE() << "no check " << check;
+    return 0;
+  }
+  /// Columns of a table's last row, by their names.
+  double last(const std::string& name, const std::string& column) const {
+    const auto rows = table(name);
+    for (std::size_t i = 0; i < rows[0].size(); ++i)
+      if (rows[0][i] == column) return std::stod(rows.back()[i]);
+    ADD_FAILURE() << "no column " << column;
+    return 0;
+  }
+};
+
+TEST_F(Attacks, ModelsAtRestAndFallingBlocksPassEveryCheck) {
+  for (const char* name : {"block_onto_plate", "block_onto_wall", "late_gravity", "sheets_in_each_other",
+                           "sheets_in_each_other_2"})
+    for (const auto& check : survive(name)["checks"]) EXPECT_TRUE(check["pass"]) << name << ": " << check;
+}
+
+/// Most of the blow is in hourglass patterns, which their viscous control damps.
+TEST_F(Attacks, AStruckBlockGainsNoEnergy) {
+  survive("struck_block");
+  EXPECT_LE(last("struck_block/glstat.csv", "ratio"), 1 + 1e-6);
+  EXPECT_GE(last("struck_block/glstat.csv", "kinetic"), 0);
+}
+
+TEST_F(Attacks, SheetsThatMeetFastRebound) {
+  for (const char* name : {"rubber_sheets", "steel_sheets"}) {
+    const nlohmann::json record = survive(name);
+    EXPECT_EQ(value(record, "mid-surface intersections"), 0) << name;
+    EXPECT_EQ(value(record, "nodes on or beyond a mid-surface"), 0) << name;
+    EXPECT_EQ(value(record, "negative contact energy"), 0) << name;
+  }
+}
+
+}  // namespace
+}  // namespace crumple::app::attacks_test
