@@ -32,8 +32,10 @@ class Attacks : public ProgramTest {
 
 TEST_F(Attacks, ModelsAtRestAndFallingBlocksPassEveryCheck) {
   for (const char* name : {"block_onto_plate", "block_onto_wall", "late_gravity", "sheets_in_each_other",
-                           "sheets_in_each_other_2"})
-    for (const auto& check : survive(name)["checks"]) EXPECT_TRUE(check["pass"]) << name << ": " << check;
+                           "sheets_in_each_other_2"}) {
+    const nlohmann::json record = survive(name);
+    for (const auto& check : record["checks"]) EXPECT_TRUE(check["pass"]) << name << ": " << check;
+  }
 }
 
 /// Most of the blow is in hourglass patterns, which their viscous control damps.
