@@ -82,7 +82,7 @@ void EdgeContact::append_touches(std::vector<Touch>& touches) const {
     touch.stiffness = std::min(edges_.stiffness[pair.key.first], edges_.stiffness[pair.key.second]);
     touch.area = std::min(edges_.area[pair.key.first], edges_.area[pair.key.second]);
     touch.fade = pair.share;
-    touch.starts_loaded = true;
+    touch.starts_loaded = pair.starts_loaded;
     touch.slip = pair.slip;
     touch.friction = pair.friction;
     touch.penalty = pair.penalty;

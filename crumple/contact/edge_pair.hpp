@@ -48,6 +48,12 @@ struct RememberedEdgePair {
   PenaltyMemory penalty;
 
   bool loaded() const { return penalty.slope_limit > 0 || dot(friction, friction) > 0; }
+  /// False of a pair that met at an end of an edge and was not through: there the line between the nearest
+  /// points turns freely about the end, and the pair beside it may know better.
+  bool knows_side() const {
+    const auto inside = [](double f) { return f > 0 && f < 1; };
+    return wrong != 0 || (inside(fraction[0]) && inside(fraction[1]));
+  }
 };
 static_assert(sizeof(RememberedEdgePair) == 184);
 
@@ -78,8 +84,9 @@ struct EdgePair {
   double share = 1;   ///< of the force; 0 where others see to this contact
   Vec3 slip;          ///< movement of the first contact point over the second since the last step [length]
   Vec3 friction;      ///< on the first edge at the last step, turned with the edges [force]
-  PenaltyMemory penalty;  ///< of the last step
-  double last_speed = 0;  ///< now, of the points of the last step along the normal of then [length/time]
+  PenaltyMemory penalty;       ///< of the last step
+  bool starts_loaded = false;  ///< nodes at the edges had the contact before, as Touch::starts_loaded
+  double last_speed = 0;       ///< now, of the points of the last step along the normal of then [length/time]
 
   double penetration() const { return reach - gap; }
 };

@@ -42,19 +42,19 @@ void visit_around(const EdgeView& view, Index edge, const Visit& visit) {
       if (next != edge) visit(next);
 }
 
-/// Calls visit(pair, sign) for the remembered contacts of the two edges of `key` and their neighbours; sign
-/// is -1 where first and second have changed places.
-template <class Visit>
-void visit_connected(const EdgeView& view, const EdgePairKey& key, const Visit& visit) {
+/// Calls visit(pair, sign) for those of `pairs`, in order, that have the two edges of `key` or their
+/// neighbours; sign is -1 where first and second have changed places.
+template <class Pair, class Visit>
+void visit_connected(const EdgeView& view, std::span<const Pair> pairs, const EdgePairKey& key,
+                     const Visit& visit) {
   const auto look = [&](Index one, Index other) {
     const EdgePairKey wanted{std::min(one, other), std::max(one, other), EdgeMeeting::Crossing};
-    const auto before = [](const RememberedEdgePair& pair, const EdgePairKey& k) { return pair.key < k; };
-    for (auto at = std::lower_bound(view.remembered.begin(), view.remembered.end(), wanted, before);
-         at != view.remembered.end() && at->key.first == wanted.first && at->key.second == wanted.second;
-         ++at)
+    const auto before = [](const Pair& pair, const EdgePairKey& k) { return pair.key < k; };
+    for (auto at = std::lower_bound(pairs.begin(), pairs.end(), wanted, before);
+         at != pairs.end() && at->key.first == wanted.first && at->key.second == wanted.second; ++at)
       visit(*at, one < other ? 1.0 : -1.0);
   };
-  if (view.remembered.empty()) return;
+  if (pairs.empty()) return;
   visit_around(view, key.first, [&](Index one) {
     visit_around(view, key.second, [&](Index other) {
       if (one != other) look(one, other);
@@ -158,19 +158,26 @@ const RememberedEdgePair* EdgePairSearch::memory_of(const EdgePairKey& key) cons
   return nullptr;
 }
 
-/// The side of the second edge on which a new pair belongs: where it was before they went through each other
-/// in this step, or as their neighbours know if these have gone through; else it is where it is.
+/// The side of the second edge on which a new pair belongs: as its neighbours know if these have gone through
+/// each other, also where it comes back in this step; or where it was before it went through in this step, or
+/// its neighbours did; else it is where it is.
 EdgePairSearch::Side EdgePairSearch::known_side(const EdgePairKey& key, bool may_pass) const {
   if (view_.tracking) return {};
   const auto passed = [&](const EdgePairKey& k) {
     return may_pass ? passed_from(edges_.ends(k.first), edges_.ends(k.second), view_.now, view_.step)
                     : Vec3{};
   };
-  Side side{passed(key), true};
-  visit_connected(view_, key, [&](const RememberedEdgePair& pair, double sign) {
-    if (pair.key.meeting != EdgeMeeting::Crossing || dot(side.normal, side.normal) > 0) return;
-    side.passed_now = pair.wrong == 0;
-    side.normal = sign * (pair.wrong != 0 ? pair.side : passed(pair.key));
+  const auto is_zero = [](const Vec3& a) { return dot(a, a) == 0; };
+  Side side;
+  visit_connected(view_, view_.remembered, key, [&](const RememberedEdgePair& pair, double sign) {
+    if (pair.key.meeting == EdgeMeeting::Crossing && pair.wrong != 0 && is_zero(side.normal))
+      side.normal = sign * pair.side;
+  });
+  if (!is_zero(side.normal)) return side;
+  side = {passed(key), true};
+  visit_connected(view_, view_.remembered, key, [&](const RememberedEdgePair& pair, double sign) {
+    if (pair.key.meeting == EdgeMeeting::Crossing && is_zero(side.normal))
+      side.normal = sign * passed(pair.key);
   });
   return side;
 }
@@ -180,7 +187,7 @@ EdgePairSearch::Side EdgePairSearch::known_side(const EdgePairKey& key, bool may
 bool EdgePairSearch::takes_over(const EdgePairKey& key) const {
   if (!view_.may_take_over(key.first, key.second)) return false;
   bool found = false;
-  visit_connected(view_, key, [&](const RememberedEdgePair& pair, double sign) {
+  visit_connected(view_, view_.remembered, key, [&](const RememberedEdgePair& pair, double sign) {
     if (found || pair.wrong == 0 || pair.key.meeting != EdgeMeeting::Crossing) return;
     const std::array<Index, 2> from{pair.key.first, pair.key.second};
     std::array<Index, 2> to{key.first, key.second};
@@ -204,7 +211,8 @@ void EdgePairSearch::examine_crossing(const NearestOnEdges& nearest, Index other
   const EdgeShape first = view_.shape(edge_);
   const EdgeShape second = view_.shape(other);
   const bool near = nearest.distance < full;
-  const bool may_pass = memory == nullptr && view_.step > 0 &&
+  const bool knows_side = memory != nullptr && memory->knows_side();
+  const bool may_pass = !knows_side && view_.step > 0 &&
                         nearest.distance <= relative_motion(edges_.ends(edge_), edges_.ends(other),
                                                             view_.now.velocity, view_.step);
   if (!near && memory == nullptr && !may_pass && !takes_over(key)) return;
@@ -217,7 +225,7 @@ void EdgePairSearch::examine_crossing(const NearestOnEdges& nearest, Index other
   const Vec3 across = cross(first.along(), second.along());
   const double towards = dot(nearest.away, across) >= 0 ? 1.0 : -1.0;
   const Vec3 present = crosses ? towards / norm(across) * across : (1.0 / nearest.distance) * nearest.away;
-  const Side known = memory != nullptr ? Side{memory->side, memory->wrong == 0} : known_side(key, may_pass);
+  const Side known = knows_side ? Side{memory->side, memory->wrong == 0} : known_side(key, may_pass);
   const bool wrong = dot(present, known.normal) < 0;
   if (!near && !wrong) return;
   // Off the end of an edge that nothing continues, or further than the edges are long, the pair is lost.
@@ -234,12 +242,13 @@ void EdgePairSearch::examine_crossing(const NearestOnEdges& nearest, Index other
   if (wrong && !crosses) pair.side = (dot(across, known.normal) >= 0 ? 1.0 : -1.0) / norm(across) * across;
   pair.gap = crosses ? dot(nearest.away, pair.normal) : (wrong ? -1 : 1) * nearest.distance;
   pair.share = share_of(nearest, pair, sine);
+  pair.starts_loaded = deepest_node(key) > 0;
   set_offset(pair, full, memory, wrong && !known.passed_now);
   found.push_back(pair);
 }
 
 /// Whether another edge goes on where the nearest points are at ends, and this pair is the lowest of those
-/// that meet there.
+/// that meet there, unless one of the others crosses inside of its edges.
 bool EdgePairSearch::owns_ends(const NearestOnEdges& nearest, Index other) const {
   const std::array<Index, 2> own{edge_, other};
   for (int i = 0; i < 2; ++i) {
@@ -247,6 +256,11 @@ bool EdgePairSearch::owns_ends(const NearestOnEdges& nearest, Index other) const
     const Index node = edges_.ends(own[i])[nearest.fraction[i] == 0 ? 0 : 1];
     const auto around = edges_.at_node(view_.surface->place[node]);
     if (around.size() < 2 || lowest_at(edges_, *view_.surface, node, own[1 - i]) != own[i]) return false;
+    const EdgeShape target = view_.shape(own[1 - i]);
+    for (const Index next : around)
+      if (next != own[i] && !edges_.share_node(next, own[1 - i]) &&
+          nearest_points(view_.shape(next), target).both_inside())
+        return false;
   }
   return true;
 }
@@ -302,12 +316,11 @@ double EdgePairSearch::new_offset(const EdgePair& pair, double full, bool was_wr
   const EdgePairKey& key = pair.key;
   double inherited = 0;
   double depth = 0;
-  visit_connected(view_, key, [&](const RememberedEdgePair& other, double) {
+  visit_connected(view_, view_.remembered, key, [&](const RememberedEdgePair& other, double) {
     inherited = std::max(inherited, other.offset);
     depth = std::max(depth, other.depth);
   });
-  for (const Index node : edges_.ends(key.first)) depth = std::max(depth, node_depth(node, key.second));
-  for (const Index node : edges_.ends(key.second)) depth = std::max(depth, node_depth(node, key.first));
+  depth = std::max(depth, deepest_node(key));
   Configuration before = view_.now;
   before.back = view_.step;
   const EdgeShape first = edge_shape(edges_.ends(key.first), before);
@@ -325,6 +338,14 @@ double EdgePairSearch::node_depth(Index node, Index edge) const {
   for (auto at = std::lower_bound(view_.node_depths.begin(), view_.node_depths.end(), wanted);
        at != view_.node_depths.end() && at->node == node && at->edge == edge; ++at)
     depth = std::max(depth, at->value);
+  return depth;
+}
+
+/// The same of the ends of two edges, each with the other edge.
+double EdgePairSearch::deepest_node(const EdgePairKey& key) const {
+  double depth = 0;
+  for (const Index node : edges_.ends(key.first)) depth = std::max(depth, node_depth(node, key.second));
+  for (const Index node : edges_.ends(key.second)) depth = std::max(depth, node_depth(node, key.first));
   return depth;
 }
 
@@ -378,7 +399,7 @@ void carry_on(const EdgeView& view, std::span<const EdgePair> present, EdgePair&
     const auto at = std::lower_bound(present.begin(), present.end(), key, before);
     return at == present.end() || at->key != key || at->share == 0;
   };
-  visit_connected(view, pair.key, [&](const RememberedEdgePair& other, double sign) {
+  visit_connected(view, view.remembered, pair.key, [&](const RememberedEdgePair& other, double sign) {
     const bool own = other.key == pair.key;
     if (!own && (!other.loaded() || !rests(other.key))) return;
     // The pair itself comes before its neighbours if it has anything to remember.
@@ -389,6 +410,11 @@ void carry_on(const EdgeView& view, std::span<const EdgePair> present, EdgePair&
     turned = sign;
   });
   if (from == nullptr) return;
+  bool shared = false;
+  if (from->key != pair.key)
+    visit_connected(view, present, from->key, [&](const EdgePair& other, double) {
+      shared = shared || (other.share > 0 && other.key < pair.key);
+    });
   const EdgeShape first = view.shape(from->key.first);
   const EdgeShape second = view.shape(from->key.second);
   // The normal has turned with the edges since; the friction lies across it.
@@ -396,6 +422,8 @@ void carry_on(const EdgeView& view, std::span<const EdgePair> present, EdgePair&
   pair.slip = turned * (first.at(from->fraction[0]) - second.at(from->fraction[1]));
   pair.friction = turned * frame_of(first, second, normal).to_global(from->friction);
   pair.penalty = from->penalty;
+  // What the spring holds goes to one successor only.
+  if (shared) pair.penalty.force = pair.penalty.energy = pair.penalty.most_energy = 0;
   const auto velocity_at = [&](Index edge, double fraction) {
     const EdgeNodes ends = view.edges->ends(edge);
     return (1 - fraction) * view.now.velocity[ends[0]] + fraction * view.now.velocity[ends[1]];

@@ -65,6 +65,7 @@ class EdgePairSearch {
   void set_offset(EdgePair& pair, double full, const RememberedEdgePair* memory, bool was_wrong) const;
   double new_offset(const EdgePair& pair, double full, bool was_wrong) const;
   double node_depth(Index node, Index edge) const;
+  double deepest_node(const EdgePairKey& key) const;
   bool nearest_of_others(Index node, Index edge, double fraction, const Vec3& away) const;
 
   const EdgeView& view_;

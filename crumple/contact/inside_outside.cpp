@@ -164,6 +164,15 @@ Vec3 side_normal(const SurfaceAt& at, Index segment, const SegmentShape& shape, 
   return best;
 }
 
+Vec3 corner_normal(const SurfaceAt& at, Index node, const Vec3& side) {
+  Vec3 sum;
+  for (const Index around : at.surface->topology.at_node(at.surface->place[node])) {
+    const Vec3 normal = normalised(area_normal(at.shape(around)));
+    sum += dot(normal, side) < 0 ? -normal : normal;
+  }
+  return normalised(sum);
+}
+
 bool nearest_around(const SurfaceAt& at, Index node, Index segment, const NearestPoint& nearest) {
   const Vec3 away = at.x[node] - nearest.point;
   if (nearest.feature == Feature::Edge) return !nearer_beyond_edge(at, node, segment, nearest, away);

@@ -41,6 +41,10 @@ bool inside(const SurfaceAt& at, Index segment, const Vec3& p);
 Vec3 side_normal(const SurfaceAt& at, Index segment, const SegmentShape& shape, const NearestPoint& nearest,
                  const Vec3& away);
 
+/// Normalised sum of the unit normals of the segments at a domain node of the surface, each on the side of
+/// `side`.
+Vec3 corner_normal(const SurfaceAt& at, Index node, const Vec3& side);
+
 /// True unless the surface comes nearer to `node` just beyond the edge or corner of the segment where the
 /// nearest point is: then the contact is the neighbour's. A node's own segment always is nearer.
 bool nearest_around(const SurfaceAt& at, Index node, Index segment, const NearestPoint& nearest);

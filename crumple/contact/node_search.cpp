@@ -178,7 +178,10 @@ int NodeSearch::side_of(Index segment, const RememberedPair* memory, double dist
   for (const RememberedPair& other : remembered_) {
     if (!came_from(other, segment)) continue;
     if (face) return other.side;
-    if (other.wrong != 0 || crossed_from(view_.now, node_, other.segment, view_.step) != 0) return -present;
+    const bool was_wrong = other.wrong != 0;
+    const bool crossed = crossed_from(view_.now, node_, other.segment, view_.step) != 0;
+    // One that comes back while it passes on to this segment is on its own side again.
+    if (was_wrong || crossed) return was_wrong != crossed ? -present : present;
   }
   const int from = may_cross ? crossed_from(view_.now, node_, segment, view_.step) : 0;
   if (from != 0) return from;
@@ -212,6 +215,33 @@ void NodeSearch::measure(const Vec3& away, double distance, const Vec3& normal, 
   const double sign = pair.wrong != 0 ? -1.0 : 1.0;
   pair.gap = sign * distance;
   pair.normal = distance > 0 ? sign / distance * away : (pair.side < 0 ? -1.0 : 1.0) * normal;
+}
+
+/// Deep contacts near a shallow edge push along a smooth normal. In front of the edge the force points along
+/// the line to it, which turns faster the nearer the node is, up to a lateral instability at the surface
+/// itself; behind it the normal jumps from one segment to the next. Both turn symmetric impacts into oblique
+/// ones. The smooth normal is the mean of those at the corners, weighted by the contact point; it takes over
+/// where the node is nearer to an edge than a share of the penetration.
+void NodeSearch::smooth_direction(const SegmentShape& shape, const NearestPoint& nearest,
+                                  ContactPair& pair) const {
+  constexpr double in_front =
+      1.0 / 3;                  // zone over the penetration, from a quarter of the contact distance on
+  constexpr double behind = 2;  // the same of a node behind a face without thickness
+  const double zone = in_front * pair.penetration() - (behind - in_front) * std::min(0.0, pair.gap);
+  if (pair.side == 0 || std::fabs(pair.gap) >= zone) return;
+  const double beside = distance_to_edges(shape, nearest.point);
+  const double square = (beside * beside + pair.gap * pair.gap) / (zone * zone);
+  if (square >= 1) return;
+  const Vec3 own = (pair.side < 0 ? -1.0 : 1.0) * normalised(area_normal(shape));
+  Vec3 smooth;
+  for (int k = 0; k < 4; ++k) {
+    if (pair.weight[k] == 0) continue;
+    const Vec3 mean = corner_normal(view_.now, surface_.segment(pair.segment)[k], own);
+    smooth += pair.weight[k] * (dot(mean, own) > same_surface ? mean : own);
+  }
+  // Around a sharp edge the line to it is right.
+  const double share = (1 - square * square) * (1 - share_of_other(dot(pair.normal, normalised(smooth))));
+  pair.normal = normalised((1 - share) * pair.normal + share * smooth);
 }
 
 /// `full`: the distance at which the pair touches, before what is allowed for is deducted. Returns what the
@@ -272,6 +302,7 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   pair.let_go = overlap - (away_from ? 0 : pair.offset) > release_depth ? 1 : 0;
   if (pair.let_go != 0 || away_from) pair.offset = overlap;
   pair.reach = full - pair.offset;
+  smooth_direction(shape, nearest, pair);
   if (pair.penetration() > 0 || pair.offset > 0 || waits) found.push_back(pair);
   return 0;
 }

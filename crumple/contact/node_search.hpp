@@ -34,6 +34,7 @@ class NodeSearch {
   /// A node that is astray looks at all its candidates; so does every node at the start of a contact.
   bool looks_at_all() const { return astray_ || view_.tracking; }
   static void measure(const Vec3& away, double distance, const Vec3& normal, ContactPair& pair);
+  void smooth_direction(const SegmentShape& shape, const NearestPoint& nearest, ContactPair& pair) const;
   double examine(Index segment, double full, std::vector<ContactPair>& found);
   int kept_side(Index segment, const RememberedPair& memory, double distance, int present) const;
   int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/segment_shape.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace crumple::contact {
 namespace {
 
@@ -103,6 +107,18 @@ NearestPoint nearest_point(const SegmentShape& shape, const Vec3& p) {
     best = nearest_on(k, w, point, distance_squared);
   }
   return best;
+}
+
+double distance_to_edges(const SegmentShape& shape, const Vec3& point) {
+  double least = std::numeric_limits<double>::max();
+  const int last = shape.triangle ? 2 : 3;
+  for (int k = 0; k <= last; ++k) {
+    const Vec3& from = shape.corner[k];
+    const Vec3 along = shape.corner[k == last ? 0 : k + 1] - from;
+    const double length = dot(along, along);
+    if (length > 0) least = std::min(least, norm(cross(along, point - from)) / std::sqrt(length));
+  }
+  return least;
 }
 
 Frame frame_of(const SegmentShape& shape) {

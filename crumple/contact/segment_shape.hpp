@@ -73,6 +73,9 @@ NearestPoint nearest_on(int k, const Barycentric& weight, const Vec3& point, dou
 /// Real-Time Collision Detection, 2005, section 5.1.5).
 NearestPoint nearest_point(const SegmentShape& shape, const Vec3& p);
 
+/// Distance of a point of the segment from the nearest of its edges [length].
+double distance_to_edges(const SegmentShape& shape, const Vec3& point);
+
 /// Normal of the segment as a whole, its length twice the projected area: the product of the diagonals.
 inline Vec3 area_normal(const SegmentShape& shape) {
   return cross(shape.corner[2] - shape.corner[0], shape.corner[3] - shape.corner[1]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Small decks that broke the program at 3b5ed1e: each is run as its user would, with nothing set for it.
+#include <cmath>
 #include <string>
 
 #include "app/program_fixture.hpp"
@@ -20,11 +21,11 @@ class Attacks : public ProgramTest {
     ADD_FAILURE() << "no check " << check;
     return 0;
   }
-  /// Columns of a table's last row, by their names.
-  double last(const std::string& name, const std::string& column) const {
+  /// Column of a table's last row, or of the last but `before`, by its name.
+  double last(const std::string& name, const std::string& column, std::size_t before = 0) const {
     const auto rows = table(name);
     for (std::size_t i = 0; i < rows[0].size(); ++i)
-      if (rows[0][i] == column) return std::stod(rows.back()[i]);
+      if (rows[0][i] == column) return std::stod(rows[rows.size() - 1 - before][i]);
     ADD_FAILURE() << "no column " << column;
     return 0;
   }
@@ -52,6 +53,14 @@ TEST_F(Attacks, SheetsThatMeetFastRebound) {
     EXPECT_EQ(value(record, "nodes on or beyond a mid-surface"), 0) << name;
     EXPECT_EQ(value(record, "negative contact energy"), 0) << name;
   }
+}
+
+/// A ball on its pole, which meets a node of the plate: the largest sideways velocity that it leaves with.
+TEST_F(Attacks, ABallThatMeetsAPlateSquarelyReboundsSquarely) {
+  survive("ball_bounce");
+  EXPECT_LT(std::fabs(last("ball_bounce/matsum.csv", "vx", 1)), 1e-3);
+  EXPECT_LT(std::fabs(last("ball_bounce/matsum.csv", "vy", 1)), 1e-3);
+  EXPECT_NEAR(last("ball_bounce/matsum.csv", "vz", 1), 10, 0.01);
 }
 
 }  // namespace

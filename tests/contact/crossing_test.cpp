@@ -62,6 +62,24 @@ TEST(Crossing, FastNodeIsReturnedToItsSide) {
     }
 }
 
+// Back to its side and over an edge or a corner in the same step: it is not taken for one that has gone
+// through.
+TEST(Crossing, NodeThatReturnsOverAnEdgeBelongsToItsSide) {
+  for (const double side : {1.0, -1.0})
+    for (const Vec3& to : {Vec3{2.1, 1.45, 0}, Vec3{2.05, 2.05, 0}, Vec3{1.45, 1.45, 0}})
+      for (const double height : {0.02, 0.06}) {
+        TipOverSheet scene({1.9, 1.45, side * 0.3});
+        domain::Domain made = scene.bodies.build();
+        contact::Interface touching = scene.bodies.attach(made);
+        test::add_forces(touching, made);
+        test::move_to(touching, made, scene.moved(made, {1.9, 1.45, -side * 0.02}), 1e-4);
+        EXPECT_EQ(touching.statistics().nodes_astray, 1);
+        test::move_to(touching, made, scene.moved(made, to + Vec3{0, 0, side * height}), 1e-4);
+        EXPECT_EQ(touching.statistics().nodes_astray, 0) << to.x << ' ' << to.y;
+        EXPECT_GT(side * made.contact_force[at(made, scene.tip)].z, 0.0) << to.x << ' ' << to.y;
+      }
+}
+
 // Through the plane of the sheet, but beyond its free edge: no crossing.
 TEST(Crossing, PassingBesideTheFreeEdgeIsNoCrossing) {
   TipOverSheet scene({-0.3, 1.3, 0.2});
