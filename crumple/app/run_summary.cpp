@@ -55,6 +55,9 @@ void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
         seen.largest_depth, seen.percentile_99, counted(seen.nodes_beyond, "node"),
         counted(seen.intersections, "pair"));
   if (seen.intersections > 0) print(out, ", the first {} and {}", seen.first_segment, seen.second_segment);
+  if (seen.nodes_in_solids > 0)
+    print(out, "\n  in solids without contact: {}, the first {}", counted(seen.nodes_in_solids, "node"),
+          seen.node_in_solid);
   print(out, "\n");
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "contact/edge_pair_search.hpp"
 
@@ -78,7 +79,10 @@ void EdgeContact::append_touches(std::vector<Touch>& touches) const {
     }
     touch.normal = pair.normal;
     touch.penetration = pair.share > 0 ? pair.penetration() : 0;
-    touch.reach = pair.reach;
+    // Between edges of solids there is no mid-surface that a strong squeeze would reach.
+    touch.reach = edges_.contact_distance(pair.key.first, pair.key.second) > 0
+                      ? pair.reach
+                      : std::numeric_limits<double>::max();
     touch.stiffness = std::min(edges_.stiffness[pair.key.first], edges_.stiffness[pair.key.second]);
     touch.area = std::min(edges_.area[pair.key.first], edges_.area[pair.key.second]);
     touch.fade = pair.share;
@@ -120,7 +124,10 @@ void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touc
                             .to_local(friction);
     remembered_.push_back(memory);
     if (pair.penetration() > 0 && pair.share > 0)
-      penetrations.push_back({pair.penetration(), pair.reach, node_id(pair), edges_.id[pair.key.second]});
+      penetrations.push_back(
+          {pair.penetration(),
+           std::max({pair.reach, edges_.height[pair.key.first], edges_.height[pair.key.second]}),
+           node_id(pair), edges_.id[pair.key.second]});
   }
   node_depths_.clear();
   for (const ContactPair& pair : nodes) {

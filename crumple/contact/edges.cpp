@@ -80,23 +80,46 @@ void Builder::measure(const domain::Domain& domain) {
     edges_.largest_half_thickness = std::max(edges_.largest_half_thickness, beam.radius);
 }
 
+/// Sine of the angle by which two faces fall away from their common edge before it takes part.
+constexpr double sharp_edge = 0.25;
+
+/// True if the faces of solids at an edge fall away from it on both sides, undeformed. Two that have come to
+/// meet by erosion count as sharp if no others are there.
+bool stands_out(const Edges& edges, const Surface& surface, const domain::Domain& domain, Index edge) {
+  const Configuration x{domain.nodes.reference.data(), nullptr, 0};
+  const EdgeNodes ends = edges.ends(edge);
+  const Vec3 start = domain.nodes.reference[ends[0]];
+  const Vec3 along = normalised(domain.nodes.reference[ends[1]] - start);
+  const auto faces = edges.segments_at(edge);
+  for (const Index one : faces)
+    for (const Index other : faces) {
+      if (one == other || !surface.is_face(one) || !surface.is_face(other)) continue;
+      const Vec3 to_centre = shape_of(surface, x, other).centre - start;
+      const Vec3 into = normalised(to_centre - dot(to_centre, along) * along);
+      if (dot(into, normalised(area_normal(shape_of(surface, x, one)))) < -sharp_edge) return true;
+    }
+  return false;
+}
+
 /// What an edge has of its active segments; whether it takes part for their sake.
 void take_from_segments(Edges& edges, const Surface& surface) {
   for (Index e = 0; e < edges.count(); ++e) {
     int segments = 0;
     int shells = 0;
+    int faces = 0;
     for (const Index s : edges.segments_at(e)) {
       if (surface.active[s] == 0) continue;
       ++segments;
-      if (surface.is_face(s)) continue;
-      ++shells;
+      if (surface.is_face(s) && edges.sharp[e] == 0) continue;
+      if (surface.is_face(s)) edges.height[e] = std::max(edges.height[e], surface.height[s]);
+      ++(surface.is_face(s) ? faces : shells);
       edges.half_thickness[e] = std::max(edges.half_thickness[e], surface.half_thickness[s]);
       edges.stiffness[e] = std::min(edges.stiffness[e], surface.stiffness[s]);
       edges.area[e] = std::min(edges.area[e], surface.area[s]);
       if (edges.id[e] == 0) edges.id[e] = surface.segment_id[s];
     }
     const bool free = segments == 1 && shells == 1;
-    edges.active[e] = free || (edges.which == model::ContactEdges::All && shells > 0) ? 1 : 0;
+    edges.active[e] = free || faces > 0 || (edges.which == model::ContactEdges::All && shells > 0) ? 1 : 0;
     edges.bare[e] = segments == 0 ? 1 : 0;
   }
 }
@@ -156,6 +179,9 @@ Edges build_edges(const model::Model& model, const domain::Domain& domain, const
   builder.number();
   builder.link_segments();
   builder.measure(domain);
+  edges.sharp.assign(static_cast<std::size_t>(edges.count()), 0);
+  if (edges.which != model::ContactEdges::None)
+    for (Index e = 0; e < edges.count(); ++e) edges.sharp[e] = stands_out(edges, surface, domain, e) ? 1 : 0;
   refresh(edges, surface, domain);
   return edges;
 }
@@ -165,6 +191,7 @@ void refresh(Edges& edges, const Surface& surface, const domain::Domain& domain)
   edges.active.assign(count, 0);
   edges.bare.assign(count, 0);
   edges.half_thickness.assign(count, 0.0);
+  edges.height.assign(count, 0.0);
   edges.stiffness.assign(count, std::numeric_limits<double>::max());
   edges.area.assign(count, std::numeric_limits<double>::max());
   edges.id.assign(count, 0);

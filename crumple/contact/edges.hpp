@@ -15,20 +15,22 @@
 
 namespace crumple::contact {
 
-/// The edges of a contact: those of its shells, whether they take part or not, and its beams. A beam along
-/// the edge of a shell and that edge are one. Numbers never change; what takes part changes when elements
-/// erode, see refresh().
+/// The edges of a contact: those of its shells and the sharp ones of its solids, whether they take part or
+/// not, and its beams. A beam along the edge of a shell and that edge are one. Numbers never change; what
+/// takes part changes when elements erode, see refresh().
 struct Edges {
   std::vector<Index> nodes;  ///< two domain nodes per edge, the lower first; edges ascending
   std::vector<std::array<Index, 4>> of_segment;  ///< edge k of a segment, no_index where it has none
   std::vector<Index> first_segment;              ///< rows of segment_at_edge, and one past the last
   std::vector<Index> segment_at_edge;            ///< active or not, ascending in each row
-  std::vector<Index> body;                       ///< rigid body that has both nodes, or no_index
+  std::vector<std::uint8_t> sharp;  ///< 1 where two faces of solids meet in an edge that stands out
+  std::vector<Index> body;          ///< rigid body that has both nodes, or no_index
 
   std::vector<std::uint8_t> active;    ///< 1 if it takes part now
   std::vector<std::uint8_t> bare;      ///< 1 of a beam with no segment at it, whose ends no node search sees
   std::vector<double> half_thickness;  ///< the largest of its segments, or the radius of its beam [length]
   std::vector<double> stiffness;       ///< smallest of its segments and beams [force/length]
+  std::vector<double> height;          ///< of the solids at it, 0 of others [length]
   std::vector<double> area;            ///< likewise; of a beam its length times its diameter [length^2]
   std::vector<UserId> id;              ///< of a shell or beam that it belongs to
   std::vector<Index> taking_part;      ///< the active ones, ascending

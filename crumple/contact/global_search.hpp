@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -60,6 +61,13 @@ class GlobalSearch {
   /// Bound on the way of any two nodes relative to each other since the search, or in the step before it if
   /// there was one just now [length].
   double consumed() const { return consumed_; }
+
+  /// Expands the territory of a segment by `depth` for good: nodes that start that deep behind it stay its
+  /// candidates.
+  void reach_behind(Index segment, double depth) {
+    segment_expansion_[segment] =
+        std::max(segment_expansion_[segment], surface_->half_thickness[segment] + depth);
+  }
 
   /// To be told when a pair is found to be `gap` > 0 from touching now: it need not be looked at again before
   /// something can have moved that far. Pairs of different nodes may be put off at the same time.

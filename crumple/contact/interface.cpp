@@ -21,6 +21,7 @@
 #include "contact/multipliers.hpp"
 #include "contact/pinball_contact.hpp"
 #include "contact/sides.hpp"
+#include "contact/solid_overlaps.hpp"
 #include "contact/surface.hpp"
 
 namespace crumple::contact {
@@ -64,6 +65,31 @@ struct Interface::Implementation {
       motion_step =
           std::min(growth_in_a_cycle * motion_step, longest_step_for_motion(surface, domain, allowed));
     if (!acting(domain.clock.time) || motion_step >= allowed) motion_step = unlimited;
+  }
+
+  /// Nodes that start inside of solids, however deep: their contact begins where they are.
+  void find_deep(const domain::Domain& domain, const Kinematics& motion) {
+    const std::vector<NodeInSolid> inside = nodes_in_solids(surface, domain);
+    deep = faces_over({&surface, {motion.position.data(), motion.velocity.data(), 0}}, inside);
+    reach_deep();
+    inside_at_start.clear();
+    for (const NodeInSolid& found : inside) inside_at_start.push_back(found.node);
+  }
+
+  void reach_deep() {
+    for (const DeepPair& pair : deep) search.reach_behind(pair.segment, pair.depth);
+  }
+
+  /// Nodes in solids now that neither started there nor have a contact that knows of it.
+  void inspect_solids(const domain::Domain& domain, domain::ContactInspection& seen) const {
+    seen.nodes_in_solids = 0;
+    if (pinballs) return;
+    for (const NodeInSolid& found : nodes_in_solids(surface, domain)) {
+      const bool known = std::ranges::any_of(
+          remembered, [&](const RememberedPair& pair) { return pair.node == found.node && pair.wrong != 0; });
+      if (known || std::ranges::binary_search(inside_at_start, found.node)) continue;
+      if (seen.nodes_in_solids++ == 0) seen.node_in_solid = surface.node_id[found.node];
+    }
   }
 
   void measure_start(std::span<const ContactPair> pairs, domain::ContactReport& entry) {
@@ -172,6 +198,7 @@ struct Interface::Implementation {
       if (pinballs) {
         pinballs->update(motion, changed);
       } else {
+        if (started == 0) find_deep(domain, motion);
         search.update(motion, changed);
         edges.update(domain, motion, changed);
       }
@@ -182,7 +209,7 @@ struct Interface::Implementation {
     if (pinballs) {
       pinballs->find(motion, started == 0);
     } else {
-      pairs = local.find(motion, search, remembered, started == 0);
+      pairs = local.find(motion, search, remembered, started == 0, deep);
       edges.find(motion, started == 0);
       edges.relieve(pairs);
     }
@@ -320,6 +347,8 @@ struct Interface::Implementation {
   std::vector<Touch> touches;
   std::vector<RememberedPair> remembered;
   std::vector<Penetration> penetrations;
+  std::vector<DeepPair> deep;          ///< at the start, ascending
+  std::vector<Index> inside_at_start;  ///< places of nodes in solids, ascending
   ContactStatistics statistics;
 };
 
@@ -375,6 +404,8 @@ void Interface::declare(domain::StateList& list) {
   own.forces.declare(list);
   list.add_list("contact_pairs", "by item", domain::Entity::Contact, 1, own.remembered);
   list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
+  list.keep_list("contact_deep_pairs", "by item", domain::Entity::Contact, 1, own.deep);
+  list.keep_list("contact_inside_at_start", "-", domain::Entity::Contact, 1, own.inside_at_start);
   list.keep("contact_motion_step", "time", domain::Entity::Contact, own.motion_step);
   list.keep("contact_stored_energy", "energy", domain::Entity::Contact, own.stored_energy);
   list.keep("contact_statistics", "by item", domain::Entity::Contact, own.statistics);
@@ -391,6 +422,7 @@ void Interface::resume(const domain::Domain& domain) {
     own.pinballs->resume(motion);
     return;
   }
+  own.reach_deep();
   own.search.resume(motion);
   own.edges.resume(domain, motion);
 }
@@ -408,6 +440,7 @@ void Interface::inspect(domain::Domain& domain) const {
   seen.intersections = static_cast<Index>(cut.size());
   seen.first_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[0]];
   seen.second_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[1]];
+  own.inspect_solids(domain, seen);
   seen.nodes_beyond = depth.beyond;
   seen.largest_depth = depth.largest;
   seen.percentile_99 = depth.percentile_99;

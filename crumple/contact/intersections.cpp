@@ -34,10 +34,25 @@ bool pierces(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t) {
   return (v0 >= 0 && v1 >= 0 && v2 >= 0) || (v0 <= 0 && v1 <= 0 && v2 <= 0);
 }
 
-bool pierces_segment(const Vec3& a, const Vec3& b, const SegmentShape& shape) {
-  if (shape.triangle) return pierces(a, b, {shape.corner[0], shape.corner[1], shape.corner[2]});
+/// How deep the line is through a triangle with the rim of its segment given: as its nearer end from the
+/// plane and as the point where it goes through from the rim, whichever is less. Edges of blocks that press
+/// on each other are hardly through, or at the rim.
+double depth_through(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t, const SegmentShape& shape) {
+  const Vec3 normal = normalised(cross(t[1] - t[0], t[2] - t[0]));
+  const double above_a = std::fabs(dot(a - t[0], normal));
+  const double above_b = std::fabs(dot(b - t[0], normal));
+  const Vec3 point = a + above_a / (above_a + above_b) * (b - a);
+  return std::min({above_a, above_b, distance_to_edges(shape, point)});
+}
+
+/// True if the line from a to b goes through the segment, deeper than `least`.
+bool pierces_segment(const Vec3& a, const Vec3& b, const SegmentShape& shape, double least) {
+  const auto through = [&](const std::array<Vec3, 3>& t) {
+    return pierces(a, b, t) && (least == 0 || depth_through(a, b, t, shape) > least);
+  };
+  if (shape.triangle) return through({shape.corner[0], shape.corner[1], shape.corner[2]});
   for (int k = 0; k < 4; ++k)
-    if (pierces(a, b, {shape.corner[k], shape.corner[(k + 1) % 4], shape.centre})) return true;
+    if (through({shape.corner[k], shape.corner[(k + 1) % 4], shape.centre})) return true;
   return false;
 }
 
@@ -46,13 +61,18 @@ bool cuts(const Surface& surface, const Configuration& x, Index one, Index other
   const Index* nodes = surface.segment(one);
   const SegmentShape shape = shape_of(surface, x, one);
   const SegmentShape target = shape_of(surface, x, other);
+  // Faces have no thickness: where they press, they overlap by what the penalty needs.
+  constexpr double pressed = 0.1;
+  const double least = surface.is_face(one) && surface.is_face(other)
+                           ? pressed * std::min(surface.height[one], surface.height[other])
+                           : 0;
   for (int k = 0; k < 4; ++k) {
     if (surface.owns(other, nodes[k])) continue;
     const int next = (k + 1) % 4;
     if (has_edge(nodes, k) && !surface.owns(other, nodes[next]) &&
-        pierces_segment(shape.corner[k], shape.corner[next], target))
+        pierces_segment(shape.corner[k], shape.corner[next], target, least))
       return true;
-    if (!shape.triangle && pierces_segment(shape.corner[k], shape.centre, target)) return true;
+    if (!shape.triangle && pierces_segment(shape.corner[k], shape.centre, target, least)) return true;
   }
   return false;
 }
@@ -97,8 +117,6 @@ std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
     for (const Index centre : near.of(s)) {
       const Index other = centre - centres.front();
       if (surface.active[s] == 0 || surface.active[other] == 0) continue;
-      // Faces have no thickness: where they press, they overlap by what the penalty needs.
-      if (surface.is_face(s) && surface.is_face(other)) continue;
       if (other > s && (cuts(surface, x, s, other) || cuts(surface, x, other, s)))
         found.push_back({s, other});
     }

@@ -42,7 +42,8 @@ void LocalSearch::find_in(Index part, const StepView& view, std::span<const Reme
 }
 
 std::span<ContactPair> LocalSearch::find(const Kinematics& motion, GlobalSearch& candidates,
-                                         std::span<const RememberedPair> remembered, bool tracking) {
+                                         std::span<const RememberedPair> remembered, bool tracking,
+                                         std::span<const DeepPair> deep) {
   StepView view;
   view.now = {surface_, {motion.position.data(), motion.velocity.data(), 0}};
   view.reference = {surface_, {motion.reference.data(), motion.velocity.data(), 0}};
@@ -50,6 +51,7 @@ std::span<ContactPair> LocalSearch::find(const Kinematics& motion, GlobalSearch&
   view.nearest_point = nearest_point_kernel(motion.isa);
   view.step = motion.step;
   view.tracking = tracking;
+  view.deep = deep;
 
   const Index parts = pieces(surface_->node_count(), piece);
   parts_.resize(parts);

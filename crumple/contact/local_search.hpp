@@ -9,6 +9,7 @@
 #include "contact/global_search.hpp"
 #include "contact/inside_outside.hpp"
 #include "contact/kinematics.hpp"
+#include "contact/solid_overlaps.hpp"
 #include "contact/surface.hpp"
 #include "domain/domain.hpp"
 
@@ -25,10 +26,11 @@ class LocalSearch {
 
   /// Finds the contacts. `remembered` are the pairs of the step before, in order.
   /// Candidates that are far are put off. With `tracking` every contact is allowed the penetration that it
-  /// has now (first step of a contact). The result is ordered by (node, segment) and the same for any number
-  /// of threads; it holds until the next call.
+  /// has now (first step of a contact), those of `deep` with the faces named there. The result is ordered by
+  /// (node, segment) and the same for any number of threads; it holds until the next call.
   std::span<ContactPair> find(const Kinematics& motion, GlobalSearch& candidates,
-                              std::span<const RememberedPair> remembered, bool tracking);
+                              std::span<const RememberedPair> remembered, bool tracking,
+                              std::span<const DeepPair> deep);
 
  private:
   /// The contacts of the nodes of one part, into its list.

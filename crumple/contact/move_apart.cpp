@@ -48,7 +48,7 @@ double move_once(const model::Model& model, const model::Contact& contact, domai
   LocalSearch local(surface);
   std::vector<Touch> touches;
   double deepest = 0;
-  for (const ContactPair& pair : local.find(at_rest, search, {}, true)) {
+  for (const ContactPair& pair : local.find(at_rest, search, {}, true, {})) {
     touches.push_back(touch_of(surface, pair));
     touches.back().penetration = pair.offset;
     deepest = std::max(deepest, pair.offset);

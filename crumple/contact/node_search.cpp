@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact/crossing.hpp"
+#include "contact/solid_overlaps.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -62,25 +63,6 @@ bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
          hold(other.segment, view_.nearest_point(view_.now.shape(other.segment), p_), &other) == 0;
 }
 
-/// False if the solids at the node turn their faces away from one with that normal, or stand upright to it:
-/// the node of a plate does not enter the side of a block that slides over it, be the lower rim of the block
-/// a little below the plate's face or not. Nodes of shells and nodes alone meet everything.
-bool NodeSearch::meets(const Vec3& normal) const {
-  constexpr double opposed = 0.2;  // sine of the angle from upright on
-  constexpr double pointed = 0.5;  // mean of the normals below which the node is a tip
-  Vec3 sum;
-  const auto around = surface_.topology.at_node(place_);
-  if (around.empty()) return true;
-  for (const Index own : around) {
-    if (surface_.of_solid[own] == 0) return true;
-    const Vec3 outward = normalised(area_normal(view_.now.shape(own)));
-    if (dot(outward, normal) < -opposed) return true;
-    sum += outward;
-  }
-  const double size = norm(sum);
-  return size < pointed * static_cast<double>(around.size()) || dot(sum, normal) < -opposed * size;
-}
-
 /// True if the solid's surface goes on beyond the rim of a face, bent by less than 60 degrees, in a face that
 /// has the node right behind it: that one takes the contact over at once, as on a shell.
 bool NodeSearch::goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const {
@@ -115,7 +97,7 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
   const Vec3 normal = normalised(area_normal(view_.now.shape(segment)));
   const double depth = -dot(away, normal);
   const bool inside = memory != nullptr && memory->wrong != 0;
-  if (depth > 0 && !inside && !meets(normal)) return 0;
+  if (depth > 0 && !inside && !may_enter(view_.now, place_, normal)) return 0;
   if (nearest_of_all) return 1;
   if (depth <= 0) return 0;
   const double beyond = norm(away + depth * normal);
@@ -148,6 +130,8 @@ void NodeSearch::measure_faces() {
 /// on the far side of a thin one: then no other face is nearer.
 bool NodeSearch::starts_inside(Index segment, double distance) const {
   if (!view_.tracking || surface_.behind_has(segment, node_)) return false;
+  const auto deep = std::ranges::lower_bound(view_.deep, place_, {}, &DeepPair::node);
+  if (deep != view_.deep.end() && deep->node == place_) return deep->segment == segment;
   constexpr double equally_near = 1 + 1e-9;
   return distance <= on_face(segment) ||
          (distance <= equally_near * nearest_face_ && distance < surface_.height[segment]);

@@ -9,6 +9,7 @@
 #include "contact/global_search.hpp"
 #include "contact/inside_outside.hpp"
 #include "contact/nearest_point_kernel.hpp"
+#include "contact/solid_overlaps.hpp"
 
 namespace crumple::contact {
 
@@ -18,8 +19,9 @@ struct StepView {
   SurfaceAt reference;  ///< positions at time zero
   GlobalSearch* candidates = nullptr;
   NearestPointKernel nearest_point = nullptr;
-  double step = 0;        ///< from n-1 to n [time]
-  bool tracking = false;  ///< allow the penetrations that there are
+  double step = 0;                 ///< from n-1 to n [time]
+  std::span<const DeepPair> deep;  ///< nodes that start deep inside of solids, ascending; while tracking
+  bool tracking = false;           ///< allow the penetrations that there are
 };
 
 /// The local search of one node.
@@ -45,7 +47,6 @@ class NodeSearch {
   void carry_on(ContactPair& pair, std::span<const ContactPair> present);
   bool came_from(const RememberedPair& other, Index segment) const;
   double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
-  bool meets(const Vec3& normal) const;
   bool goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const;
   double on_face(Index segment) const;
   bool enters_once(const ContactPair& a, const ContactPair& b) const;

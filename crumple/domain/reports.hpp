@@ -45,9 +45,11 @@ struct ContactInspection {
   Index intersections = 0;   ///< pairs of segments whose mid-surfaces cut through each other
   UserId first_segment = 0;  ///< the first such pair
   UserId second_segment = 0;
-  Index nodes_beyond = 0;    ///< pairs in contact whose node is on or beyond the mid-surface
-  double largest_depth = 0;  ///< penetration over the depth at which the mid-surface is reached [-]
-  double percentile_99 = 0;  ///< the same; 99 % of the pairs are at most this deep [-]
+  Index nodes_in_solids = 0;  ///< nodes deep inside of solids that have no contact there
+  UserId node_in_solid = 0;   ///< the first such node
+  Index nodes_beyond = 0;     ///< pairs in contact whose node is on or beyond the mid-surface
+  double largest_depth = 0;   ///< penetration over the depth at which the mid-surface is reached [-]
+  double percentile_99 = 0;   ///< the same; 99 % of the pairs are at most this deep [-]
 };
 
 /// A node that was nearer to a segment than the contact distance when the contact began.

@@ -154,6 +154,8 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
     if (!contact.inspection.made) continue;
     checks.push_back(make_check(fmt::format("mid-surface intersections, contact {}", contact.id),
                                 contact.inspection.intersections, 0, "crumple"));
+    checks.push_back(make_check(fmt::format("nodes in solids without contact, contact {}", contact.id),
+                                contact.inspection.nodes_in_solids, 0, "crumple"));
     checks.push_back(make_check(fmt::format("nodes on or beyond a mid-surface, contact {}", contact.id),
                                 contact.inspection.nodes_beyond, 0, "crumple"));
   }

@@ -63,5 +63,29 @@ TEST_F(Attacks, ABallThatMeetsAPlateSquarelyReboundsSquarely) {
   EXPECT_NEAR(last("ball_bounce/matsum.csv", "vz", 1), 10, 0.01);
 }
 
+/// Coincident layers of nodes, and layers half way between: listed, held where they are, pushed where they close.
+TEST_F(Attacks, BlocksThatOverlapDeeplyAreListedAndHeld) {
+  const nlohmann::json at_rest = survive("blocks_in_each_other");
+  EXPECT_EQ(at_rest["contact"][0]["initial_penetrations"], 18);
+  EXPECT_EQ(last("blocks_in_each_other/glstat.csv", "total"), 0);
+  const nlohmann::json closing = survive("blocks_in_each_other_closing");
+  EXPECT_GT(closing["contact"][0]["initial_penetrations"], 0);
+  // Equal masses change their velocities.
+  EXPECT_LT(last("blocks_in_each_other_closing/matsum.csv", "vz", 1), -3.5);
+  EXPECT_LT(std::fabs(last("blocks_in_each_other_closing/matsum.csv", "vx", 1)), 0.05);
+  // They still overlap, and the check says so.
+  EXPECT_GT(value(closing, "mid-surface intersections"), 0);
+}
+
+TEST_F(Attacks, CrossedEdgesOfCubesAndShellsRebound) {
+  for (const char* name : {"cube_edges", "shell_edges"}) {
+    const nlohmann::json record = survive(name);
+    EXPECT_EQ(value(record, "mid-surface intersections"), 0) << name;
+    EXPECT_EQ(value(record, "negative contact energy"), 0) << name;
+    const std::string parts = std::string(name) + "/matsum.csv";
+    EXPECT_GT(last(parts, "vz", 1) - last(parts, "vz"), 10) << name;
+  }
+}
+
 }  // namespace
 }  // namespace crumple::app::attacks_test
