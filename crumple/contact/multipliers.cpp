@@ -63,6 +63,15 @@ Multipliers::Unknown Multipliers::prepare(const Touch& touch) const {
   for (int axis = 0; axis < 3; ++axis)
     unknown.compliance += touch.normal[axis] * touch.normal[axis] * sum[axis];
   unknown.tangential_compliance = std::max({sum.x, sum.y, sum.z});
+  // Where the contact point is at a node that cannot move, the others would have to go any distance for it.
+  constexpr double most_leverage = 10;
+  double largest = 0;
+  for (int i = 0; i < touch.nodes; ++i) {
+    const Vec3& own = compliance_[touch.place[i]];
+    largest = std::max(largest, std::fabs(touch.weight[i]) * std::max({own.x, own.y, own.z}));
+  }
+  if (largest > most_leverage * unknown.tangential_compliance)
+    unknown.compliance = unknown.tangential_compliance = 0;
   const Vec3 slip = touch.slip - dot(touch.slip, touch.normal) * touch.normal;
   unknown.friction = contact_.dynamic_friction + (contact_.static_friction - contact_.dynamic_friction) *
                                                      decay(contact_.friction_decay * norm(slip) / step_);

@@ -127,6 +127,16 @@ void measure_nodes(Surface& surface) {
     if (of_faces[i] > 0) surface.node_stiffness[i] = std::min(surface.node_stiffness[i], of_faces[i]);
 }
 
+void collect_welds(const model::Model& model, const domain::NodeFields& nodes, Surface& surface) {
+  if (model.spot_welds.empty()) return;
+  surface.node_weld.assign(surface.nodes.size(), no_index);
+  for (std::size_t i = 0; i < model.spot_welds.size(); ++i)
+    for (const Index node : model.spot_welds[i].nodes) {
+      const Index place = surface.place[nodes.domain_node[node]];
+      if (place != no_index) surface.node_weld[place] = static_cast<Index>(i);
+    }
+}
+
 void collect_bodies(const domain::Domain& domain, Surface& surface) {
   surface.node_body.assign(surface.nodes.size(), no_index);
   surface.segment_body.assign(surface.segment_id.size(), no_index);
@@ -181,6 +191,39 @@ class Alive {
   std::vector<Index> active_;  ///< component of the state, by block
 };
 
+/// True if welds have broken since the last look.
+bool release_broken_welds(const domain::Domain& domain, Surface& surface) {
+  if (surface.node_weld.empty()) return false;
+  const auto broken = static_cast<Index>(std::ranges::count_if(domain.welds, &domain::WeldReport::broken));
+  if (broken == surface.broken_welds) return false;
+  surface.broken_welds = broken;
+  for (Index& weld : surface.node_weld)
+    if (weld != no_index && domain.welds[weld].broken) weld = no_index;
+  return true;
+}
+
+bool follow_eroded_elements(Surface& surface, const domain::Domain& domain) {
+  Index eroded = 0;
+  for (const domain::ShellBlock& block : domain.shells) eroded += block.eroded;
+  for (const domain::SolidBlock& block : domain.solids) eroded += block.eroded;
+  for (const domain::BeamBlock& block : domain.beams) eroded += block.eroded;
+  if (eroded == surface.eroded) return false;
+  surface.eroded = eroded;
+  const Alive alive(domain);
+  bool changed = false;
+  for (Index s = 0; s < surface.segments(); ++s) {
+    const bool hidden = surface.ahead[s].exists() && alive(surface.ahead[s]);
+    const std::uint8_t active = alive(surface.behind[s]) && !hidden ? 1 : 0;
+    changed = changed || active != surface.active[s];
+    surface.active[s] = active;
+  }
+  for (const SurfaceBeam& beam : surface.beams) changed = changed || !alive(beam.place);
+  if (!changed) return false;
+  use_beams(alive, surface);
+  follow_active(surface);
+  return true;
+}
+
 }  // namespace
 
 Surface build_surface(const model::Model& model, const domain::Domain& domain,
@@ -202,6 +245,7 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
                 "nothing that could touch.");
   surface.mean_edge = surface.segments() > 0 ? collector.mean_edge() : mean_length(beams, domain.nodes);
   collect_bodies(domain, surface);
+  collect_welds(model, domain.nodes, surface);
   measure_lone_nodes(model, domain.nodes, contact, surface);
   add_beams(beams, surface);
   follow_active(surface);
@@ -211,25 +255,8 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
 }
 
 bool follow_erosion(Surface& surface, const domain::Domain& domain) {
-  Index eroded = 0;
-  for (const domain::ShellBlock& block : domain.shells) eroded += block.eroded;
-  for (const domain::SolidBlock& block : domain.solids) eroded += block.eroded;
-  for (const domain::BeamBlock& block : domain.beams) eroded += block.eroded;
-  if (eroded == surface.eroded) return false;
-  surface.eroded = eroded;
-  const Alive alive(domain);
-  bool changed = false;
-  for (Index s = 0; s < surface.segments(); ++s) {
-    const bool hidden = surface.ahead[s].exists() && alive(surface.ahead[s]);
-    const std::uint8_t active = alive(surface.behind[s]) && !hidden ? 1 : 0;
-    changed = changed || active != surface.active[s];
-    surface.active[s] = active;
-  }
-  for (const SurfaceBeam& beam : surface.beams) changed = changed || !alive(beam.place);
-  if (!changed) return false;
-  use_beams(alive, surface);
-  follow_active(surface);
-  return true;
+  const bool released = release_broken_welds(domain, surface);
+  return follow_eroded_elements(surface, domain) || released;
 }
 
 }  // namespace crumple::contact

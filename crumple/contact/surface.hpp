@@ -67,8 +67,11 @@ struct Surface {
   std::vector<ElementPlace> ahead;   ///< the element that hides it as long as it has not eroded
   std::vector<std::uint8_t> active;  ///< 1 if the element behind is there and the one ahead is not
   std::vector<Index> segment_body;   ///< rigid body that has all nodes of the segment, or no_index
-  bool some_inactive = false;        ///< there are segments or nodes that touch nothing now
-  Index eroded = 0;                  ///< elements of the model that had failed at the last look
+  std::vector<Index>
+      node_weld;           ///< spot weld that holds the node now, by place, or no_index; empty without welds
+  Index broken_welds = 0;  ///< at the last look
+  bool some_inactive = false;  ///< there are segments or nodes that touch nothing now
+  Index eroded = 0;            ///< elements of the model that had failed at the last look
 
   double mean_edge = 0;               ///< over all segments [length]
   double largest_half_thickness = 0;  ///< [length]
@@ -103,10 +106,19 @@ struct Surface {
   bool on_touching_sides(Index node_place, Index s) const {
     return (node_side[node_place] & touched_by[s]) != 0;
   }
-  /// True if, besides, they are not of one rigid body, which never moves against itself.
+  /// True if a weld holds the node and one of the segment's: it keeps them at their distance, while the rest
+  /// of the segment turns about the partner.
+  bool welded(Index node_place, Index s) const {
+    if (node_weld.empty() || node_weld[node_place] == no_index) return false;
+    const Index* own = segment(s);
+    return std::any_of(own, own + 4,
+                       [&](Index node) { return node_weld[place[node]] == node_weld[node_place]; });
+  }
+  /// True if, besides, they are not of one rigid body, which never moves against itself, nor welded.
   bool may_touch(Index node_place, Index s) const {
     return on_touching_sides(node_place, s) &&
-           (segment_body[s] == no_index || segment_body[s] != node_body[node_place]);
+           (segment_body[s] == no_index || segment_body[s] != node_body[node_place]) &&
+           !welded(node_place, s);
   }
 };
 
@@ -114,9 +126,10 @@ struct Surface {
 Surface build_surface(const model::Model& model, const domain::Domain& domain, const model::Contact& contact);
 
 /// Takes segments out whose elements have eroded since the last call, and in those that eroded ones have
-/// hidden. A segment that is out touches nothing any more, its free edges become those of its neighbours, and
-/// a node left without any segment touches nothing, either. Numbers of segments and places of nodes stay as
-/// they are. False if there was nothing to do, which costs next to nothing.
+/// hidden; nodes whose weld has broken may touch their partners' segments from then on. A segment that is out
+/// touches nothing any more, its free edges become those of its neighbours, and a node left without any
+/// segment touches nothing, either. Numbers of segments and places of nodes stay as they are. False if there
+/// was nothing to do, which costs next to nothing.
 bool follow_erosion(Surface& surface, const domain::Domain& domain);
 
 }  // namespace crumple::contact

@@ -63,7 +63,8 @@ TEST_F(Attacks, ABallThatMeetsAPlateSquarelyReboundsSquarely) {
   EXPECT_NEAR(last("ball_bounce/matsum.csv", "vz", 1), 10, 0.01);
 }
 
-/// Coincident layers of nodes, and layers half way between: listed, held where they are, pushed where they close.
+/// Coincident layers of nodes, and layers half way between: listed, held where they are, pushed where they
+/// close.
 TEST_F(Attacks, BlocksThatOverlapDeeplyAreListedAndHeld) {
   const nlohmann::json at_rest = survive("blocks_in_each_other");
   EXPECT_EQ(at_rest["contact"][0]["initial_penetrations"], 18);

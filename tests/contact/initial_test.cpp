@@ -49,6 +49,29 @@ TEST(InitialPenetration, GivesNoForceAndIsReported) {
   EXPECT_EQ(touching.statistics().worst_initial_node, scene.bodies.model.nodes.id[scene.tip]);
 }
 
+// A weld keeps the tip at its distance from a node of the sheet, while the sheet turns about it.
+TEST(InitialPenetration, WeldedNodesDoNotTouchTheirPartnersSegmentsUntilTheWeldBreaks) {
+  TipAt scene(0.15);
+  constexpr Index middle_of_sheet = 4;
+  scene.bodies.model.nodes.position[middle_of_sheet] = {0.4, 0.3, 0};
+  model::SpotWeld weld;
+  weld.id = 1;
+  weld.nodes = {scene.tip, middle_of_sheet};
+  scene.bodies.model.spot_welds = {weld};
+  domain::Domain made = scene.bodies.build();
+  made.welds.push_back({.id = 1});
+  contact::Interface touching = scene.bodies.attach(made);
+  test::add_forces(touching, made);
+  scene.lift(touching, made, {0, 0, -0.08});
+  EXPECT_EQ(norm(made.contact_force[at(made, scene.tip)]), 0.0);
+  made.welds[0].broken = true;
+  // What it has come nearer meanwhile was no approach.
+  scene.lift(touching, made, {0, 0, 0.001});
+  EXPECT_EQ(norm(made.contact_force[at(made, scene.tip)]), 0.0);
+  scene.lift(touching, made, {0, 0, -0.02});
+  EXPECT_GT(made.contact_force[at(made, scene.tip)].z, 0.0);
+}
+
 TEST(InitialPenetration, ClosingFurtherPushesAndOpeningRecovers) {
   const TipAt scene(0.07);
   domain::Domain made = scene.bodies.build();
