@@ -48,6 +48,12 @@ void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
   if (!contact.initial_overlaps.empty())
     print(out, "  {} overlapped at the start, by up to {:.4g}: the contact distance is reduced there\n",
           counted(contact.initial_overlaps.size(), "pair"), contact.initial_overlaps.front().depth);
+  const domain::OverlapForces& pushed = contact.overlap_forces;
+  if (pushed.overlap_impulse > 0)
+    print(out,
+          "  pairs with a reduced contact distance carried {:.3g} % of the impulse, at most the force {:.4g} "
+          "(node {})\n",
+          100 * pushed.share(), pushed.largest, pushed.node);
   if (!seen.made) return;
   print(out,
         "  depth over that of the mid-surface: largest {:.3f}, 99th percentile {:.3f}; {} beyond it\n"

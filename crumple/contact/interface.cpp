@@ -148,6 +148,7 @@ struct Interface::Implementation {
       memory.penalty = touch.penalty;
       remembered.push_back(memory);
       if (touch.withheld > 0) note_withheld(touch, surface.segment_id[pair.segment], domain);
+      note_force(norm(touch.normal_force), pair, domain);
       if (pair.penetration() <= 0 || !pair.acts()) continue;
       const double height = surface.is_face(pair.segment) ? surface.height[pair.segment] : pair.reach;
       penetrations.push_back(
@@ -161,6 +162,17 @@ struct Interface::Implementation {
     }
     edges.remember(motion, beyond_nodes, pairs, penetrations);
     if (pinballs) pinballs->remember(motion, beyond_nodes.subspan(edges.present().size()), penetrations);
+  }
+
+  void note_force(double force, const ContactPair& pair, domain::Domain& domain) const {
+    if (force == 0) return;
+    domain::OverlapForces& found = domain.contacts[report].overlap_forces;
+    found.impulse += domain.clock.step * force;
+    if (pair.offset <= 0) return;
+    found.overlap_impulse += domain.clock.step * force;
+    if (force <= found.largest) return;
+    found.largest = force;
+    found.node = surface.node_id[pair.node];
   }
 
   void note_withheld(const Touch& touch, UserId segment, domain::Domain& domain) const {

@@ -69,6 +69,17 @@ struct WithheldForces {
   UserId segment = 0;  ///< shell, solid or edge
 };
 
+/// What pairs push whose contact distance is reduced, beside all pairs of the contact: overlaps of the start
+/// must not push.
+struct OverlapForces {
+  double impulse = 0;          ///< of all normal forces, their sizes summed [force * time]
+  double overlap_impulse = 0;  ///< of pairs with a reduced contact distance [force * time]
+  double largest = 0;          ///< the largest single force of these [force]
+  UserId node = 0;             ///< where
+
+  double share() const { return impulse > 0 ? overlap_impulse / impulse : 0; }
+};
+
 /// What a contact interface did so far.
 struct ContactReport {
   UserId id = 0;
@@ -87,6 +98,7 @@ struct ContactReport {
   math::Vec3 force{};            ///< on the first of two sides now, from the second [force]
   std::array<double, 2> mass{};  ///< of the nodes of its sides [mass]
   WithheldForces withheld{};
+  OverlapForces overlap_forces{};
   ContactInspection inspection{};
   SearchReport search{};
   ContactTimes times{};
