@@ -39,8 +39,9 @@ EdgeContact::EdgeContact(const model::Model& model, const domain::Domain& domain
       search_(edges_, surface, model.search, domain.execution.threads),
       local_(edges_, surface) {}
 
-void EdgeContact::update(const domain::Domain& domain, const Kinematics& motion, bool surface_changed) {
-  if (!exists()) return;
+double EdgeContact::update(const domain::Domain& domain, const Kinematics& motion, bool surface_changed) {
+  if (!exists()) return 0;
+  double held = 0;
   Index eroded = 0;
   for (const domain::BeamBlock& block : domain.beams) eroded += block.eroded;
   const bool changed = surface_changed || eroded != eroded_beams_;
@@ -48,10 +49,13 @@ void EdgeContact::update(const domain::Domain& domain, const Kinematics& motion,
   if (changed) {
     refresh(edges_, *surface_, domain);
     std::erase_if(remembered_, [&](const RememberedEdgePair& pair) {
-      return edges_.active[pair.key.first] == 0 || edges_.active[pair.key.second] == 0;
+      const bool gone = edges_.active[pair.key.first] == 0 || edges_.active[pair.key.second] == 0;
+      if (gone) held += pair.share * std::max(0.0, pair.penalty.energy);
+      return gone;
     });
   }
   search_.update(motion, changed);
+  return held;
 }
 
 void EdgeContact::find(const Kinematics& motion, bool tracking) {

@@ -27,8 +27,9 @@ class EdgeContact {
   EdgeContact& operator=(const EdgeContact&) = delete;
 
   bool exists() const { return edges_.count() > 0; }
-  /// Follows erosion, and searches anew where needed; see EdgeSearch.
-  void update(const domain::Domain& domain, const Kinematics& motion, bool surface_changed);
+  /// Follows erosion, and searches again where needed; see EdgeSearch. Returns what the springs of pairs held
+  /// whose edges have eroded [energy].
+  double update(const domain::Domain& domain, const Kinematics& motion, bool surface_changed);
   void verify(const Kinematics& motion) const { search_.verify(motion); }
   /// Finds the contacts at time n; see EdgeLocalSearch.
   void find(const Kinematics& motion, bool tracking);

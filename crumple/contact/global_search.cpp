@@ -125,7 +125,8 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
   travel_ = Travel(leg_of_margin * statistics_.margin, threads);
 }
 
-void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
+void GlobalSearch::update(const Kinematics& motion, bool surface_changed,
+                          std::span<const RememberedPair> remembered) {
   if (statistics_.searches > 0) {
     bool due = false;
     try {
@@ -142,7 +143,7 @@ void GlobalSearch::update(const Kinematics& motion, bool surface_changed) {
     consumed_ = travel_.length();
     if (!due && !surface_changed) return;
   }
-  search(motion, surface_changed);
+  search(motion, surface_changed, remembered);
   consumed_ = norm(step_motion(motion));
 }
 
@@ -185,16 +186,44 @@ void GlobalSearch::collect(std::span<const Vec3> position) {
       found = &search_.find(scene);
     }
     sort_by_node(*found);
+    add_kept();
     motion_.start(scene.positions, surface_->nodes);
   } catch (const cellsearch::Error& error) {
     rethrow(error, *surface_);
   }
 }
 
-void GlobalSearch::search(const Kinematics& motion, bool surface_changed) {
+/// Adds the pairs of kept_ that are not among the candidates.
+void GlobalSearch::add_kept() {
+  const auto is_listed = [&](const Pair& pair) { return listed(pair.node, pair.segment); };
+  if (std::ranges::all_of(kept_, is_listed)) return;
+  std::vector<Index> merged;
+  std::vector<std::int64_t> rows;
+  auto next = kept_.begin();
+  for (Index i = 0; i < surface_->node_count(); ++i) {
+    rows.push_back(static_cast<std::int64_t>(merged.size()));
+    const auto row = static_cast<std::ptrdiff_t>(merged.size());
+    merged.insert(merged.end(), segment_.begin() + first_[i], segment_.begin() + first_[i + 1]);
+    for (; next != kept_.end() && next->node == i; ++next)
+      if (!is_listed(*next)) merged.push_back(next->segment);
+    std::sort(merged.begin() + row, merged.end());
+  }
+  rows.push_back(static_cast<std::int64_t>(merged.size()));
+  segment_.assign(merged.begin(), merged.end());
+  first_.assign(rows.begin(), rows.end());
+}
+
+void GlobalSearch::search(const Kinematics& motion, bool surface_changed,
+                          std::span<const RememberedPair> remembered) {
   keep_distances(surface_changed);
+  kept_.clear();
+  for (const RememberedPair& pair : remembered)
+    if (pair.wrong != 0 && surface_->active[pair.segment] != 0 && surface_->bears(pair.node))
+      kept_.push_back({pair.node, pair.segment});
   swept_ = statistics_.searches > 0 ? swept_by(motion) : 0;
   collect(motion.position);
+  // From now on what starts deep behind a segment is remembered there.
+  segment_expansion_ = surface_->half_thickness;
   travel_.start(motion.position, surface_->nodes);
   safe_length_ = almost * statistics_.margin;
   measure_slack(motion);
@@ -338,6 +367,7 @@ void GlobalSearch::verify(const Kinematics& motion) {
 void GlobalSearch::declare(domain::StateList& list) {
   searched_position_.assign(motion_.reference().begin(), motion_.reference().end());
   list.add_list("contact_searched_position", "length", domain::Entity::Contact, 3, searched_position_);
+  list.keep_list("contact_kept_pairs", "by item", domain::Entity::Contact, 1, kept_);
   list.keep("contact_searched_sweep", "length", domain::Entity::Contact, swept_);
   list.keep("contact_search_statistics", "by item", domain::Entity::Contact, statistics_);
 }

@@ -13,6 +13,7 @@
 
 #include "base/index.hpp"
 #include "base/prefetch.hpp"
+#include "contact/contact_pair.hpp"
 #include "contact/inside_outside.hpp"
 #include "contact/kinematics.hpp"
 #include "contact/nearest_point_kernel.hpp"
@@ -32,9 +33,10 @@ class GlobalSearch {
   /// Throws Error for an unknown method or an expansion that does not exceed the contact distance.
   GlobalSearch(const Surface& surface, const model::SearchSettings& settings, int threads);
 
-  /// Searches anew if the candidates may no longer be complete or if the surface has changed. Throws
+  /// Searches again if the candidates may no longer be complete or if the surface has changed. Nodes that are
+  /// `remembered` behind a segment stay its candidates, however deep. Throws
   /// NumericalError if a coordinate is not a finite number.
-  void update(const Kinematics& motion, bool surface_changed);
+  void update(const Kinematics& motion, bool surface_changed, std::span<const RememberedPair> remembered);
 
   /// Places in the arrays below of the candidates of a node, segments ascending.
   std::int64_t first(Index place) const { return first_[place]; }
@@ -62,8 +64,7 @@ class GlobalSearch {
   /// there was one just now [length].
   double consumed() const { return consumed_; }
 
-  /// Expands the territory of a segment by `depth` for good: nodes that start that deep behind it stay its
-  /// candidates.
+  /// Expands the territory of a segment by `depth` in the next search: nodes that start that deep behind it.
   void reach_behind(Index segment, double depth) {
     segment_expansion_[segment] =
         std::max(segment_expansion_[segment], surface_->half_thickness[segment] + depth);
@@ -92,7 +93,8 @@ class GlobalSearch {
   void resume(const Kinematics& motion);
 
  private:
-  void search(const Kinematics& motion, bool surface_changed);
+  void search(const Kinematics& motion, bool surface_changed, std::span<const RememberedPair> remembered);
+  void add_kept();
   double swept_by(const Kinematics& motion) const;
   void collect(std::span<const Vec3> position);
   void sort_by_node(const cellsearch::Candidates& found);
@@ -120,7 +122,13 @@ class GlobalSearch {
   double common_expansion_ = 0;
   double swept_ =
       0;  ///< by which the last search expanded territories for the motion of a fast step [length]
-  std::vector<double> segment_expansion_;
+  std::vector<double> segment_expansion_;  ///< beyond what all have [length]
+  /// A node, by place, and a segment that it was behind at the last search.
+  struct Pair {
+    Index node = no_index;
+    Index segment = no_index;
+  };
+  std::vector<Pair> kept_;            ///< ascending
   cellsearch::MotionTracker motion_;  ///< of the surface's nodes, by place, since the last search
   std::vector<std::int64_t> first_;
   std::vector<Index> segment_;

@@ -67,17 +67,32 @@ struct Interface::Implementation {
     if (!acting(domain.clock.time) || motion_step >= allowed) motion_step = unlimited;
   }
 
+  /// Forgets pairs whose segment or node has eroded, and books what their springs held as eroded.
+  void drop_eroded(domain::Domain& domain) {
+    double held = 0;
+    std::erase_if(remembered, [&](const RememberedPair& pair) {
+      const bool gone = surface.active[pair.segment] == 0 || !surface.bears(pair.node);
+      if (gone) held += std::max(0.0, pair.penalty.energy);
+      return gone;
+    });
+    book_eroded(held, domain);
+  }
+
+  /// Never more than the contact holds: where edges have taken over from nodes, both remember it.
+  void book_eroded(double held, domain::Domain& domain) const {
+    domain::ContactReport& entry = domain.contacts[report];
+    const double booked = std::min(held, std::max(0.0, entry.energy));
+    entry.energy -= booked;
+    entry.eroded_energy += booked;
+  }
+
   /// Nodes that start inside of solids, however deep: their contact begins where they are.
   void find_deep(const domain::Domain& domain, const Kinematics& motion) {
     const std::vector<NodeInSolid> inside = nodes_in_solids(surface, domain);
     deep = faces_over({&surface, {motion.position.data(), motion.velocity.data(), 0}}, inside);
-    reach_deep();
+    for (const DeepPair& pair : deep) search.reach_behind(pair.segment, pair.depth);
     inside_at_start.clear();
     for (const NodeInSolid& found : inside) inside_at_start.push_back(found.node);
-  }
-
-  void reach_deep() {
-    for (const DeepPair& pair : deep) search.reach_behind(pair.segment, pair.depth);
   }
 
   /// Nodes in solids now that neither started there nor have a contact that knows of it.
@@ -204,15 +219,13 @@ struct Interface::Implementation {
     {
       const StageTimer timer(domain.times.contact_search, &domain.contacts[report].times.search);
       const bool changed = follow_erosion(surface, domain);
-      if (changed)
-        std::erase_if(remembered,
-                      [&](const RememberedPair& pair) { return surface.active[pair.segment] == 0; });
+      if (changed) drop_eroded(domain);
       if (pinballs) {
         pinballs->update(motion, changed);
       } else {
         if (started == 0) find_deep(domain, motion);
-        search.update(motion, changed);
-        edges.update(domain, motion, changed);
+        search.update(motion, changed, remembered);
+        book_eroded(edges.update(domain, motion, changed), domain);
       }
       if (verify_cycles > 0 && domain.clock.cycle % verify_cycles == 0) verify(motion);
     }
@@ -416,7 +429,6 @@ void Interface::declare(domain::StateList& list) {
   own.forces.declare(list);
   list.add_list("contact_pairs", "by item", domain::Entity::Contact, 1, own.remembered);
   list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
-  list.keep_list("contact_deep_pairs", "by item", domain::Entity::Contact, 1, own.deep);
   list.keep_list("contact_inside_at_start", "-", domain::Entity::Contact, 1, own.inside_at_start);
   list.keep("contact_motion_step", "time", domain::Entity::Contact, own.motion_step);
   list.keep("contact_stored_energy", "energy", domain::Entity::Contact, own.stored_energy);
@@ -434,7 +446,6 @@ void Interface::resume(const domain::Domain& domain) {
     own.pinballs->resume(motion);
     return;
   }
-  own.reach_deep();
   own.search.resume(motion);
   own.edges.resume(domain, motion);
 }

@@ -94,17 +94,20 @@ std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
   const auto append = [&](const Vec3& a) { points.insert(points.end(), {a.x, a.y, a.z}); };
   for (const Vec3& a : position) append(a);
   double largest_radius = 0;
+  std::vector<Index> centres;
   for (Index s = 0; s < surface.segments(); ++s) {
     const SegmentShape shape = shape_of(surface, x, s);
     append(shape.centre);
+    // Eroded ones may reach through the whole model.
+    if (surface.active[s] == 0) continue;
     largest_radius = std::max(largest_radius, radius(shape));
+    centres.push_back(static_cast<Index>(position.size()) + s);
   }
-  std::vector<Index> centres(surface.segments());
-  std::iota(centres.begin(), centres.end(), static_cast<Index>(position.size()));
 
   cellsearch::Scene scene;
   scene.positions = cellsearch::Positions(points);
   scene.segments = cellsearch::Segments(surface.connectivity);
+  scene.segment_active = surface.active;
   scene.expansion = largest_radius;
   scene.nodes = std::span<const cellsearch::Index>(centres);
   cellsearch::Settings settings;
@@ -115,8 +118,7 @@ std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
   std::vector<std::array<Index, 2>> found;
   for (Index s = 0; s < near.segments(); ++s)
     for (const Index centre : near.of(s)) {
-      const Index other = centre - centres.front();
-      if (surface.active[s] == 0 || surface.active[other] == 0) continue;
+      const Index other = centre - static_cast<Index>(position.size());
       if (other > s && (cuts(surface, x, s, other) || cuts(surface, x, other, s)))
         found.push_back({s, other});
     }

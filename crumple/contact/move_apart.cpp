@@ -44,7 +44,7 @@ double move_once(const model::Model& model, const model::Contact& contact, domai
   // All rests, so that the predicted places are the present ones.
   const Kinematics at_rest = multipliers.predict(domain, 1, 1);
   GlobalSearch search(surface, model.search, domain.execution.threads);
-  search.update(at_rest, false);
+  search.update(at_rest, false, {});
   LocalSearch local(surface);
   std::vector<Touch> touches;
   double deepest = 0;

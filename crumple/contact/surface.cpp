@@ -2,6 +2,7 @@
 #include "contact/surface.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -191,6 +192,28 @@ class Alive {
   std::vector<Index> active_;  ///< component of the state, by block
 };
 
+/// Faces of solids in a plane whose nodes are all held along its normal, but not altogether, are on a plane
+/// of symmetry: nothing comes from beyond it. They stay in the mesh, as the rims of their neighbours would
+/// become free edges without them.
+void leave_symmetry_planes_alone(const domain::NodeFields& nodes, Surface& surface) {
+  constexpr double along_axis = 0.999;
+  for (Index s = 0; s < surface.segments(); ++s) {
+    if (surface.of_solid[s] == 0) continue;
+    const Index* own = surface.segment(s);
+    const Vec3 across = cross(nodes.reference[own[2]] - nodes.reference[own[0]],
+                              nodes.reference[own[3]] - nodes.reference[own[1]]);
+    const auto held = [&](Index node, int axis) {
+      return (nodes.fixed[node] & domain::fixed_translation(axis)) != 0;
+    };
+    const bool all_fixed = std::all_of(
+        own, own + 4, [&](Index node) { return held(node, 0) && held(node, 1) && held(node, 2); });
+    for (int axis = 0; axis < 3 && !all_fixed; ++axis)
+      if (std::fabs(across[axis]) > along_axis * norm(across) &&
+          std::all_of(own, own + 4, [&](Index node) { return held(node, axis); }))
+        surface.touched_by[s] = 0;
+  }
+}
+
 /// True if welds have broken since the last look.
 bool release_broken_welds(const domain::Domain& domain, Surface& surface) {
   if (surface.node_weld.empty()) return false;
@@ -246,6 +269,7 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
   surface.mean_edge = surface.segments() > 0 ? collector.mean_edge() : mean_length(beams, domain.nodes);
   collect_bodies(domain, surface);
   collect_welds(model, domain.nodes, surface);
+  if (contact.symmetry_planes) leave_symmetry_planes_alone(domain.nodes, surface);
   measure_lone_nodes(model, domain.nodes, contact, surface);
   add_beams(beams, surface);
   follow_active(surface);

@@ -75,7 +75,7 @@ constexpr Field contact_card_3[] = {
 
 // Of contact with erosion: what erosion exposes takes part anyway.
 constexpr Field contact_card_4[] = {
-    only("ISYM", {0}, "symmetry planes are not known to contact"),
+    only("ISYM", {0, 1}, "1 leaves out faces of solids on planes of symmetry"),
     unused("EROSOP"),
     unused("IADJ"),
 };
@@ -108,7 +108,7 @@ constexpr Field contact_card_b[] = {
     only("THKOPT", {0, 1, 2}, "0 takes SHLTHK of *CONTROL_CONTACT, 1 that beside it, 2 is no thickness"),
     only("SHLTHK", {0, 1, 2}, "0 leaves out the thickness of shells, 1 that of rigid ones"),
     harmless("SNLOG", {0}, "node release logic is built in"),
-    only("ISYM", {0}, "symmetry planes are not known to contact"),
+    only("ISYM", {0, 1}, "1 leaves out faces of solids on planes of symmetry"),
     unused("I2D3D"),
     real("SLDTHK", 0, not_negative),
     real("SLDSTF", 0, not_negative),
@@ -231,6 +231,7 @@ void read_optional_cards(Cards& cards, RawContact& raw) {
   const Card thickness = cards.next(contact_card_b);
   raw.contact.release_depth = thickness.real("PENMAX");
   raw.contact.solid_thickness = thickness.real("SLDTHK");
+  raw.contact.symmetry_planes |= thickness.real("ISYM") == 1;
   raw.contact.solid_modulus = thickness.real("SLDSTF");
   raw.takes_own_thickness_option = thickness.real("THKOPT") > 0;
   if (thickness.real("THKOPT") == 1) raw.thickness_option = static_cast<int>(thickness.real("SHLTHK"));
@@ -263,7 +264,7 @@ void read(Cards& cards, RawDeck& deck, const Form& form) {
   raw.side[0] = side_of(first, first_fields);
   raw.contact.side[0].node_forces = first.integer(first_fields.node_forces) > 0;
   read_forces(cards, form, raw.contact);
-  if (form.eroding) cards.next(contact_card_4);
+  if (form.eroding) raw.contact.symmetry_planes = cards.next(contact_card_4).real("ISYM") == 1;
   if (form.constrains) {
     raw.contact.enforcement = model::Enforcement::Multipliers;
     cards.next(contact_card_4_constraint);

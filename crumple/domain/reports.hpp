@@ -83,16 +83,18 @@ struct OverlapForces {
 /// What a contact interface did so far.
 struct ContactReport {
   UserId id = 0;
-  std::string method{};                            ///< of the global search
-  Index segments = 0;                              ///< shells and faces of solids that take part
-  long searches = 0;                               ///< global searches
-  long candidates = 0;                             ///< candidate pairs of all searches together
-  Index active_pairs = 0;                          ///< node-segment pairs with a force, now
-  double penetration = 0;                          ///< largest now [length]
-  double worst_penetration = 0;                    ///< largest of the run [length]
-  UserId worst_node = 0;                           ///< where that was
-  double energy = 0;                               ///< normal: stored and dissipated [energy]
-  double friction_energy = 0;                      ///< dissipated [energy]
+  std::string method{};          ///< of the global search
+  Index segments = 0;            ///< shells and faces of solids that take part
+  long searches = 0;             ///< global searches
+  long candidates = 0;           ///< candidate pairs of all searches together
+  Index active_pairs = 0;        ///< node-segment pairs with a force, now
+  double penetration = 0;        ///< largest now [length]
+  double worst_penetration = 0;  ///< largest of the run [length]
+  UserId worst_node = 0;         ///< where that was
+  double energy = 0;             ///< normal: stored and dissipated [energy]
+  double friction_energy = 0;    ///< dissipated [energy]
+  double eroded_energy =
+      0;  ///< held by pairs when their segment or node eroded, taken from `energy` [energy]
   std::vector<InitialOverlap> initial_overlaps{};  ///< the deepest first; their contact distance is reduced
   bool two_sided = false;
   math::Vec3 force{};            ///< on the first of two sides now, from the second [force]

@@ -58,7 +58,8 @@ struct Contact {
   Enforcement enforcement = Enforcement::Penalty;
   bool oriented =
       false;  ///< shells have an outside, too: the side of their normal; nodes behind are pushed there
-  bool shell_thickness = true;        ///< deformable shells have their thickness, else none
+  bool symmetry_planes = false;  ///< faces of solids whose nodes are held along their normal do not touch
+  bool shell_thickness = true;   ///< deformable shells have their thickness, else none
   bool rigid_shell_thickness = true;  ///< the same of shells of rigid parts
   std::array<ContactSide, 2> side;
   ContactEdges edges = ContactEdges::None;

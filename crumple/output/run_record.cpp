@@ -74,6 +74,7 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
                       {"segment", contact.withheld.segment}}},
                     {"energy", contact.energy},
                     {"friction_energy", contact.friction_energy},
+                    {"eroded_energy", contact.eroded_energy},
                     {"search", search_of(contact.search)},
                     {"timings",
                      {{"search", contact.times.search},

@@ -187,6 +187,7 @@ void Simulation::balance() {
   for (const domain::ContactReport& contact : domain_.contacts) {
     energy.contact += contact.energy;
     energy.friction += contact.friction_energy;
+    energy.eroded += contact.eroded_energy;
   }
   for (const domain::Tie& tie : domain_.ties) energy.contact += tie.energy;
   for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;

@@ -112,7 +112,7 @@ TEST(Search, VerificationNoticesAMissedPair) {
   domain::Domain made = bodies.build();
   const contact::Surface surface = contact::build_surface(bodies.model, made, bodies.contact);
   contact::GlobalSearch search(surface, bodies.model.search, 1);
-  search.update(contact::present(made), false);
+  search.update(contact::present(made), false, {});
   EXPECT_NO_THROW(search.verify(contact::present(made)));
   // Moved behind the back of the search: the upper sheet goes a full length to the side.
   for (Vec3& x : made.nodes.position)
