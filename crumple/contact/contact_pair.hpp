@@ -40,18 +40,19 @@ struct ContactPair {
   std::int16_t wrong = 0;
   std::int16_t let_go = 0;
   std::array<double, 4> weight{};
-  Vec3 point;             ///< contact point, sum of weight[i] x[i] [length]
-  Vec3 normal;            ///< unit vector in which the node is pushed
-  double gap = 0;         ///< distance from the mid-surface, negative on the wrong side [length]
-  double reach = 0;       ///< distance at which contact begins, offset deducted [length]
-  double offset = 0;      ///< [length]
-  double share = 1;       ///< of the force; below 1 in a concave ridge that is almost flat
-  double fade = 1;        ///< part of that which acts where an edge takes over
-  Vec3 slip;              ///< movement of the contact point over the surface since the last step [length]
-  Vec3 friction;          ///< friction force of the last step, turned with the segment [force]
-  Frame frame;            ///< of the segment, where friction has needed it
-  PenaltyMemory penalty;  ///< of the last step
-  double last_speed = 0;  ///< now, of the points of the last step along the normal of then [length/time]
+  Vec3 point;                ///< contact point, sum of weight[i] x[i] [length]
+  Vec3 normal;               ///< unit vector in which the node is pushed
+  double gap = 0;            ///< distance from the mid-surface, negative on the wrong side [length]
+  double reach = 0;          ///< distance at which contact begins, offset deducted [length]
+  double offset = 0;         ///< [length]
+  double share = 1;          ///< of the force; below 1 in a concave ridge that is almost flat
+  double fade = 1;           ///< part of that which acts where an edge takes over
+  Vec3 slip;                 ///< movement of the contact point over the surface since the last step [length]
+  Vec3 friction;             ///< friction force of the last step, turned with the segment [force]
+  Frame frame;               ///< of the segment, where friction has needed it
+  PenaltyMemory penalty;     ///< of the last step
+  Index heir_of = no_index;  ///< segment of the remembered pair that it continues
+  double last_speed = 0;     ///< now, of the points of the last step along the normal of then [length/time]
 
   double penetration() const { return reach - gap; }
   bool acts() const { return share * fade > 0; }

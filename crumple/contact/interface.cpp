@@ -39,6 +39,7 @@ struct Interface::Implementation {
         method(model.search.method),
         step_scale(model.control.step_scale),
         report(place) {
+    active_before = surface.active;
     if (model.search.local != model::LocalSearchKind::Pinballs) return;
     if (contact.enforcement == model::Enforcement::Multipliers)
       throw Error("Lagrange multipliers need --local-search inside-outside.");
@@ -75,6 +76,43 @@ struct Interface::Implementation {
       if (gone) held += std::max(0.0, pair.penalty.energy);
       return gone;
     });
+    book_eroded(held, domain);
+  }
+
+  /// Marks the nodes of segments that have eroded or come to light.
+  void mark_ragged() {
+    ragged.resize(surface.nodes.size());
+    for (Index s = 0; s < surface.segments(); ++s)
+      if (surface.active[s] != active_before[s])
+        for (int k = 0; k < 4; ++k) ragged[surface.place[surface.segment(s)[k]]] = 1;
+    active_before = surface.active;
+  }
+
+  bool is_ragged(const RememberedPair& pair) const {
+    const Index* nodes = surface.segment(pair.segment);
+    return ragged[pair.node] != 0 ||
+           std::any_of(nodes, nodes + 4, [&](Index node) { return ragged[surface.place[node]] != 0; });
+  }
+
+  /// Books what springs held that end under load beside eroded elements: nodes slide off rims that erosion
+  /// has left, and nothing can return their energy.
+  void book_lost(std::span<const ContactPair> pairs, domain::Domain& domain) const {
+    if (ragged.empty()) return;
+    double held = 0;
+    auto at = pairs.begin();
+    for (const RememberedPair& memory : remembered) {
+      while (at != pairs.end() && at->node < memory.node) ++at;
+      if (memory.penalty.energy <= 0 || !is_ragged(memory)) continue;
+      bool goes_on = false;
+      for (auto pair = at; pair != pairs.end() && pair->node == memory.node; ++pair)
+        goes_on = goes_on || (pair->heir_of == memory.segment && pair->penetration() > 0);
+      if (goes_on) continue;
+      Vec3 relative = domain.nodes.velocity[surface.nodes[memory.node]];
+      for (int k = 0; k < 4; ++k)
+        relative -= memory.weight[k] * domain.nodes.velocity[surface.segment(memory.segment)[k]];
+      const double returned = 0.5 * domain.clock.step * memory.penalty.force * dot(relative, memory.normal);
+      held += std::max(0.0, memory.penalty.energy - returned);
+    }
     book_eroded(held, domain);
   }
 
@@ -219,6 +257,7 @@ struct Interface::Implementation {
     {
       const StageTimer timer(domain.times.contact_search, &domain.contacts[report].times.search);
       const bool changed = follow_erosion(surface, domain);
+      if (changed) mark_ragged();
       if (changed) drop_eroded(domain);
       if (pinballs) {
         pinballs->update(motion, changed);
@@ -235,6 +274,7 @@ struct Interface::Implementation {
       pinballs->find(motion, started == 0);
     } else {
       pairs = local.find(motion, search, remembered, started == 0, deep);
+      book_lost(pairs, domain);
       edges.find(motion, started == 0);
       edges.relieve(pairs);
     }
@@ -372,7 +412,9 @@ struct Interface::Implementation {
   std::vector<Touch> touches;
   std::vector<RememberedPair> remembered;
   std::vector<Penetration> penetrations;
-  std::vector<DeepPair> deep;          ///< at the start, ascending
+  std::vector<DeepPair> deep;               ///< at the start, ascending
+  std::vector<std::uint8_t> active_before;  ///< Surface::active at the last look
+  std::vector<std::uint8_t> ragged;  ///< 1 for places at segments that eroded or came to light; empty without
   std::vector<Index> inside_at_start;  ///< places of nodes in solids, ascending
   ContactStatistics statistics;
 };
@@ -429,6 +471,7 @@ void Interface::declare(domain::StateList& list) {
   own.forces.declare(list);
   list.add_list("contact_pairs", "by item", domain::Entity::Contact, 1, own.remembered);
   list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
+  list.keep_list("contact_ragged", "-", domain::Entity::Contact, 1, own.ragged);
   list.keep_list("contact_inside_at_start", "-", domain::Entity::Contact, 1, own.inside_at_start);
   list.keep("contact_motion_step", "time", domain::Entity::Contact, own.motion_step);
   list.keep("contact_stored_energy", "energy", domain::Entity::Contact, own.stored_energy);
@@ -442,6 +485,7 @@ void Interface::resume(const domain::Domain& domain) {
   if (own.started == 0) return;
   const Kinematics motion = present(domain);
   follow_erosion(own.surface, domain);
+  own.active_before = own.surface.active;
   if (own.pinballs) {
     own.pinballs->resume(motion);
     return;

@@ -358,6 +358,7 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
     if (from->segment == pair.segment) pair.frame = frame;
   }
   pair.penalty = from->penalty;
+  pair.heir_of = from->segment;
   const Vec3* v = view_.now.x.velocity;
   Vec3 relative = v[node_];
   for (int k = 0; k < 4; ++k) relative -= from->weight[k] * v[surface_.segment(from->segment)[k]];
@@ -365,7 +366,10 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
   if (from->segment == pair.segment) return;
   // What the spring holds goes to one successor only.
   const std::uint64_t bit = std::uint64_t{1} << std::min<std::ptrdiff_t>(63, from - remembered_.data());
-  if ((handed_on_ & bit) != 0) pair.penalty.force = pair.penalty.energy = pair.penalty.most_energy = 0;
+  if ((handed_on_ & bit) != 0) {
+    pair.penalty.force = pair.penalty.energy = pair.penalty.most_energy = 0;
+    pair.heir_of = no_index;
+  }
   handed_on_ |= bit;
 }
 
