@@ -256,7 +256,7 @@ bool Forces::evaluate(const domain::Domain& domain, Touch& touch) const {
 double Forces::passive_spring_force(const domain::NodeFields& nodes, const PenaltyMemory& before,
                                     Touch& touch, const Spring& spring) const {
   const auto& [wanted, inverse, step, last_step] = spring;
-  constexpr double tolerance = 0.02;  // of the largest energy, as normals rotate within a step
+  constexpr double tolerance = 5e-4;  // of the largest energy, as normals rotate within a step
   PenaltyMemory& now = touch.penalty;
   double energy = before.energy - 0.5 * last_step * before.force * touch.last_speed;
   if (before.slope_limit <= 0 && touch.starts_loaded)

@@ -101,7 +101,7 @@ CRUMPLE_INLINE SolidForces<Pack> hexahedron_forces(const SolidPlace<RealOf<Pack>
   leave_limit(place, active,
               smaller(Pack(g.volume / square_root(largest_face_squared(x))),
                       free_length(g, patterns_of_gradient(exact_volume), shear_share_of<Pack>(place))),
-              resistance.speed);
+              resistance);
   const Pack viscous_work = -resistance.mean * (Pack(place.task.step) * dilatation);
   const Pack work = multiply_add(active, kept_row<Pack>(place, solid_scratch::material_energy), viscous_work);
   keep_row(place, solid_scratch::internal_energy, Pack(work * kept_row<Pack>(place, Element::row_volume)));

@@ -135,7 +135,7 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
   // One that is inside out at a point ends the run.
   const Pack length = smaller(Pack(whole.volume / square_root(largest_face_squared(x))),
                               free_length(whole, 6, shear_share_of<Pack>(place)));
-  leave_limit(place, active, select<Pack>(narrowest > zero, length, narrowest), resistance.speed);
+  leave_limit(place, active, select<Pack>(narrowest > zero, length, narrowest), resistance);
   return nodal_forces(conjugate);
 }
 

@@ -107,12 +107,16 @@ CRUMPLE_INLINE Pack shear_share_of(const SolidPlace<RealOf<Pack>>& place) {
   return smaller(Pack(RealOf<Pack>(1)), Pack(share * (slower * slower)));
 }
 
-/// Leaves the stable step of an element: l / (Q + sqrt(Q^2 + c^2)), Q the speed of the resistance.
+/// Leaves the stable step of an element: l / (Q + sqrt(Q^2 + c^2)), Q the speed of the resistance. That is
+/// made with the third root of the volume, but damps the mode of the length l: in elements flatter than a
+/// cube, where the root is more than sqrt(3) l, Q grows in proportion.
 template <class Pack>
 CRUMPLE_INLINE void leave_limit(const SolidPlace<RealOf<Pack>>& place, const Pack& active, const Pack& length,
-                                const Pack& resistance_speed) {
+                                const Resistance<Pack>& resistance) {
   using Real = RealOf<Pack>;
   const Pack speed = wave_speed_of<Pack>(place);
+  const Pack flatness = Pack(Real(0.5773502691896258)) * (resistance.length / length);
+  const Pack resistance_speed = resistance.speed * larger(Pack(Real(1)), flatness);
   const Pack limit =
       own_item<Pack>(place, solid_state::step_scale) * length /
       (resistance_speed + square_root(multiply_add(resistance_speed, resistance_speed, Pack(speed * speed))));

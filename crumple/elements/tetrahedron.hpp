@@ -72,7 +72,7 @@ CRUMPLE_INLINE SolidForces<Pack, 4> tetrahedron_forces(const SolidPlace<RealOf<P
   keep_row(place, solid_scratch::hourglass_energy, Pack(Real(0)));
   PackMatrix<Pack> stress = stress_of<Pack>(place, 0, active);
   lessen_diagonal(stress, resistance.pressure);
-  leave_limit(place, active, tetrahedron_length(area, six_volumes), resistance.speed);
+  leave_limit(place, active, tetrahedron_length(area, six_volumes), resistance);
   SolidForces<Pack, 4> force;
   for (int s = 0; s < 3; ++s) force.of[s + 1] = sixth * (stress * area.of[s]);
   force.of[0] = -(force.of[1] + (force.of[2] + force.of[3]));
