@@ -20,6 +20,7 @@
 #include "contact/motion_limit.hpp"
 #include "contact/multipliers.hpp"
 #include "contact/pinball_contact.hpp"
+#include "contact/ragged_nodes.hpp"
 #include "contact/sides.hpp"
 #include "contact/solid_overlaps.hpp"
 #include "contact/surface.hpp"
@@ -38,8 +39,8 @@ struct Interface::Implementation {
         multipliers(surface, settings),
         method(model.search.method),
         step_scale(model.control.step_scale),
-        report(place) {
-    active_before = surface.active;
+        report(place),
+        ragged(surface) {
     if (model.search.local != model::LocalSearchKind::Pinballs) return;
     if (contact.enforcement == model::Enforcement::Multipliers)
       throw Error("Lagrange multipliers need --local-search inside-outside.");
@@ -79,43 +80,6 @@ struct Interface::Implementation {
     book_eroded(held, domain);
   }
 
-  /// Marks the nodes of segments that have eroded or come to light.
-  void mark_ragged() {
-    ragged.resize(surface.nodes.size());
-    for (Index s = 0; s < surface.segments(); ++s)
-      if (surface.active[s] != active_before[s])
-        for (int k = 0; k < 4; ++k) ragged[surface.place[surface.segment(s)[k]]] = 1;
-    active_before = surface.active;
-  }
-
-  bool is_ragged(const RememberedPair& pair) const {
-    const Index* nodes = surface.segment(pair.segment);
-    return ragged[pair.node] != 0 ||
-           std::any_of(nodes, nodes + 4, [&](Index node) { return ragged[surface.place[node]] != 0; });
-  }
-
-  /// Books what springs held that end under load beside eroded elements: nodes slide off rims that erosion
-  /// has left, and nothing can return their energy.
-  void book_lost(std::span<const ContactPair> pairs, domain::Domain& domain) const {
-    if (ragged.empty()) return;
-    double held = 0;
-    auto at = pairs.begin();
-    for (const RememberedPair& memory : remembered) {
-      while (at != pairs.end() && at->node < memory.node) ++at;
-      if (memory.penalty.energy <= 0 || !is_ragged(memory)) continue;
-      bool goes_on = false;
-      for (auto pair = at; pair != pairs.end() && pair->node == memory.node; ++pair)
-        goes_on = goes_on || (pair->heir_of == memory.segment && pair->penetration() > 0);
-      if (goes_on) continue;
-      Vec3 relative = domain.nodes.velocity[surface.nodes[memory.node]];
-      for (int k = 0; k < 4; ++k)
-        relative -= memory.weight[k] * domain.nodes.velocity[surface.segment(memory.segment)[k]];
-      const double returned = 0.5 * domain.clock.step * memory.penalty.force * dot(relative, memory.normal);
-      held += std::max(0.0, memory.penalty.energy - returned);
-    }
-    book_eroded(held, domain);
-  }
-
   /// Never more than the contact holds: where edges have taken over from nodes, both remember it.
   void book_eroded(double held, domain::Domain& domain) const {
     domain::ContactReport& entry = domain.contacts[report];
@@ -131,18 +95,6 @@ struct Interface::Implementation {
     for (const DeepPair& pair : deep) search.reach_behind(pair.segment, pair.depth);
     inside_at_start.clear();
     for (const NodeInSolid& found : inside) inside_at_start.push_back(found.node);
-  }
-
-  /// Nodes in solids now that neither started there nor have a contact that knows of it.
-  void inspect_solids(const domain::Domain& domain, domain::ContactInspection& seen) const {
-    seen.nodes_in_solids = 0;
-    if (pinballs) return;
-    for (const NodeInSolid& found : nodes_in_solids(surface, domain)) {
-      const bool known = std::ranges::any_of(
-          remembered, [&](const RememberedPair& pair) { return pair.node == found.node && pair.wrong != 0; });
-      if (known || std::ranges::binary_search(inside_at_start, found.node)) continue;
-      if (seen.nodes_in_solids++ == 0) seen.node_in_solid = surface.node_id[found.node];
-    }
   }
 
   void measure_start(std::span<const ContactPair> pairs, domain::ContactReport& entry) {
@@ -257,7 +209,7 @@ struct Interface::Implementation {
     {
       const StageTimer timer(domain.times.contact_search, &domain.contacts[report].times.search);
       const bool changed = follow_erosion(surface, domain);
-      if (changed) mark_ragged();
+      if (changed) ragged.follow();
       if (changed) drop_eroded(domain);
       if (pinballs) {
         pinballs->update(motion, changed);
@@ -274,7 +226,7 @@ struct Interface::Implementation {
       pinballs->find(motion, started == 0);
     } else {
       pairs = local.find(motion, search, remembered, started == 0, deep);
-      book_lost(pairs, domain);
+      book_eroded(ragged.lost_energy(remembered, pairs, domain), domain);
       edges.find(motion, started == 0);
       edges.relieve(pairs);
     }
@@ -409,12 +361,11 @@ struct Interface::Implementation {
   long verify_cycles = 0;
   double stored_energy = 0;  ///< by the penalties now [energy]
   std::int64_t started = 0;  ///< 1 once the penetrations at the start are known
+  RaggedNodes ragged;
   std::vector<Touch> touches;
   std::vector<RememberedPair> remembered;
   std::vector<Penetration> penetrations;
-  std::vector<DeepPair> deep;               ///< at the start, ascending
-  std::vector<std::uint8_t> active_before;  ///< Surface::active at the last look
-  std::vector<std::uint8_t> ragged;  ///< 1 for places at segments that eroded or came to light; empty without
+  std::vector<DeepPair> deep;          ///< at the start, ascending
   std::vector<Index> inside_at_start;  ///< places of nodes in solids, ascending
   ContactStatistics statistics;
 };
@@ -471,7 +422,7 @@ void Interface::declare(domain::StateList& list) {
   own.forces.declare(list);
   list.add_list("contact_pairs", "by item", domain::Entity::Contact, 1, own.remembered);
   list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
-  list.keep_list("contact_ragged", "-", domain::Entity::Contact, 1, own.ragged);
+  own.ragged.declare(list);
   list.keep_list("contact_inside_at_start", "-", domain::Entity::Contact, 1, own.inside_at_start);
   list.keep("contact_motion_step", "time", domain::Entity::Contact, own.motion_step);
   list.keep("contact_stored_energy", "energy", domain::Entity::Contact, own.stored_energy);
@@ -485,7 +436,7 @@ void Interface::resume(const domain::Domain& domain) {
   if (own.started == 0) return;
   const Kinematics motion = present(domain);
   follow_erosion(own.surface, domain);
-  own.active_before = own.surface.active;
+  own.ragged.resume();
   if (own.pinballs) {
     own.pinballs->resume(motion);
     return;
@@ -507,7 +458,7 @@ void Interface::inspect(domain::Domain& domain) const {
   seen.intersections = static_cast<Index>(cut.size());
   seen.first_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[0]];
   seen.second_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[1]];
-  own.inspect_solids(domain, seen);
+  if (!own.pinballs) inspect_solids(own.surface, domain, own.remembered, own.inside_at_start, seen);
   seen.nodes_beyond = depth.beyond;
   seen.largest_depth = depth.largest;
   seen.percentile_99 = depth.percentile_99;

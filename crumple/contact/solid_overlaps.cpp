@@ -273,6 +273,18 @@ std::vector<DeepPair> faces_over(const SurfaceAt& now, const std::vector<NodeInS
   return found;
 }
 
+void inspect_solids(const Surface& surface, const domain::Domain& domain,
+                    std::span<const RememberedPair> remembered, std::span<const Index> at_start,
+                    domain::ContactInspection& seen) {
+  seen.nodes_in_solids = 0;
+  for (const NodeInSolid& found : nodes_in_solids(surface, domain)) {
+    const bool known = std::ranges::any_of(
+        remembered, [&](const RememberedPair& pair) { return pair.node == found.node && pair.wrong != 0; });
+    if (known || std::ranges::binary_search(at_start, found.node)) continue;
+    if (seen.nodes_in_solids++ == 0) seen.node_in_solid = surface.node_id[found.node];
+  }
+}
+
 bool may_enter(const SurfaceAt& now, Index place, const Vec3& normal) {
   constexpr double opposed = 0.2;  // sine of the angle from upright on
   constexpr double pointed = 0.5;  // mean of the normals below which the node is a tip

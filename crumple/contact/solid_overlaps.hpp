@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/index.hpp"
+#include "contact/contact_pair.hpp"
 #include "contact/inside_outside.hpp"
 #include "contact/surface.hpp"
 #include "domain/domain.hpp"
@@ -32,6 +34,12 @@ struct DeepPair {
 /// For each of the nodes the nearest face of the same part that has the node behind it and that the node's
 /// own faces can meet; nodes without one, or with other faces much nearer, are left out.
 std::vector<DeepPair> faces_over(const SurfaceAt& now, const std::vector<NodeInSolid>& inside);
+
+/// Counts nodes in solids now that neither are among those `at_start` (places, ascending) nor have a
+/// remembered pair that knows of it.
+void inspect_solids(const Surface& surface, const domain::Domain& domain,
+                    std::span<const RememberedPair> remembered, std::span<const Index> at_start,
+                    domain::ContactInspection& seen);
 
 /// True if a node may enter a face with that normal: one of the node's faces, or their mean, points against
 /// it; a tip, a node of a shell and a node alone may enter any. The node of a plate does not enter the side
