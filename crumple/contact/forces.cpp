@@ -104,7 +104,6 @@ Forces::Forces(const Surface& surface, const model::Contact& contact, const mode
       step_scale_(control.step_scale) {
   share_step(step_scale_);
   const std::size_t places = surface.nodes.size();
-  touches_.resize(places);
   marked_.resize(places);
   normal_.resize(places);
   friction_.resize(places);
@@ -128,9 +127,8 @@ void Forces::bound_step(const domain::Domain& domain, double bound) {
   if (share != step_share_) share_step(share);
 }
 
-void Forces::add(domain::Domain& domain, std::span<Touch> touches, domain::ContactReport& report) {
+void Forces::evaluate(const domain::Domain& domain, std::span<Touch> touches) {
   const auto count = static_cast<Index>(touches.size());
-  count_touches(touches);
   is_limited_.resize(touches.size());
   parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i) {
@@ -139,44 +137,40 @@ void Forces::add(domain::Domain& domain, std::span<Touch> touches, domain::Conta
         prefetch<false>(&domain.nodes.mass[node], 1);
         prefetch<false>(&domain.nodes.position[node], 1);
         prefetch<false>(&domain.nodes.velocity[node], 1);
-        prefetch<false>(&touches_[place], 1);
+        prefetch<false>(&domain.contact_weight[node], 1);
       });
-      is_limited_[i] = evaluate(domain, touches[i]) ? 1 : 0;
+      is_limited_[i] = evaluate_touch(domain, touches[i]) ? 1 : 0;
     }
   });
   limited_ = static_cast<Index>(std::count(is_limited_.begin(), is_limited_.end(), 1));
-  apply(domain, touches, report);
 }
 
 void Forces::apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report) {
-  scatter(touches);
+  scatter(domain, touches);
   add_work(domain, report);
   hand_over(domain);
 }
 
-/// With how much weight touches act on each node: its mass is shared out among them in that proportion when
-/// stability is judged. A touch that comes or goes at the rim of a segment so changes nothing at once.
-void Forces::count_touches(std::span<const Touch> touches) {
+void Forces::count(domain::Domain& domain, std::span<const Touch> touches) const {
   for (std::size_t t = 0; t < touches.size(); ++t) {
-    ask_after(t, touches, [&](Index place) {
-      prefetch<true>(&touches_[place], 1);
-      prefetch<false>(&surface_->nodes[place], 1);
-    });
+    ask_after(t, touches,
+              [&](Index place) { prefetch<true>(&domain.contact_weight[surface_->nodes[place]], 1); });
     const Touch& touch = touches[t];
     if (touch.penetration <= 0) continue;
-    for (int i = 0; i < touch.nodes; ++i) touches_[touch.place[i]] += lent(touch.weight[i]);
+    for (int i = 0; i < touch.nodes; ++i)
+      domain.contact_weight[surface_->nodes[touch.place[i]]] += lent(touch.weight[i]);
   }
 }
 
 /// 1/m* of the touch, each node lending its mass in proportion to the weights of the touches that act on it:
 /// a spring of stiffness k then has omega^2 <= k / m* in the assembled system (docs/theory/contact.md)
 /// [1/mass].
-double Forces::inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const {
+double Forces::inverse_mass(const domain::Domain& domain, const Touch& touch) const {
   double sum = 0;
   for (int i = 0; i < touch.nodes; ++i) {
     const double weight = touch.weight[i];
-    const Index place = touch.place[i];
-    sum += weight * weight * touches_[place] / (lent(weight) * nodes.mass[surface_->nodes[place]]);
+    const Index node = surface_->nodes[touch.place[i]];
+    sum += weight * weight * domain.contact_weight[node] / (lent(weight) * domain.nodes.mass[node]);
   }
   return sum;
 }
@@ -215,14 +209,14 @@ double Forces::stiffness(const domain::NodeFields& nodes, Touch& touch, double s
 }
 
 /// Writes the forces of a touch; true if stability limits its stiffness.
-bool Forces::evaluate(const domain::Domain& domain, Touch& touch) const {
+bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
   if (touch.penetration <= 0) {
     touch.friction = touch.normal_force = Vec3{};
     touch.penalty = {};
     return false;
   }
   const domain::NodeFields& nodes = domain.nodes;
-  const double inverse = inverse_mass(nodes, touch);
+  const double inverse = inverse_mass(domain, touch);
   const double step = judged_step(domain, step_share_);
   Vec3 relative;
   for (int i = 0; i < touch.nodes; ++i)
@@ -318,9 +312,11 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
                       has_equal_halves(touch) ? Couple::Bearing::EachHalf : Couple::Bearing::All);
   if (rough) {
     double lightest = 0;
-    for (int i = first; i < touch.nodes; ++i)
-      lightest = std::max(lightest, touches_[touch.place[i]] / (lent(touch.weight[i]) *
-                                                                nodes.mass[surface_->nodes[touch.place[i]]]));
+    for (int i = first; i < touch.nodes; ++i) {
+      const Index node = surface_->nodes[touch.place[i]];
+      lightest =
+          std::max(lightest, domain.contact_weight[node] / (lent(touch.weight[i]) * nodes.mass[node]));
+    }
     const double turning = couple.largest_square(arm) * lightest;
     const double step = judged_step(domain, step_share_);
     if (step > 0)
@@ -352,9 +348,8 @@ Vec3 Forces::friction(const Touch& touch, double normal_force, double stiffness,
   return size > capacity ? capacity / size * trial : trial;
 }
 
-/// In the order of the touches, one after another: the sums must not depend on threads. Forgets what
-/// count_touches() counted.
-void Forces::scatter(std::span<const Touch> touches) {
+/// In the order of the touches, one after another: the sums must not depend on threads.
+void Forces::scatter(domain::Domain& domain, std::span<const Touch> touches) {
   active_.clear();
   const auto is_zero = [](const Vec3& a) { return a.x == 0 && a.y == 0 && a.z == 0; };
   for (std::size_t t = 0; t < touches.size(); ++t) {
@@ -362,10 +357,10 @@ void Forces::scatter(std::span<const Touch> touches) {
       prefetch<true>(&normal_[place], 1);
       prefetch<true>(&friction_[place], 1);
       prefetch<true>(&marked_[place], 1);
-      prefetch<true>(&touches_[place], 1);
+      prefetch<true>(&domain.contact_weight[surface_->nodes[place]], 1);
     });
     const Touch& touch = touches[t];
-    for (int i = 0; i < touch.nodes; ++i) touches_[touch.place[i]] = 0;
+    for (int i = 0; i < touch.nodes; ++i) domain.contact_weight[surface_->nodes[touch.place[i]]] = 0;
     if (is_zero(touch.normal_force) && is_zero(touch.friction)) continue;
     for (int i = 0; i < touch.nodes; ++i) {
       const Index place = touch.place[i];

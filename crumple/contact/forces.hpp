@@ -24,13 +24,18 @@ class Forces {
   /// [time].
   void bound_step(const domain::Domain& domain, double bound);
 
-  /// Computes the forces of all touches by the penalty law and applies them.
-  void add(domain::Domain& domain, std::span<Touch> touches, domain::ContactReport& report);
+  /// Adds to domain.contact_weight with how much weight the touches act on each node: its mass is shared out
+  /// among them in that proportion when stability is judged, whichever contact they belong to. A touch that
+  /// comes or goes at the rim of a segment so changes nothing at once.
+  void count(domain::Domain& domain, std::span<const Touch> touches) const;
+
+  /// Computes the forces of all touches by the penalty law. The touches of all contacts have been counted.
+  void evaluate(const domain::Domain& domain, std::span<Touch> touches);
 
   /// Adds the forces that the touches have to nodes.force and domain.contact_force, and the work since the
   /// last call to the report. The force on the second point is that on the first, reversed, and each is
   /// shared out among the nodes by the weights, so that their sum is zero. Sums follow the order of the
-  /// touches.
+  /// touches. Takes the touches out of domain.contact_weight.
   void apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report);
 
   /// Touches of the last call whose stiffness the stability limit cut.
@@ -45,11 +50,10 @@ class Forces {
 
  private:
   void share_step(double share);
-  void count_touches(std::span<const Touch> touches);
-  double inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const;
+  double inverse_mass(const domain::Domain& domain, const Touch& touch) const;
   double stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const;
   double stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const;
-  bool evaluate(const domain::Domain& domain, Touch& touch) const;
+  bool evaluate_touch(const domain::Domain& domain, Touch& touch) const;
   /// Input of passive_spring_force().
   struct Spring {
     double wanted = 0;     ///< force by the penalty law [force]
@@ -64,7 +68,7 @@ class Forces {
   double friction_budget(double used) const;
   void add_friction(const domain::Domain& domain, Touch& touch, double stiffness, double inverse) const;
   Vec3 friction(const Touch& touch, double normal_force, double stiffness, double step) const;
-  void scatter(std::span<const Touch> touches);
+  void scatter(domain::Domain& domain, std::span<const Touch> touches);
   void add_work(const domain::Domain& domain, domain::ContactReport& report);
   void hand_over(domain::Domain& domain);
 
@@ -77,7 +81,6 @@ class Forces {
   double largest_budget_ = 0;  ///< of one that goes on
   Index limited_ = 0;
   std::vector<std::uint8_t> is_limited_;  ///< by touch
-  std::vector<double> touches_;           ///< weights of those that act on a node, by place
   std::vector<std::uint8_t> marked_;      ///< 1 for places in active_
   std::vector<Index> active_;             ///< places with a force now, ascending
   std::vector<Index> previous_active_;

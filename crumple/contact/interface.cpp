@@ -133,7 +133,7 @@ struct Interface::Implementation {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const ContactPair& pair = pairs[i];
       const Touch& touch = touches[i];
-      stored_energy += stored_in(touch);
+      stored_energy += touch.stored_energy();
       RememberedPair memory;
       memory.node = pair.node;
       memory.segment = pair.segment;
@@ -161,7 +161,7 @@ struct Interface::Implementation {
     }
     const std::span<const Touch> beyond_nodes = std::span(touches).subspan(pairs.size());
     for (std::size_t i = 0; i < beyond_nodes.size(); ++i) {
-      stored_energy += stored_in(beyond_nodes[i]);
+      stored_energy += beyond_nodes[i].stored_energy();
       if (beyond_nodes[i].withheld <= 0) continue;
       note_withheld(beyond_nodes[i], edges.edges().id[edges.present()[i].key.second], domain);
     }
@@ -271,26 +271,6 @@ struct Interface::Implementation {
     if (pinballs) pinballs->append_touches(touches);
   }
 
-  /// By the penalty, as a spring of its mean stiffness [energy].
-  static double stored_in(const Touch& touch) {
-    return 0.5 * norm(touch.normal_force) * std::max(0.0, touch.penetration);
-  }
-
-  Vec3 force_on_first_side() const {
-    Vec3 sum;
-    for (const Touch& touch : touches) {
-      // Places on both sides belong to none, but where the other end does.
-      std::uint8_t first = first_side | second_side;
-      std::uint8_t second = first;
-      for (int i = 0; i < touch.nodes; ++i)
-        (touch.weight[i] > 0 ? first : second) &= surface.node_side[touch.place[i]];
-      const bool forwards = (first & first_side) != 0 && (second & second_side) != 0;
-      const bool backwards = (first & second_side) != 0 && (second & first_side) != 0;
-      if (forwards != backwards) sum += (forwards ? 1.0 : -1.0) * touch.force();
-    }
-    return sum;
-  }
-
   void measure_mass(const domain::NodeFields& nodes, domain::ContactReport& entry) const {
     entry.mass = {};
     for (Index i = 0; i < surface.node_count(); ++i)
@@ -335,7 +315,7 @@ struct Interface::Implementation {
       entry.worst_penetration = found.depth;
       entry.worst_node = found.node;
     }
-    if (entry.two_sided) entry.force = force_on_first_side();
+    if (entry.two_sided) entry.force = force_on_first_side(surface, touches);
     statistics.search = search.statistics();
     statistics.limited_pairs = forces.limited();
     statistics.most_limited_pairs = std::max(statistics.most_limited_pairs, forces.limited());
@@ -362,6 +342,7 @@ struct Interface::Implementation {
   double stored_energy = 0;  ///< by the penalties now [energy]
   std::int64_t started = 0;  ///< 1 once the penetrations at the start are known
   RaggedNodes ragged;
+  std::span<ContactPair> present_pairs;  ///< between the stages of a step
   std::vector<Touch> touches;
   std::vector<RememberedPair> remembered;
   std::vector<Penetration> penetrations;
@@ -377,18 +358,32 @@ Interface::~Interface() = default;
 Interface::Interface(Interface&&) noexcept = default;
 Interface& Interface::operator=(Interface&&) noexcept = default;
 
-void Interface::add_forces(domain::Domain& domain) {
+void Interface::find_touches(domain::Domain& domain) {
   Implementation& own = *implementation_;
   own.bound_step(domain);
   if (own.contact.enforcement != model::Enforcement::Penalty) return;
-  domain::ContactReport& report = domain.contacts[own.report];
   const Kinematics motion = present(domain);
-  const std::span<ContactPair> pairs = own.find(domain, motion);
-  const StageTimer timer(domain.times.contact_forces, &report.times.forces);
-  own.collect_touches(pairs, motion);
+  own.present_pairs = own.find(domain, motion);
+  const StageTimer timer(domain.times.contact_forces, &domain.contacts[own.report].times.forces);
+  own.collect_touches(own.present_pairs, motion);
+  own.forces.count(domain, own.touches);
+}
+
+void Interface::evaluate_forces(domain::Domain& domain) {
+  Implementation& own = *implementation_;
+  if (own.contact.enforcement != model::Enforcement::Penalty) return;
+  const StageTimer timer(domain.times.contact_forces, &domain.contacts[own.report].times.forces);
   own.forces.bound_step(domain, own.motion_step);
-  own.forces.add(domain, own.touches, report);
-  own.remember(pairs, motion, domain);
+  own.forces.evaluate(domain, own.touches);
+}
+
+void Interface::add_forces(domain::Domain& domain) {
+  Implementation& own = *implementation_;
+  if (own.contact.enforcement != model::Enforcement::Penalty) return;
+  domain::ContactReport& report = domain.contacts[own.report];
+  const StageTimer timer(domain.times.contact_forces, &report.times.forces);
+  own.forces.apply(domain, own.touches, report);
+  own.remember(own.present_pairs, present(domain), domain);
   own.write_report(report);
 }
 

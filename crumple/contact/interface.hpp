@@ -25,19 +25,26 @@ class Interface {
   Interface(Interface&&) noexcept;
   Interface& operator=(Interface&&) noexcept;
 
-  /// Adds the contact forces at time n to nodes.force and domain.contact_force, which the caller clears. On
-  /// entry nodes.position is x(n), nodes.velocity is v(n-1/2) and clock.step the step between them (zero
-  /// before the first). Searches again when a node may have moved further than the candidate list allows;
-  /// works off pairs in the order (node, segment), so that the sums are bitwise the same for any number of
-  /// threads. Updates the report's energies by the trapezoidal rule, and the stage times.
+  /// First of three stages at time n, each to be called for all contacts before the next: what several do to
+  /// one node counts together. Finds what touches, and counts it at the nodes. On entry nodes.position is
+  /// x(n), nodes.velocity is v(n-1/2) and clock.step the step between them (zero before the first). Searches
+  /// again when a node may have moved further than the candidate list allows.
+  void find_touches(domain::Domain& domain);
+
+  /// Second stage: computes the forces of the touches.
+  void evaluate_forces(domain::Domain& domain);
+
+  /// Third stage: adds the contact forces to nodes.force and domain.contact_force, which the caller clears,
+  /// pairs in the order (node, segment), so that the sums are bitwise the same for any number of threads.
+  /// Updates the report's energies by the trapezoidal rule, and the stage times.
   void add_forces(domain::Domain& domain);
 
-  /// The same for contact that is enforced by multipliers, where add_forces() does nothing (and this one does
-  /// nothing where add_forces() does): to be called when all other forces at time n are in nodes.force.
+  /// The same for contact that is enforced by multipliers, where the stages do nothing (and this one does
+  /// nothing where they do): to be called when all other forces at time n are in nodes.force.
   /// `next_step` leads to n+1, `interval` is what velocities will be advanced by.
   void add_multipliers(domain::Domain& domain, double interval, double next_step);
 
-  /// The longest next step that leaves the surfaces time to meet (motion_limit.hpp), after add_forces();
+  /// The longest next step that leaves the surfaces time to meet (motion_limit.hpp), after find_touches();
   /// infinite where nothing is fast [time].
   double longest_step() const;
 
@@ -61,9 +68,9 @@ class Interface {
 
   /// What happened so far, for warnings and summaries.
   const ContactStatistics& statistics() const;
-  /// The pairs with a force at time n; holds until the next call of add_forces.
+  /// The pairs with a force at time n; holds until the next step.
   std::span<const Penetration> penetrations() const;
-  /// All places that touch at time n, with their forces; holds until the next call of add_forces.
+  /// All places that touch at time n, with their forces; holds until the next step.
   std::span<const Touch> touches() const;
   /// What the penalties hold now, as springs of their mean stiffness [energy].
   double stored_energy() const;

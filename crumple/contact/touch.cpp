@@ -2,12 +2,14 @@
 #include "contact/touch.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 #include "base/prefetch.hpp"
 #include "contact/contact_pair.hpp"
 #include "contact/segment_shape.hpp"
 #include "contact/surface.hpp"
+#include "contact/sides.hpp"
 
 namespace crumple::contact {
 
@@ -42,6 +44,21 @@ Touch touch_of(const Surface& surface, const ContactPair& pair) {
   touch.penalty = pair.penalty;
   touch.last_speed = pair.last_speed;
   return touch;
+}
+
+Vec3 force_on_first_side(const Surface& surface, std::span<const Touch> touches) {
+  Vec3 sum;
+  for (const Touch& touch : touches) {
+    // Places on both sides belong to none, but where the other end does.
+    std::uint8_t first = first_side | second_side;
+    std::uint8_t second = first;
+    for (int i = 0; i < touch.nodes; ++i)
+      (touch.weight[i] > 0 ? first : second) &= surface.node_side[touch.place[i]];
+    const bool forwards = (first & first_side) != 0 && (second & second_side) != 0;
+    const bool backwards = (first & second_side) != 0 && (second & first_side) != 0;
+    if (forwards != backwards) sum += (forwards ? 1.0 : -1.0) * touch.force();
+  }
+  return sum;
 }
 
 void ask_for_touch_after(const Surface& surface, std::span<const ContactPair> pairs, std::size_t i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -52,6 +53,8 @@ struct Touch {
 
   /// On the first point, once the forces are known [force].
   Vec3 force() const { return normal_force + friction; }
+  /// By the penalty, as a spring of its mean stiffness [energy].
+  double stored_energy() const { return 0.5 * norm(normal_force) * std::max(0.0, penetration); }
   bool is_raised() const { return height[0] != 0 || height[1] != 0; }
 
   void add(Index node_place, double node_weight) {
@@ -63,6 +66,9 @@ struct Touch {
 
 /// A node and a segment.
 Touch touch_of(const Surface& surface, const ContactPair& pair);
+
+/// Sum of the forces on the first side of a contact of two sides [force].
+Vec3 force_on_first_side(const Surface& surface, std::span<const Touch> touches);
 
 /// Asks for what touch_of() and node_stiffness() will read of the surface for pairs soon after `i`: in a
 /// large model it comes from memory.

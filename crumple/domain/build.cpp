@@ -31,6 +31,7 @@ void place_nodes(const model::Model& model, Domain& domain) {
   nodes.mass.assign(count, 0.0);
   nodes.inertia.assign(count, 0.0);
   nodes.fixed.assign(count, 0);
+  domain.contact_weight.resize(count);
   domain.contact_force.resize(count);
   for (std::size_t i = 0; i < count; ++i)
     nodes.position[i] = to_vec3(model.nodes.position[nodes.model_node[i]]);

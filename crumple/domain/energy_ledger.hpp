@@ -30,16 +30,18 @@ struct EnergyLedger {
   }
   /// Unbalanced energy [energy].
   double imbalance() const { return total() - initial_total - external_work; }
-  /// |unbalanced energy| over what was absorbed: internal, hourglass, contact, friction and eroded energy
-  /// [-]. Zero if the imbalance is within the round-off of the largest energy, where nothing may have been
-  /// absorbed.
-  double error() const {
+  /// Internal, hourglass, contact, friction and eroded energy [energy].
+  double absorbed() const { return internal + hourglass + contact + friction + eroded; }
+  /// |unbalanced energy| over the largest energy absorbed so far, or now if that is more: bodies that rebound
+  /// have given it back [-]. Zero if the imbalance is within the round-off of the largest energy, where
+  /// nothing may have been absorbed.
+  double error(double largest_absorbed = 0) const {
     constexpr double round_off = 1e-12;
     const double largest =
         std::fmax(std::fabs(kinetic), std::fmax(std::fabs(initial_total), std::fabs(external_work)));
-    const double absorbed = internal + hourglass + contact + friction + eroded;
     const double unbalanced = std::fabs(imbalance());
-    return absorbed == 0 || unbalanced <= round_off * largest ? 0.0 : unbalanced / std::fabs(absorbed);
+    const double reference = std::fmax(std::fabs(absorbed()), largest_absorbed);
+    return reference == 0 || unbalanced <= round_off * largest ? 0.0 : unbalanced / reference;
   }
 };
 

@@ -28,23 +28,35 @@ class PeakValues {
   void observe(const domain::EnergyLedger& energy);
 
   /// Declares the peaks so far, for a restart.
-  void declare(domain::StateList& list) { list.keep("peak_values", "by item", domain::Entity::Run, *this); }
+  void declare(domain::StateList& list) {
+    list.keep("peak_values", "by item", domain::Entity::Run, run_);
+    list.keep_list("peak_internal_energy", "energy", domain::Entity::Run, 1, largest_part_internal_);
+  }
 
-  double fastest() const { return fastest_; }
+  double fastest() const { return run_.fastest; }
   /// The fastest that the model says to move, or that the energy supplied so far makes all of it move.
-  double reference_speed() const { return reference_speed_; }
-  UserId fastest_node() const { return fastest_node_; }
-  /// By which contact energies are judged: where bodies rebound little internal energy is left [energy].
-  double largest_internal_energy() const { return largest_internal_; }
-  double lowest_contact_energy() const { return lowest_contact_; }
+  double reference_speed() const { return run_.reference_speed; }
+  UserId fastest_node() const { return run_.fastest_node; }
+  /// By which energies are judged: where bodies rebound little internal energy is left [energy].
+  double largest_internal_energy() const { return run_.largest_internal; }
+  /// The same of a part.
+  double largest_internal_energy(Index part) const { return largest_part_internal_[part]; }
+  double largest_absorbed_energy() const { return run_.largest_absorbed; }
+  double lowest_contact_energy() const { return run_.lowest_contact; }
 
  private:
-  double fastest_ = 0;           ///< largest speed of a node [length/time]
-  double reference_speed_ = 0;   ///< see reference_speed() [length/time]
-  double largest_internal_ = 0;  ///< [energy]
-  double lowest_contact_ = 0;    ///< at most zero [energy]
-  UserId fastest_node_ = 0;
-  bool has_reference_ = false;
+  struct Run {
+    double fastest = 0;           ///< largest speed of a node [length/time]
+    double reference_speed = 0;   ///< see reference_speed() [length/time]
+    double largest_internal = 0;  ///< [energy]
+    double largest_absorbed = 0;  ///< as EnergyLedger::absorbed() [energy]
+    double lowest_contact = 0;    ///< at most zero [energy]
+    UserId fastest_node = 0;
+    bool has_reference = false;
+  };
+
+  Run run_;
+  std::vector<double> largest_part_internal_;  ///< as far as observed, by part [energy]
 };
 
 /// The table for the present state, the end of a run, which the peaks have observed.

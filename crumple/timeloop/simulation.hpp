@@ -95,6 +95,7 @@ class Simulation {
 
  private:
   void compute_forces();
+  void add_contact_forces();
   void choose_step();
   void close_gaps(double interval);
   void kick(double interval);

@@ -82,8 +82,7 @@ void Simulation::compute_forces() {
     sections_.measure(domain_);
     elements::add_element_forces(domain_, energy_trace_ ? &*energy_trace_ : nullptr);
   }
-  if (!contacts_.empty()) std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
-  for (contact::Interface& contact : contacts_) contact.add_forces(domain_);
+  add_contact_forces();
   for (std::size_t i = 0; i < transducers_.size(); ++i)
     domain_.transducers[i].force = transducers_[i].measure(contacts_);
   for (contact::TieSprings& springs : tie_springs_) springs.add_forces(domain_);
@@ -91,6 +90,15 @@ void Simulation::compute_forces() {
   nodal_loads_.add_forces(domain_);
   body_loads_.add_forces(domain_);
   rigid_body_loads_.add_forces(domain_);
+}
+
+/// In three stages: how stiff a contact may be depends on what the others do to its nodes.
+void Simulation::add_contact_forces() {
+  if (contacts_.empty()) return;
+  std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
+  for (contact::Interface& contact : contacts_) contact.find_touches(domain_);
+  for (contact::Interface& contact : contacts_) contact.evaluate_forces(domain_);
+  for (contact::Interface& contact : contacts_) contact.add_forces(domain_);
 }
 
 void Simulation::choose_step() {

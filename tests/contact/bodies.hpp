@@ -131,6 +131,8 @@ inline void clear_forces(domain::Domain& made) {
 /// Forces at the present positions.
 inline void add_forces(contact::Interface& touching, domain::Domain& made) {
   clear_forces(made);
+  touching.find_touches(made);
+  touching.evaluate_forces(made);
   touching.add_forces(made);
 }
 
