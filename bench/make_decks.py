@@ -23,6 +23,8 @@ HEAD = """*KEYWORD
          2         2         2
 *CONTROL_HOURGLASS
          4      0.03
+*CONTROL_SHELL
+      20.0         0        -1         0
 *PART
 {part}
          1         1         1

@@ -134,6 +134,11 @@ void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
       ->check(parameter_setting());
   command.add_flag("--allow-unsupported", options.allow_unsupported,
                    "Leave out, with a warning, what is not supported instead of refusing the deck");
+  command.add_flag(
+      "--ls-dyna-defaults", options.ls_dyna_defaults,
+      "For decks without *CONTROL_SHELL or *CONTROL_HOURGLASS: shells of constant thickness,\n"
+      "viscous hourglass control. Otherwise the thickness follows the strain, and shells resist\n"
+      "hourglassing with the stiffness of their material");
   command
       .add_option_function<std::string>(
           "--contact", [&automatic](const std::string&) { automatic = true; },
@@ -208,7 +213,7 @@ void add_restart_options(CLI::App& run, Options& options) {
   // What the run so far was computed with stays.
   for (const char* const fixed :
        {"--precision", "--search", "--local-search", "--move-apart", "--perturb", "--seed", "--parameter",
-        "--allow-unsupported", "--contact", "--trace-energy"})
+        "--allow-unsupported", "--ls-dyna-defaults", "--contact", "--trace-energy"})
     run.get_option(fixed)->excludes(restart);
 }
 
@@ -231,6 +236,8 @@ void add_scatter_options(CLI::App& scatter, Options& options, double& perturbati
       ->check(CLI::IsMember({"mixed", "double"}));
   scatter.add_option("--end", options.end_time, "End time, instead of the deck's")
       ->check(number_that("a positive number", [](double value) { return value > 0; }));
+  scatter.add_flag("--report", options.report,
+                   "Write report.html, a page of the unperturbed run with the bands, at the end");
   scatter.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");
 }
 
@@ -247,7 +254,7 @@ CLI::Validator frame_choice() {
 }
 
 void add_report_options(CLI::App& report, ReportOptions& options) {
-  report.add_option("folder", options.folder, "Folder of a run's results")->required();
+  report.add_option("folder", options.folder, "Folder of a run's results, or of crumple scatter")->required();
   report.add_option("-o,--output", options.file, "The file to write [report.html in that folder]");
   report.add_option("--template", options.template_file,
                     "The page to put the result into [the one of the build]");

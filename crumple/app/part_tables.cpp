@@ -155,9 +155,9 @@ std::string hourglass_words(const model::Model& model, const model::Part& part) 
   const char* form = control.form == model::HourglassForm::Viscous ? "viscous" : "stiffness";
   // Of selectively reduced shells only the warping is controlled.
   if (formulation == HughesLiuSelectiveReduced) return fmt::format("{} QW {:.4g}", form, control.warping);
-  if (control.bending == control.coefficient && control.warping == control.coefficient)
-    return fmt::format("{} QM {:.4g}", form, control.coefficient);
-  return fmt::format("{} QM {:.4g} QB {:.4g} QW {:.4g}", form, control.coefficient, control.bending,
+  if (control.bending == control.membrane && control.warping == control.membrane)
+    return fmt::format("{} QM {:.4g}", form, control.membrane);
+  return fmt::format("{} QM {:.4g} QB {:.4g} QW {:.4g}", form, control.membrane, control.bending,
                      control.warping);
 }
 

@@ -27,6 +27,7 @@ deck::ReadOptions reading_of(const Options& options) {
   reading.allow_unsupported = options.allow_unsupported;
   reading.parameters = options.parameters;
   reading.automatic_contact = options.automatic_contact;
+  reading.ls_dyna_defaults = options.ls_dyna_defaults;
   reading.keep_texts = true;
   for (const cellsearch::Method method : cellsearch::methods())
     reading.search_methods.emplace_back(name_of(method));

@@ -34,6 +34,7 @@ Json json_of(const Options& options) {
           {"end_time", optional(options.end_time)},
           {"parameters", options.parameters},
           {"automatic_contact", options.automatic_contact},
+          {"ls_dyna_defaults", options.ls_dyna_defaults},
           {"allow_unsupported", options.allow_unsupported},
           {"allow_negative_contact_energy", options.allow_negative_contact_energy},
           {"d3plot", options.d3plot},
@@ -55,6 +56,7 @@ Options options_of(const Json& json) {
   take(json, "end_time", options.end_time);
   options.parameters = json.at("parameters").get<std::vector<std::pair<std::string, std::string>>>();
   options.automatic_contact = json.at("automatic_contact");
+  options.ls_dyna_defaults = json.at("ls_dyna_defaults");
   options.allow_unsupported = json.at("allow_unsupported");
   options.allow_negative_contact_energy = json.at("allow_negative_contact_energy");
   options.d3plot = json.at("d3plot");

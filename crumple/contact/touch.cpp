@@ -8,8 +8,8 @@
 #include "base/prefetch.hpp"
 #include "contact/contact_pair.hpp"
 #include "contact/segment_shape.hpp"
-#include "contact/surface.hpp"
 #include "contact/sides.hpp"
+#include "contact/surface.hpp"
 
 namespace crumple::contact {
 

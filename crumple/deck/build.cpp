@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/build.hpp"
 #include "deck/coordinates.hpp"
+#include "deck/reader.hpp"
 
 #include <fmt/core.h>
 
@@ -110,7 +111,7 @@ Index Build::find(Item item, const Reference& reference) {
   return no_index;
 }
 
-model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& report) {
+model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report& report) {
   Build build(deck, report);
   build.model.title = deck.title;
   build.model.control = deck.control;
@@ -123,6 +124,7 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   enter_coordinate_systems(build);
   build_parts(build);
   build_shells(build);
+  settle_defaults(build, options.ls_dyna_defaults);
   build_solids(build);
   build_beams(build);
   build_discretes(build);
@@ -136,7 +138,7 @@ model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& re
   build_loads(build);
   build_motions(build);
   build_walls(build);
-  build_contacts(build, automatic_contact);
+  build_contacts(build, options.automatic_contact);
   build_tied_contacts(build);
   build_output(build);
   build_cross_sections(build);

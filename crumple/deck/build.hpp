@@ -15,6 +15,8 @@
 
 namespace crumple::deck {
 
+struct ReadOptions;
+
 /// What a user id can be the id of.
 enum class Item {
   Node,
@@ -114,6 +116,10 @@ using model::ElementKind;
 /// Index of the part that an element names. Where there is none, or its section is for another kind of
 /// elements, says so and returns no_index.
 Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
+// build_defaults.cpp
+/// Settles what the deck leaves open about shells: with thickness change and the hourglass stiffness of their
+/// material, or as LS-DYNA does. Says so.
+void settle_defaults(Build& build, bool as_ls_dyna);
 // build_solids.cpp
 void build_solids(Build& build);
 // build_lines.cpp
@@ -167,6 +173,6 @@ void build_cross_sections(Build& build);
 void build_output(Build& build);
 
 /// Follows all references, checks that the items fit together and makes the model. Faults go to the report.
-model::Model build_model(const RawDeck& deck, bool automatic_contact, Report& report);
+model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report& report);
 
 }  // namespace crumple::deck

@@ -476,6 +476,9 @@ struct RawDeck {
   bool warping_stiffness = false;  ///< BWC: Belytschko-Tsay shells are Belytschko-Wong-Chiang ones
   bool lobatto_points = false;     ///< CONTROL_SHELL's INTGRD
   std::optional<Where> termination;
+  std::optional<Where> control_shell;
+  std::optional<Where> control_hourglass;
+  bool takes_ls_dyna_defaults = false;  ///< `$crumple defaults=ls-dyna`
   std::optional<Where> search_cells;
   std::optional<Where> search_domain;
 };

@@ -102,11 +102,12 @@ void read_control_energy(Cards& cards, RawDeck&) {
 
 void read_control_hourglass(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(hourglass_card);
+  deck.control_hourglass = card.where();
   model::HourglassControl& control = deck.control.hourglass;
   control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
   control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
   warn_of_hourglass_coefficient(card, "QH", cards.report());
-  control.coefficient = control.bending = control.warping = card.real("QH");
+  control.coefficient = control.membrane = control.bending = control.warping = card.real("QH");
 }
 
 void read_control_bulk_viscosity(Cards& cards, RawDeck& deck) {

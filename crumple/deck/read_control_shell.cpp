@@ -66,6 +66,7 @@ constexpr Field card_5[] = {
 
 void read_control_shell(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(card_1);
+  deck.control_shell = card.where();
   deck.control.thickness_change = card.real("ISTUPD") == 1;
   deck.default_formulation = shell_formulation(static_cast<std::int64_t>(card.real("THEORY")));
   deck.warping_stiffness = card.real("BWC") == 1;

@@ -177,7 +177,7 @@ ReadResult Reading::run() {
   result.texts = std::move(texts_);
   if (has_keywords_) {
     check_settings(deck_, report_);
-    model::Model model = build_model(deck_, options_.automatic_contact, report_);
+    model::Model model = build_model(deck_, options_, report_);
     check_whole(model);
     result.unit_system = guess_units(model);
     if (!result.unit_system.empty() && !report_.has_errors())

@@ -21,6 +21,8 @@ struct ReadOptions {
   bool allow_unsupported = false;
   /// Adds single-surface contact over all parts to a deck that has no *CONTACT.
   bool automatic_contact = false;
+  /// What the deck leaves open about shells is as in LS-DYNA: constant thickness, viscous hourglass control.
+  bool ls_dyna_defaults = false;
   /// Parameters with their values, which go before those of the deck.
   std::vector<std::pair<std::string, std::string>> parameters;
   /// Names that `$crumple method=` may have; empty accepts any.

@@ -14,7 +14,8 @@ namespace crumple::deck {
 
 namespace {
 
-constexpr std::string_view known_keys = "method, local_search, expansion, cells, domain and precision";
+constexpr std::string_view known_keys =
+    "method, local_search, expansion, cells, domain, precision and defaults";
 
 /// Exactly `count` numbers separated by commas, or nothing.
 std::optional<std::vector<double>> numbers(std::string_view text, std::size_t count) {
@@ -103,6 +104,9 @@ void set_one(const Setting& setting, const std::vector<std::string>& methods, Ra
       deck.run.precision = setting.value;
     else
       setting.fault("mixed or double");
+  } else if (setting.key == "defaults") {
+    deck.takes_ls_dyna_defaults = setting.value == "ls-dyna";
+    if (setting.value != "ls-dyna" && setting.value != "crumple") setting.fault("crumple or ls-dyna");
   } else {
     setting.report.error(
         setting.where, "key",

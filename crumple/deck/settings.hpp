@@ -11,7 +11,7 @@
 namespace crumple::deck {
 
 /// Reads the `key=value` pairs of a `$crumple` comment line: method, local_search, expansion, cells, domain,
-/// precision.
+/// precision, defaults.
 /// `methods` lists the search methods there are; empty accepts any.
 void read_settings(std::string_view text, const Where& where, const std::vector<std::string>& methods,
                    RawDeck& deck, Report& report);

@@ -53,7 +53,8 @@ struct Domain {
   std::vector<BeamBlock> beams;
   std::vector<DiscreteBlock> discretes;
   Assembly assembly;
-  AlignedArray<double> contact_weight;  ///< of all touches at a node, while contact forces are made; else zero
+  AlignedArray<double>
+      contact_weight;                ///< of all touches at a node, while contact forces are made; else zero
   AlignedArray<Vec3> contact_force;  ///< on the nodes at time n, normal and friction [force]
   Clock clock;
   EnergyLedger energy;

@@ -47,11 +47,11 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
   constants.viscous = control.form == model::HourglassForm::Viscous;
   if (constants.viscous) {
     const double impedance = 0.25 * elastic.density * elastic.plate_wave_speed();
-    constants.hourglass_membrane = control.coefficient * impedance;
+    constants.hourglass_membrane = control.membrane * impedance;
     constants.hourglass_warping = control.warping * impedance;
     constants.hourglass_bending = control.bending * impedance / 12;
   } else {
-    constants.hourglass_membrane = control.coefficient * elastic.youngs_modulus / 16;
+    constants.hourglass_membrane = control.membrane * elastic.youngs_modulus / 16;
     constants.hourglass_warping = control.warping * shear_factor * elastic.shear_modulus() / 24;
     constants.hourglass_bending = control.bending * elastic.youngs_modulus / 384;
   }

@@ -95,9 +95,10 @@ enum class SolidHourglassForm {
 
 struct HourglassControl {
   HourglassForm form = HourglassForm::Viscous;  ///< of shells
-  double coefficient = 0.1;                     ///< QM: solids, and the membrane of shells [-]
-  double bending = 0.1;                         ///< QB: bending [-]
-  double warping = 0.1;                         ///< QW: warping (transverse shear) [-]
+  double membrane = 0.1;                        ///< QM of shells [-]
+  double bending = 0.1;                         ///< QB: bending of shells [-]
+  double warping = 0.1;                         ///< QW: warping (transverse shear) of shells [-]
+  double coefficient = 0.1;                     ///< QM of solids [-]
   double bulk_quadratic = 0;  ///< Q1: bulk viscosity of solids [-]; 0 takes Control::bulk_quadratic
   double bulk_linear = 0;     ///< Q2 [-]; 0 takes Control::bulk_linear
   SolidHourglassForm solid_form = SolidHourglassForm::FlanaganBelytschkoViscous;

@@ -131,19 +131,20 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
   std::vector<Check> checks;
   checks.push_back(make_check("total energy change / initial energy",
                               std::fabs(ratio_of(energy.imbalance(), before, scale)), 0.01, w179, 0.10));
-  checks.push_back(make_check("energy error / absorbed energy",
-                              energy.error(peaks.largest_absorbed_energy()), 0.01, "crumple"));
+  checks.push_back(make_check("energy error / absorbed energy", energy.error(peaks.largest_absorbed_energy()),
+                              0.01, "crumple"));
   checks.push_back(make_check("hourglass / initial total energy",
                               ratio_of(std::fabs(energy.hourglass), before, scale), 0.05, euro_ncap, 0.05));
-  checks.push_back(make_check(
-      "hourglass / internal energy",
-      ratio_of(std::fabs(energy.hourglass), peaks.largest_internal_energy(), scale), 0.10, euro_ncap, 0.10));
+  checks.push_back(make_check("hourglass / internal energy",
+                              ratio_of(std::fabs(energy.hourglass), peaks.largest_internal_energy(), scale),
+                              0.10, euro_ncap, 0.10));
   const std::vector<PartEnergy> parts = energy_by_part(view);
   if (!parts.empty()) {
     const PartEnergy& worst = parts[worst_part(parts)];
     checks.push_back(make_check(
         fmt::format("hourglass / internal energy, part {}", view.model.parts[worst_part(parts)].id),
-        ratio_of(std::fabs(worst.hourglass), peaks.largest_internal_energy(worst_part(parts)), scale), 0.10, w179, 0.10));
+        ratio_of(std::fabs(worst.hourglass), peaks.largest_internal_energy(worst_part(parts)), scale), 0.10,
+        w179, 0.10));
   }
   checks.push_back(make_check(
       "added mass / mass",

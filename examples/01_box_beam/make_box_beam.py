@@ -140,6 +140,9 @@ $     hgen      rwen    slnten
 *CONTROL_HOURGLASS
 $      ihq        qh
          4{HOURGLASS_COEFFICIENT:10g}
+*CONTROL_SHELL
+$   wrpang     esort     irnxx    istupd
+      20.0         0        -1         0
 *DATABASE_GLSTAT
    1.0E-05
 *DATABASE_MATSUM

@@ -81,6 +81,8 @@ Square tube, 60 x 60 x 1.5 mm, driven onto a rigid wall by {MASS:g} kg at {VELOC
          2         2         2
 *CONTROL_HOURGLASS
          4      0.03
+*CONTROL_SHELL
+      20.0         0        -1         0
 *DATABASE_GLSTAT
       0.02
 *DATABASE_RWFORC
