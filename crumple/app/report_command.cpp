@@ -57,6 +57,15 @@ bool report_can_be_made(const ReportOptions& options, const Console& console) {
   }
 }
 
+ExitCode end_with_report(const std::filesystem::path& folder, bool quiet, ExitCode code,
+                         const Console& console) {
+  ReportOptions report;
+  report.folder = folder;
+  report.quiet = quiet;
+  const bool written = report_results(report, console) == ExitCode::Normal;
+  return written || code != ExitCode::Normal ? code : ExitCode::Output;
+}
+
 ExitCode report_results(const ReportOptions& options, const Console& console) {
   if (options.serve) return serve_results(options, console);
   const std::filesystem::path file = options.file.empty() ? options.folder / "report.html" : options.file;

@@ -96,13 +96,8 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
   if (options.move_apart) move_overlaps_apart(options, *deck.model, console);
   ExitCode code = run_model(options, deck, console, wall, restart, page ? &board : nullptr);
   const bool has_results = code != ExitCode::Input && code != ExitCode::Output;
-  if (options.report && has_results) {
-    ReportOptions report;
-    report.folder = result_folder(options);
-    report.quiet = options.quiet;
-    if (report_results(report, console) != ExitCode::Normal && code == ExitCode::Normal)
-      code = ExitCode::Output;
-  }
+  if (options.report && has_results)
+    code = end_with_report(result_folder(options), options.quiet, code, console);
   end_with(code, console);
   if (page) {
     // Where nothing could be run, the board does not know yet.

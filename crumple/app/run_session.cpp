@@ -265,6 +265,8 @@ void RunSession::write_record(const Ending& ending) {
   record.version = program_version();
   record.deck = restart_settings_.options.deck.string();
   record.deck_hash = deck_.text_hash;
+  record.perturbation = restart_settings_.options.perturbation;
+  record.seed = restart_settings_.options.seed;
   record.units = deck::guess_units(simulation_.model());
   record.termination = ending.termination;
   record.reason = ending.reason;

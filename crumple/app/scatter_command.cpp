@@ -14,6 +14,7 @@
 
 #include "app/preparation.hpp"
 #include "app/print.hpp"
+#include "app/report_command.hpp"
 #include "app/run_command.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -21,6 +22,7 @@
 #include "compare/scatter_bands.hpp"
 #include "output/atomic_file.hpp"
 #include "output/write_error.hpp"
+#include "report/scatter_folder.hpp"
 #include "report/text_file.hpp"
 
 namespace crumple::app {
@@ -78,6 +80,7 @@ Options options_of_run(const Options& options, int number, const std::filesystem
   one.perturbation = number == 0 ? 0 : options.perturbation;
   one.seed = options.seed + static_cast<std::uint64_t>(number) - 1;
   one.quiet = true;
+  one.report = false;
   return one;
 }
 
@@ -169,7 +172,8 @@ void print_widest(std::vector<compare::Band> bands, const Console& console) {
     print(console.out, "  {:<40} {:10.3g} %\n", bands[i].name, 100 * compare::relative_width(bands[i]));
 }
 
-/// Bands of other runs must not stand beside new ones. Throws WriteError if the file is none of ours.
+/// Bands of other runs, and their report, must not stand beside new ones. Throws WriteError if the file is
+/// none of ours.
 void remove_earlier_bands(const std::filesystem::path& table) {
   if (!std::filesystem::exists(table)) return;
   if (compare::read_bands(report::read_file(table)).empty())
@@ -178,35 +182,44 @@ void remove_earlier_bands(const std::filesystem::path& table) {
                     "folder with -o",
                     table.string()));
   std::filesystem::remove(table);
+  std::filesystem::remove(table.parent_path() / "report.html");
+}
+
+/// False, and the reason on the console, if there are too few results for a band.
+bool write_bands(const std::filesystem::path& file, const std::vector<compare::CurveSet>& results,
+                 const Options& options, const Console& console) {
+  if (results.size() < 2) {
+    print(console.err, "crumple: error: {} terminated normally; a band needs two\n",
+          counted(static_cast<int>(results.size()), "run"));
+    return false;
+  }
+  const std::vector<compare::Band> bands = compare::bands_of(results);
+  output::write_atomically(file, compare::bands_csv(bands));
+  if (!options.quiet) {
+    print_widest(bands, console);
+    print(console.out, "\n{} of {} runs are in {}\n", results.size(), options.scatter_runs, file.string());
+  }
+  return true;
 }
 
 ExitCode scatter_good_deck(const Options& options, const Console& console) {
   const std::filesystem::path folder = scatter_folder(options);
   output::make_folder(folder);
-  remove_earlier_bands(folder / compare::bands_file);
+  remove_earlier_bands(folder / report::bands_file);
   std::vector<PerturbedRun> runs(static_cast<std::size_t>(options.scatter_runs));
   for (std::size_t number = 0; number < runs.size(); ++number)
-    runs[number].folder = folder / fmt::format("run_{:03}", number);
+    runs[number].folder = folder / report::scatter_run_name(static_cast<int>(number));
   {
     const NotedSignals noted;
     run_all(options, runs, console);
   }
   const std::vector<compare::CurveSet> results = finished_results(runs, console);
-  if (results.size() < 2) {
-    print(console.err, "crumple: error: {} terminated normally; a band needs two\n",
-          counted(static_cast<int>(results.size()), "run"));
-  } else {
-    const std::vector<compare::Band> bands = compare::bands_of(results);
-    output::write_atomically(folder / compare::bands_file, compare::bands_csv(bands));
-    if (!options.quiet) {
-      print_widest(bands, console);
-      print(console.out, "\n{} of {} runs are in {}\n", results.size(), runs.size(),
-            (folder / compare::bands_file).string());
-    }
-  }
-  if (signal_seen == SIGINT) return ExitCode::Interrupt;
-  if (signal_seen == SIGTERM) return ExitCode::Terminate;
-  return results.size() == runs.size() ? ExitCode::Normal : ExitCode::Numerical;
+  const bool has_bands = write_bands(folder / report::bands_file, results, options, console);
+  const ExitCode code = signal_seen == SIGINT           ? ExitCode::Interrupt
+                        : signal_seen == SIGTERM        ? ExitCode::Terminate
+                        : results.size() == runs.size() ? ExitCode::Normal
+                                                        : ExitCode::Numerical;
+  return options.report && has_bands ? end_with_report(folder, options.quiet, code, console) : code;
 }
 
 }  // namespace
@@ -219,6 +232,7 @@ ExitCode scatter_deck(const Options& options, const Console& console) {
             counted(std::max(1, deck::error_count(deck.diagnostics)), "error"));
       return ExitCode::Input;
     }
+    if (options.report && !report_can_be_made({}, console)) return ExitCode::Usage;
     return scatter_good_deck(options, console);
   } catch (const output::WriteError& fault) {
     print(console.err, "crumple: error: {}\n", fault.what());

@@ -17,6 +17,7 @@
 #include "compare/csv_reader.hpp"
 #include "compare/quantity_names.hpp"
 #include "compare/scatter_bands.hpp"
+#include "report/scatter_folder.hpp"
 #include "report/text_file.hpp"
 
 namespace crumple::compare {
@@ -90,7 +91,7 @@ class Reader {
   }
 
   void read_folder(const Path& folder) {
-    const Path scatter = folder / bands_file;
+    const Path scatter = folder / report::bands_file;
     if (std::filesystem::is_regular_file(scatter)) {
       read_scatter(scatter);
       if (!set_.bands.empty()) return;

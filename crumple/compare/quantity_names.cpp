@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <utility>
 
 namespace crumple::compare {
@@ -129,6 +130,27 @@ void add_sum(CurveSet& set, std::string_view name, std::string_view first,
   for (Curve& sum : sums) set.curves.push_back(std::move(sum));
 }
 
+/// Size of the vector of three curves of one file.
+void add_size(CurveSet& set, std::string_view group, std::string_view name,
+              const std::array<std::string_view, 3>& components) {
+  std::vector<Curve> sizes;
+  for (const Curve& curve : set.curves) {
+    if (curve.group != group || curve.quantity != components[0] || find_curve(set, curve, name)) continue;
+    const Curve* second = find_curve(set, curve, components[1]);
+    const Curve* third = find_curve(set, curve, components[2]);
+    if (second == nullptr || third == nullptr || second->times.empty() || third->times.empty()) continue;
+    Curve size = curve;
+    size.quantity = name;
+    size.derived = true;
+    for (std::size_t i = 0; i < size.times.size(); ++i) {
+      const double time = size.times[i];
+      size.values[i] = std::hypot(curve.values[i], value_at(*second, time), value_at(*third, time));
+    }
+    sizes.push_back(std::move(size));
+  }
+  for (Curve& size : sizes) set.curves.push_back(std::move(size));
+}
+
 }  // namespace
 
 std::string binout_spelling(std::string_view words) {
@@ -177,6 +199,7 @@ std::string kind_of(const Curve& curve) {
 void add_derived_curves(CurveSet& set) {
   add_sum(set, "sliding_interface", "contact", {"friction"});
   add_sum(set, "eroded", "eroded_internal", {"eroded_kinetic", "eroded_hourglass"});
+  add_size(set, "rcforc", "resultant", {"fx", "fy", "fz"});
 }
 
 }  // namespace crumple::compare

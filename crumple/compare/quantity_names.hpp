@@ -21,7 +21,8 @@ std::string binout_spelling(std::string_view words);
 std::string kind_of(const Curve& curve);
 
 /// Adds sums that other programs write as one: `sliding_interface` of contact and friction, `eroded` of
-/// eroded kinetic, internal and hourglass energy.
+/// eroded kinetic, internal and hourglass energy; and the size of the forces on interfaces, `resultant`,
+/// which the report shows.
 void add_derived_curves(CurveSet& set);
 
 }  // namespace crumple::compare

@@ -11,11 +11,11 @@
 #include <map>
 #include <unordered_map>
 
+#include "report/scatter_folder.hpp"
+
 namespace crumple::compare {
 
 namespace {
-
-constexpr std::string_view header = "time,curve,runs,first,median,p5,p95\n";
 
 /// The curves of one name, the first run's first; empty if a run does not have it.
 std::vector<const Curve*> same_curves(
@@ -86,7 +86,7 @@ std::vector<Band> bands_of(const std::vector<CurveSet>& runs) {
   for (const Curve& curve : runs.front().curves) {
     const std::string name = name_of(curve);
     const std::vector<const Curve*> same = same_curves(name, named);
-    if (same.empty() || curve.derived) continue;
+    if (same.empty()) continue;
     Band band = band_of(name, same);
     if (!band.times.empty()) bands.push_back(std::move(band));
   }
@@ -104,7 +104,7 @@ double relative_width(const Band& band) {
 }
 
 std::string bands_csv(const std::vector<Band>& bands) {
-  std::string text(header);
+  std::string text(report::bands_header);
   for (const Band& band : bands)
     for (std::size_t point = 0; point < band.times.size(); ++point)
       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", band.times[point], band.name,
@@ -114,7 +114,7 @@ std::string bands_csv(const std::vector<Band>& bands) {
 
 std::vector<Band> read_bands(std::string_view text) {
   std::vector<Band> bands;
-  if (!text.starts_with(header)) return bands;
+  if (!text.starts_with(report::bands_header)) return bands;
   std::map<std::string, std::size_t, std::less<>> places;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');

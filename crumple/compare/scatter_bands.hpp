@@ -11,20 +11,18 @@
 
 namespace crumple::compare {
 
-/// Name of the table of bands in the folder of the runs.
-inline constexpr const char* bands_file = "bands.csv";
-
 /// Quantile of numbers in ascending order by straight lines between them (definition 7 of R. J. Hyndman,
 /// Y. Fan, The American Statistician 50 (1996) 361-365). There must be one number at least.
 double quantile(const std::vector<double>& ascending, double share);
 
-/// The band of every curve of the first run that all others have, too. Sums of other curves are left out.
+/// The band of every curve of the first run that all others have, too, also of curves that are computed of
+/// others: the median of a sum is not the sum of medians.
 std::vector<Band> bands_of(const std::vector<CurveSet>& runs);
 
 /// Largest width of a band over the largest size of its median [-]; zero if the median is.
 double relative_width(const Band& band);
 
-/// One table with the columns time,curve,runs,first,median,p5,p95.
+/// One table with the columns of report::bands_header.
 std::string bands_csv(const std::vector<Band>& bands);
 
 /// Bands of such a table; incomplete rows and rows without numbers are skipped. Empty if it is another table.

@@ -18,7 +18,7 @@ RunStatus folder_status(const std::filesystem::path& folder) {
     status.frames = static_cast<int>(results.frames.size());
     status.time = std::stod(results.frames.back().time);
     if (!results.has_record) return status;
-    const auto record = nlohmann::json::parse(report::read_file(folder / "run.json"));
+    const auto record = nlohmann::json::parse(report::read_file(results.folder / "run.json"));
     status.end_time = record.at("end_time");
     status.cycle = record.at("cycles");
     if (const auto& speed = record.at("ns_per_element_cycle"); !speed.is_null())

@@ -166,6 +166,8 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
   const Json json = {{"version", record.version},
                      {"deck", record.deck},
                      {"deck_hash", fmt::format("{:016x}", record.deck_hash)},
+                     {"perturbation", record.perturbation},
+                     {"seed", record.seed},
                      {"title", view.model.title},
                      {"units", record.units},
                      {"termination", record.termination},

@@ -16,6 +16,8 @@ struct RunRecord {
   std::string version;
   std::string deck;
   std::uint64_t deck_hash = 0;
+  double perturbation = 0;  ///< largest random move of a node over the diagonal of the model [-]
+  std::uint64_t seed = 0;   ///< of these moves
   std::string units;        ///< guess, such as "kg, mm, ms"; empty if there is none
   std::string termination;  ///< "normal", "error" or "interrupted"
   std::string reason;

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "report/history_text.hpp"
 #include "report/packing.hpp"
+#include "report/scatter_folder.hpp"
 #include "report/text_file.hpp"
 
 namespace crumple::report {
@@ -33,6 +34,7 @@ class Payload {
     add_frames();
     add_walls();
     add_tables();
+    add_bands();
     // JSON ends no element of HTML as long as it holds no "<".
     std::string json = meta_.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', at))
@@ -207,6 +209,19 @@ class Payload {
       meta_["tables"].push_back({{"name", file.filename().string()}, {"every", history.every}});
       add_data(fmt::format("table{}", number), history.text);
     }
+  }
+
+  void add_bands() {
+    meta_["scatter"] = nullptr;
+    if (results_.scatter.empty()) return;
+    const BandTable bands = split_bands(read_file(results_.scatter / bands_file), most_history_bytes);
+    Json scatter = {{"runs", bands.runs}, {"perturbation", nullptr}, {"histories", Json::array()}};
+    if (const auto perturbation = perturbation_of(results_.scatter)) scatter["perturbation"] = *perturbation;
+    for (const HistoryBands& history : bands.histories) {
+      add_data(fmt::format("bands{}", scatter["histories"].size()), history.text);
+      scatter["histories"].push_back({{"name", history.history}, {"every", history.every}});
+    }
+    meta_["scatter"] = std::move(scatter);
   }
 
   const ResultFolder& results_;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "report/scatter_folder.hpp"
 #include "report/text_file.hpp"
 
 namespace crumple::report {
@@ -25,11 +26,21 @@ std::vector<std::filesystem::path> files_ending_in(const std::filesystem::path& 
   return found;
 }
 
+/// What can be reported of a folder of `crumple scatter` without bands; empty for other folders.
+std::string hint_at_runs(const std::filesystem::path& folder) {
+  const std::filesystem::path run = folder / scatter_run_name(0);
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(run, ignored)) return {};
+  return fmt::format(" It holds runs of crumple scatter, but no {}; {} alone can be reported.", bands_file,
+                     run.string());
+}
+
 /// The collection that run.json lists, else the only one.
 std::filesystem::path choose_collection(const ResultFolder& results) {
   std::vector<std::filesystem::path> found = files_ending_in(results.folder, ".pvd");
   if (found.empty())
-    throw Error(fmt::format("{} holds no result: there is no .pvd file in it.", results.folder.string()));
+    throw Error(fmt::format("{} holds no result: there is no .pvd file in it.{}", results.folder.string(),
+                            hint_at_runs(results.folder)));
   if (found.size() == 1) return found.front();
   if (results.has_record) {
     const std::string record = read_file(results.folder / "run.json");
@@ -91,11 +102,7 @@ std::vector<FrameFiles> frames_of(const std::filesystem::path& collection) {
   return frames;
 }
 
-}  // namespace
-
-ResultFolder open_results(const std::filesystem::path& folder) {
-  if (!std::filesystem::is_directory(folder))
-    throw Error(fmt::format("{} is no folder; name that of a run's results.", folder.string()));
+ResultFolder open_run(const std::filesystem::path& folder) {
   ResultFolder results;
   results.folder = folder;
   results.has_record = std::filesystem::is_regular_file(folder / "run.json");
@@ -103,6 +110,17 @@ ResultFolder open_results(const std::filesystem::path& folder) {
   results.name = collection.stem().string();
   results.frames = frames_of(collection);
   results.tables = files_ending_in(folder, ".csv");
+  return results;
+}
+
+}  // namespace
+
+ResultFolder open_results(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder))
+    throw Error(fmt::format("{} is no folder; name that of a run's results.", folder.string()));
+  if (!is_scatter_folder(folder)) return open_run(folder);
+  ResultFolder results = open_run(folder / scatter_run_name(0));
+  results.scatter = folder;
   return results;
 }
 

@@ -21,10 +21,11 @@ struct ResultFolder {
   std::vector<FrameFiles> frames;             ///< at least one
   std::vector<std::filesystem::path> tables;  ///< histories, `*.csv`, by name
   bool has_record = false;                    ///< run.json is there: the run has ended
+  std::filesystem::path scatter;  ///< folder of `crumple scatter` whose unperturbed run this is; else empty
 };
 
-/// Looks through a folder. Throws Error if there is none, if it holds no frames, or frames of several runs
-/// that run.json does not choose from.
+/// Looks through a folder; of a folder of `crumple scatter` through that of its unperturbed run. Throws Error
+/// if there is none, if it holds no frames, or frames of several runs that run.json does not choose from.
 ResultFolder open_results(const std::filesystem::path& folder);
 
 }  // namespace crumple::report

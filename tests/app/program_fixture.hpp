@@ -61,6 +61,13 @@ class ProgramTest : public ::testing::Test {
   nlohmann::json record(const std::string& results) const {
     return nlohmann::json::parse(read(results + "/run.json"));
   }
+  /// The description of the run in a report.
+  nlohmann::json description(const std::string& name) const {
+    const std::string text = read(name);
+    const std::string key = "id=\"crumple-meta\">";
+    const std::size_t start = text.find(key) + key.size();
+    return nlohmann::json::parse(text.substr(start, text.find("</script>", start) - start));
+  }
   /// Cells of the rows of a table; the first row is the header.
   std::vector<std::vector<std::string>> table(const std::string& name) const {
     std::vector<std::vector<std::string>> rows;

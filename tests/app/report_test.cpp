@@ -18,13 +18,6 @@ class ReportTest : public ProgramTest {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   }
-  /// The description of the run in a report.
-  nlohmann::json description(const std::string& name) const {
-    const std::string text = read(name);
-    const std::string key = "id=\"crumple-meta\">";
-    const std::size_t start = text.find(key) + key.size();
-    return nlohmann::json::parse(text.substr(start, text.find("</script>", start) - start));
-  }
 
   std::string page_;
 };

@@ -78,5 +78,14 @@ TEST(DerivedCurves, AreSumsThatOthersWriteAsOne) {
   EXPECT_TRUE(set.curves[3].derived);
 }
 
+TEST(DerivedCurves, HaveTheSizeOfForcesOnInterfaces) {
+  CurveSet set;
+  set.curves = read_csv("time,interface,side,fx,fy,fz\n0,2,first,2,3,6\n0,2,second,-2,-3,-6\n", "rcforc");
+  add_derived_curves(set);
+  EXPECT_EQ(curve_named(set.curves, "rcforc.resultant[2 first]").values, (Numbers{7}));
+  EXPECT_EQ(curve_named(set.curves, "rcforc.resultant[2 second]").values, (Numbers{7}));
+  EXPECT_EQ(set.curves.size(), 8U);
+}
+
 }  // namespace
 }  // namespace crumple::compare::csv_reader_test

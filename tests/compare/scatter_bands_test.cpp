@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/scatter_bands.hpp"
 #include "compare/comparison.hpp"
+#include "compare/quantity_names.hpp"
 
 #include <gtest/gtest.h>
 
@@ -68,6 +69,22 @@ TEST(ScatterBands, ComparisonTellsHowLongTheOtherIsInTheBand) {
   ASSERT_EQ(outside.curves.size(), 1U);
   EXPECT_DOUBLE_EQ(outside.curves[0].inside_band.value(), 1.0 / 3);
   EXPECT_FALSE(compare(one_curve(20), one_curve(50), {}).curves[0].inside_band.has_value());
+}
+
+TEST(ScatterBands, CurvesThatAreComputedOfOthersHaveBandsOfTheirOwn) {
+  const auto force = [](double fx, double fy) {
+    CurveSet set;
+    set.curves.push_back({"rcforc", "fx", "3 first", false, {0}, {fx}});
+    set.curves.push_back({"rcforc", "fy", "3 first", false, {0}, {fy}});
+    set.curves.push_back({"rcforc", "fz", "3 first", false, {0}, {0}});
+    add_derived_curves(set);
+    return set;
+  };
+  const std::vector<Band> bands = bands_of({force(3, 4), force(-3, 4), force(3, -4)});
+  ASSERT_EQ(bands.size(), 4U);
+  EXPECT_EQ(bands[3].name, "rcforc.resultant[3 first]");
+  EXPECT_DOUBLE_EQ(bands[3].p5[0], 5) << "the components scatter, their size does not";
+  EXPECT_DOUBLE_EQ(bands[3].p95[0], 5);
 }
 
 TEST(ScatterBands, ACurveThatOneRunLacksHasNoBand) {

@@ -25,6 +25,8 @@ TEST_F(RunRecordTest, HasEveryDocumentedName) {
   for (const char* name : {"version",
                            "deck",
                            "deck_hash",
+                           "perturbation",
+                           "seed",
                            "termination",
                            "reason",
                            "end_time",

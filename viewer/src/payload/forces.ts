@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { canFilter, evenly, filtered } from "../math/filter";
-import { splitBy, type History } from "./history";
+import { curveName, splitBy, type History } from "./history";
 
 export interface Force {
   label: string;
+  /** by which its band is found */
+  curve: string;
   times: Float64Array;
   values: Float64Array;
 }
@@ -12,6 +14,7 @@ export interface Force {
 export function wallForces(history: History): Force[] {
   return [...splitBy(history, ["wall"])].map(([wall, rows]) => ({
     label: `wall ${wall}`,
+    curve: curveName(rows, "normal"),
     times: rows.number["time"],
     values: rows.number["normal"],
   }));
@@ -27,6 +30,7 @@ export function contactForces(history: History): Force[] {
     const { fx, fy, fz } = rows.number;
     forces.push({
       label: side === "transducer" ? `transducer ${id}` : `contact ${id}`,
+      curve: curveName(rows, "resultant"),
       times: rows.number["time"],
       values: fx.map((x, i) => Math.hypot(x, fy[i], fz[i])),
     });

@@ -85,6 +85,16 @@ export interface RunRecord {
   plane_walls?: PlaneWall[];
 }
 
+/** The runs of `crumple scatter` of which the run that is shown is the unperturbed one. */
+export interface ScatterMeta {
+  /** that ended normally */
+  runs: number;
+  /** largest move of a node over the diagonal of the model; null if no record tells */
+  perturbation: number | null;
+  /** histories with bands, by what the names of their curves begin with; of so many points one was kept */
+  histories: { name: string; every: number }[];
+}
+
 export interface Meta {
   format: number;
   name: string;
@@ -99,4 +109,5 @@ export interface Meta {
   fields: FieldMeta[];
   walls: WallsMeta | null;
   tables: { name: string; every: number }[];
+  scatter: ScatterMeta | null;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { parseBands, type Band } from "./bands";
 import { FrameUnpacker, inflated, Scale, unpackIntegers, type Codes } from "./decode";
 import { parseHistory, type History } from "./history";
 import type { FieldMeta, Meta } from "./meta";
@@ -41,6 +42,7 @@ export class Run {
   readonly positions: Uint16Array[] = [];
   private readonly fields = new Map<string, Field>();
   private readonly histories = new Map<string, History>();
+  private readonly bands = new Map<string, Map<string, Band>>();
 
   constructor(
     readonly meta: Meta,
@@ -70,6 +72,10 @@ export class Run {
     const text = this.source(name);
     if (text === null) throw new Error(`The page lacks its data ${name}.`);
     return inflated(text);
+  }
+
+  private text(name: string): string {
+    return new TextDecoder().decode(this.bytes(name));
   }
 
   async loadPositions(progress: (share: number) => void): Promise<void> {
@@ -122,8 +128,18 @@ export class Run {
     if (known) return known;
     const place = this.meta.tables.findIndex((table) => table.name === file);
     if (place < 0) return null;
-    const history = parseHistory(new TextDecoder().decode(this.bytes(`table${place}`)));
+    const history = parseHistory(this.text(`table${place}`), file.replace(/\.csv$/, ""));
     this.histories.set(file, history);
     return history;
+  }
+
+  /** The band of a curve by its name (curveName); null if it has none or this is no run of `crumple scatter`. */
+  band(curve: string): Band | null {
+    const group = curve.slice(0, curve.indexOf("."));
+    const place = this.meta.scatter?.histories.findIndex((history) => history.name === group) ?? -1;
+    if (place < 0) return null;
+    let bands = this.bands.get(group);
+    if (!bands) this.bands.set(group, (bands = parseBands(this.text(`bands${place}`))));
+    return bands.get(curve) ?? null;
   }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import uPlot from "uplot";
 import { axisRange, short, ticks } from "../math/numbers";
+import type { SampledBand } from "../payload/bands";
+import { boundsWithBands, drawBand } from "./band_layer";
 import { h } from "./dom";
 import { FittedPlot } from "./fitted_plot";
 import type { Themes } from "./theme";
@@ -10,15 +12,23 @@ export interface Curve {
   values: ArrayLike<number>;
   shown?: boolean;
   dash?: number[];
+  /** over the runs of a scatter, at the chart's x */
+  band?: SampledBand | undefined;
 }
 
 export interface ChartData {
   xLabel: string;
   x: ArrayLike<number>;
   curves: Curve[];
+  /** what the bands are, for the legend */
+  bandLabel?: string | undefined;
 }
 
 export const hues = ["#3f7fbf", "#d9822b", "#3f9b5a", "#c24d4d", "#8a66b8", "#8c6a4f", "#c877a8", "#7a858f", "#a8a032", "#3fa3a8", "#b0892f"];
+
+function hueOf(place: number): string {
+  return hues[place % hues.length];
+}
 
 /** Room for the longest number of an axis [px]. */
 export function axisSize(_: uPlot, texts: string[] | null): number {
@@ -29,6 +39,7 @@ export function axisSize(_: uPlot, texts: string[] | null): number {
 export class Chart extends FittedPlot<ChartData> {
   private moment = -Infinity;
   private readonly marker = h("div", { class: "moment" });
+  private readonly key = h("div", { class: "band-key" });
   /** series that the user has switched, by label */
   readonly switched = new Map<string, boolean>();
 
@@ -67,7 +78,7 @@ export class Chart extends FittedPlot<ChartData> {
       width: Math.max(120, this.host.clientWidth),
       height: this.height,
       pxAlign: 1,
-      scales: { x: { time: false }, y: { range: (_: uPlot, low: number, high: number) => axisRange(low, high) } },
+      scales: { x: { time: false }, y: { range: (plot: uPlot, low: number, high: number) => this.yRange(plot, data, [low, high]) } },
       legend: { live: true },
       cursor: { drag: { x: true, y: false }, points: { size: 5 } },
       axes: [
@@ -78,7 +89,7 @@ export class Chart extends FittedPlot<ChartData> {
         { label: data.xLabel, value: legendValue },
         ...data.curves.map((curve, i): uPlot.Series => ({
           label: curve.label,
-          stroke: hues[i % hues.length],
+          stroke: hueOf(i),
           width: 1.5,
           value: legendValue,
           show: this.switched.get(curve.label) ?? curve.shown ?? true,
@@ -95,12 +106,37 @@ export class Chart extends FittedPlot<ChartData> {
             }
           },
         ],
+        drawAxes: [
+          (plot) => {
+            for (const { band, place } of this.shownBands(plot, data)) drawBand(plot, data.x, band, hueOf(place));
+          },
+        ],
         draw: [() => this.placeMoment()],
         ready: [(plot) => this.listen(plot)],
       },
     };
     const columns = [data.x, ...data.curves.map((curve) => curve.values)] as unknown as uPlot.AlignedData;
     this.plot = new uPlot(options, columns, this.host);
+    this.showKey(data);
+  }
+
+  /** Bands are shown and hidden together with their curves. */
+  private shownBands(plot: uPlot, data: ChartData): { band: SampledBand; place: number }[] {
+    return data.curves.flatMap(({ band }, place) => (band && plot.series[place + 1].show ? [{ band, place }] : []));
+  }
+
+  private yRange(plot: uPlot, data: ChartData, bounds: [number, number]): [number, number] {
+    const { min, max } = plot.scales["x"];
+    const bands = this.shownBands(plot, data).map(({ band }) => band);
+    return axisRange(...boundsWithBands(bounds, bands, data.x, [min ?? -Infinity, max ?? Infinity]));
+  }
+
+  private showKey(data: ChartData): void {
+    this.key.remove();
+    if (!data.bandLabel || !data.curves.some((curve) => curve.band)) return;
+    const entries = [["run", "unperturbed run"], ["median", "median"], ["area", data.bandLabel]];
+    this.key.replaceChildren(...entries.map(([mark, text]) => h("span", {}, h("i", { class: mark }), text)));
+    this.host.append(this.key);
   }
 
   private listen(plot: uPlot): void {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { interpolate, short, title } from "../math/numbers";
+import { sampledBand, type SampledBand } from "../payload/bands";
 import {
   contactForces,
   filteredForce,
@@ -10,7 +11,8 @@ import {
   type Force,
 } from "../payload/forces";
 import { canFilter } from "../math/filter";
-import { splitBy, type History } from "../payload/history";
+import { curveName, splitBy, type History } from "../payload/history";
+import type { ScatterMeta } from "../payload/meta";
 import type { Run } from "../payload/run";
 import { Chart, type Curve } from "./charts";
 import { choose, h, labelled, options } from "./dom";
@@ -105,11 +107,26 @@ export class Curves {
     return chart;
   }
 
+  /** A column of a history with its band. */
+  private column(label: string, history: History, name: string): Curve {
+    return { label, values: history.number[name], band: this.band(curveName(history, name), history.number["time"]) };
+  }
+
+  private band(curve: string, times: ArrayLike<number>): SampledBand | undefined {
+    const band = this.run.band(curve);
+    return band ? sampledBand(band, times) : undefined;
+  }
+
+  private showOverTime(chart: Chart, x: ArrayLike<number>, curves: Curve[]): void {
+    const scatter = this.run.meta.scatter;
+    chart.show({ xLabel: "time", x, curves, bandLabel: scatter ? bandLabel(scatter) : undefined });
+  }
+
   private addColumns(heading: string, history: History, names: string[], hidden: string[] = []): void {
     const curves = names
       .filter((name) => history.number[name])
-      .map((name): Curve => ({ label: title(name), values: history.number[name], shown: !hidden.includes(name) }));
-    if (curves.length > 0) this.addChart(heading).show({ xLabel: "time", x: history.number["time"], curves });
+      .map((name): Curve => ({ ...this.column(title(name), history, name), shown: !hidden.includes(name) }));
+    if (curves.length > 0) this.showOverTime(this.addChart(heading), history.number["time"], curves);
   }
 
   private addEnergies(glstat: History): void {
@@ -144,9 +161,9 @@ export class Curves {
       .sort((a, b) => b.most - a.most)
       .slice(0, 8);
     if (largest.length < 2) return;
-    const curves = largest.map(({ id, rows }): Curve => ({ label: `part ${id}`, values: rows.number["internal"] }));
+    const curves = largest.map(({ id, rows }) => this.column(`part ${id}`, rows, "internal"));
     const heading = parts.size > largest.length ? `Internal energy of the ${largest.length} parts with the most` : "Internal energy by part";
-    this.addChart(heading).show({ xLabel: "time", x: largest[0].rows.number["time"], curves });
+    this.showOverTime(this.addChart(heading), largest[0].rows.number["time"], curves);
   }
 
   /** Of parts and contacts, those with the largest. */
@@ -176,7 +193,8 @@ export class Curves {
       for (const option of this.filter.options)
         option.disabled = option.value !== "0" && !canFilter(Number(option.value), 1 / rate);
       if (this.filter.selectedOptions[0]?.disabled) this.filter.value = "0";
-      this.note.textContent = `forces recorded at ${short(rate, 3)} Hz if a unit of time is 1 ${this.unit.selectedOptions[0].text}`;
+      const bands = this.run.meta.scatter && this.filter.value !== "0" ? "; bands are of unfiltered forces and not drawn" : "";
+      this.note.textContent = `forces recorded at ${short(rate, 3)} Hz if a unit of time is 1 ${this.unit.selectedOptions[0].text}${bands}`;
       for (const refilter of this.refilters) refilter();
       this.showForceDisplacement();
     };
@@ -191,8 +209,13 @@ export class Curves {
     const chart = this.addChart(heading);
     const show = () => {
       const shown = forces.map((force) => filteredForce(force, this.filtering()));
-      const curves = shown.map((force): Curve => ({ label: force.label, values: force.values }));
-      chart.show({ xLabel: "time", x: shown[0].times, curves });
+      const x = shown[0].times;
+      const curves = shown.map((force, i): Curve => {
+        // Percentiles of filtered forces are not filtered percentiles.
+        const band = force === forces[i] ? this.band(force.curve, x) : undefined;
+        return { label: force.label, values: force.values, band };
+      });
+      this.showOverTime(chart, x, curves);
     };
     this.refilters.push(show);
     show();
@@ -272,6 +295,12 @@ export class Curves {
     });
     this.forceDisplacement.show({ xLabel: "displacement in the direction of the force", yLabel: "force", curves });
   }
+}
+
+/** What the bands are, as their legend tells. */
+function bandLabel({ runs, perturbation }: ScatterMeta): string {
+  const moved = perturbation === null ? "" : `, nodes moved by up to ${short(perturbation)} of the diagonal`;
+  return `P5 to P95 of ${runs} runs${moved}`;
 }
 
 /** Unit vector of the sum of a history's forces; null if they cancel or there are none. */

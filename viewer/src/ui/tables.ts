@@ -90,6 +90,7 @@ function energies(run: Run): HTMLElement | null {
 function facts(run: Run): HTMLElement | null {
   const record = run.meta.run;
   if (!record) return null;
+  const scatter = run.meta.scatter;
   const elements = Object.entries(record.elements ?? {})
     .filter(([, count]) => count > 0)
     .map(([kind, count]) => `${count} ${kind}`)
@@ -99,6 +100,7 @@ function facts(run: Run): HTMLElement | null {
     ["deck", record.deck],
     ["units (guess)", record.units || undefined],
     ["ended", `${record.termination}: ${record.reason}`],
+    ["scatter", scatter ? `unperturbed one of ${scatter.runs} runs` : undefined],
     ["end time", record.end_time],
     ["cycles", record.cycles],
     ["nodes", record.nodes],
@@ -157,6 +159,7 @@ export function tables(run: Run): HTMLElement {
     `coordinates of at most ${short(exactness, 2)}; fringes are exact to ${coarse ? "1/500" : "1/130 000"} of their range. ` +
     "Numbers are in the units of the deck.";
   const thinned = data.tables.filter((entry) => entry.every > 1).map((entry) => `${entry.name} (one moment in ${entry.every})`);
+  for (const { name, every } of data.scatter?.histories ?? []) if (every > 1) thinned.push(`bands of ${name} (one point in ${every})`);
   return h(
     "section",
     { id: "tables" },

@@ -42,10 +42,11 @@ describe("forces", () => {
     const times = Float64Array.from({ length: 2001 }, (_, i) => i * 0.01); // ms
     const noisy = times.map((_, i) => 10 + (i % 2 === 0 ? 3 : -3));
     expect(sampleRate(times, 1e-3)).toBeCloseTo(1e5, 6);
-    const smooth = filteredForce({ label: "wall 1", times, values: noisy }, { cfc: 180, secondsPerUnit: 1e-3 });
+    const force = { label: "wall 1", curve: "rwforc.normal[1]", times, values: noisy };
+    const smooth = filteredForce(force, { cfc: 180, secondsPerUnit: 1e-3 });
     for (const value of smooth.values.slice(700, 1300)) expect(value).toBeCloseTo(10, 2);
-    const raw = filteredForce({ label: "wall 1", times, values: noisy }, { cfc: 0, secondsPerUnit: 1e-3 });
-    expect(raw.values).toBe(noisy);
+    const raw = filteredForce(force, { cfc: 0, secondsPerUnit: 1e-3 });
+    expect(raw).toBe(force);
   });
 
   it("know a unit of time from the deck's units, else guess", () => {
