@@ -4,6 +4,7 @@
 
     bench/folding_study.py --program build/release/crumple --times 0.004,0.008,0.012 deck.k
     bench/folding_study.py ... --only "as it is;ELFORM 16" --end 0.0107 --plot curves.svg deck.k
+    bench/folding_study.py ... --ls-dyna-defaults deck.k     viscous control, constant thickness where the deck is silent
 
 The deck has one *CONTACT_AUTOMATIC_SINGLE_SURFACE at most, shells of ELFORM 2, numbers in fixed columns. Prints a
 Markdown table: energy absorbed (internal, hourglass, friction, contact) at the times, hourglass over internal energy,
@@ -49,8 +50,10 @@ def section(column, value):
     return change
 
 
-def thickness_change(text):
-    return with_card(without(text, "CONTROL_SHELL"), "*CONTROL_SHELL\n" + card("", "", 0, 1))
+def thickness_change(istupd):
+    def change(text):
+        return with_card(without(text, "CONTROL_SHELL"), "*CONTROL_SHELL\n" + card("", "", 0, istupd))
+    return change
 
 
 def half_step(text):
@@ -78,10 +81,12 @@ VARIANTS = {
     "IHQ 4, QM 0.67": hourglass(4, 0.67),
     "ELFORM 10": section(2, 10),
     "ELFORM 16": section(2, 16),
-    "ELFORM 16, ISTUPD 1": both(section(2, 16), thickness_change),
-    "ISTUPD 1": thickness_change,
-    "IHQ 4, QM 0.05, ISTUPD 1": both(hourglass(4, 0.05), thickness_change),
-    "IHQ 4, QM 0.67, ISTUPD 1": both(hourglass(4, 0.67), thickness_change),
+    "ELFORM 16, ISTUPD 1": both(section(2, 16), thickness_change(1)),
+    "ISTUPD 1": thickness_change(1),
+    "ISTUPD 0": thickness_change(0),
+    "IHQ 4, QM 0.05, ISTUPD 1": both(hourglass(4, 0.05), thickness_change(1)),
+    "IHQ 4, QM 0.67, ISTUPD 1": both(hourglass(4, 0.67), thickness_change(1)),
+    "LS-DYNA's defaults": both(hourglass(1, 0.1), thickness_change(0)),
     "9 points": section(4, 9),
     "shear factor 1": section(3, 1.0),
     "no friction at the wall": frictionless_wall,
@@ -101,6 +106,8 @@ def run(arguments, name, text, folder):
     deck.write_text(text, encoding="utf-8")
     command = [arguments.program, "run", deck, "-o", folder / "out", "-t", "1", "-q",
                "--precision", "double" if name == "double" else "mixed"]
+    if arguments.ls_dyna_defaults:
+        command.append("--ls-dyna-defaults")
     if arguments.end:
         command += ["--end", str(arguments.end)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -145,6 +152,7 @@ def main():
     parser.add_argument("--times", required=True, help="at which energies are compared, separated by commas")
     parser.add_argument("--end", type=float, help="end time instead of the deck's")
     parser.add_argument("--only", help=f"variants, separated by semicolons: {'; '.join(VARIANTS)}")
+    parser.add_argument("--ls-dyna-defaults", action="store_true", help="as the program's option, for all variants")
     parser.add_argument("--plot", help="picture of the energy absorbed over time")
     parser.add_argument("deck", type=Path)
     arguments = parser.parse_args()

@@ -152,12 +152,13 @@ std::string hourglass_words(const model::Model& model, const model::Part& part) 
   if (formulation == FullyIntegrated || formulation == Triangle) return "none";
   if (!materials::has_stiffness(model.materials[part.material].law)) return "none";
   const model::HourglassControl& control = model::hourglass_of(model, part);
+  if (control.form == model::HourglassForm::Material) return "stiffness of the material";
   const char* form = control.form == model::HourglassForm::Viscous ? "viscous" : "stiffness";
   // Of selectively reduced shells only the warping is controlled.
   if (formulation == HughesLiuSelectiveReduced) return fmt::format("{} QW {:.4g}", form, control.warping);
-  if (control.bending == control.membrane && control.warping == control.membrane)
-    return fmt::format("{} QM {:.4g}", form, control.membrane);
-  return fmt::format("{} QM {:.4g} QB {:.4g} QW {:.4g}", form, control.membrane, control.bending,
+  if (control.bending == control.coefficient && control.warping == control.coefficient)
+    return fmt::format("{} QM {:.4g}", form, control.coefficient);
+  return fmt::format("{} QM {:.4g} QB {:.4g} QW {:.4g}", form, control.coefficient, control.bending,
                      control.warping);
 }
 

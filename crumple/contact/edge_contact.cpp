@@ -50,7 +50,7 @@ double EdgeContact::update(const domain::Domain& domain, const Kinematics& motio
     refresh(edges_, *surface_, domain);
     std::erase_if(remembered_, [&](const RememberedEdgePair& pair) {
       const bool gone = edges_.active[pair.key.first] == 0 || edges_.active[pair.key.second] == 0;
-      if (gone) held += pair.share * std::max(0.0, pair.penalty.energy);
+      if (gone) held += std::max(0.0, pair.penalty.energy);
       return gone;
     });
   }

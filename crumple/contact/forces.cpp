@@ -232,13 +232,14 @@ bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
   const double stiffness = std::min(law.stiffness, law.limit);
   const double factor = factor_in_step(before, touch.penalty, domain.clock.step, stiffness * inverse);
   const double damping = 2 * contact_.viscous_damping * std::sqrt(stiffness / inverse);
-  const double wanted = touch.share * factor * law.force(touch.penetration);
+  const double acting = touch.share * touch.fade;
+  const double wanted = acting * factor * law.force(touch.penetration);
   const double spring =
       passive_spring_force(nodes, before, touch, {wanted, inverse, step, domain.clock.step});
   // Damping may take the force down to zero, but never pulls.
-  const double size = std::max(0.0, spring - touch.share * damping * touch.penalty.speed);
+  const double size = std::max(0.0, spring - acting * damping * touch.penalty.speed);
 
-  touch.normal_force = touch.fade * size * touch.normal;
+  touch.normal_force = size * touch.normal;
   add_friction(domain, touch, law.stiffness, inverse);
   return law.limit < law.stiffness;
 }

@@ -8,14 +8,6 @@ namespace crumple::deck {
 
 namespace {
 
-/// The stiffness that the material has in the patterns of a square, which agrees with fully integrated
-/// shells.
-void take_stiffness_of_material(model::HourglassControl& control) {
-  control.form = model::HourglassForm::Stiffness;
-  control.membrane = control.warping = 2.0 / 3;
-  control.bending = 4.0 / 3;
-}
-
 /// Shells for which what the deck leaves open makes a difference.
 struct OpenShells {
   bool deformable = false;
@@ -25,8 +17,9 @@ struct OpenShells {
 OpenShells open_shells(const model::Model& model) {
   OpenShells found;
   for (const model::ShellElement& shell : model.shells) {
+    if (shell.part == no_index) continue;
     const model::Part& part = model.parts[shell.part];
-    if (model::is_rigid(model, part)) continue;
+    if (part.section == no_index || model::is_rigid(model, part)) continue;
     found.deformable = true;
     const model::ShellFormulation formulation = model.shell_sections[part.section].formulation;
     found.hourglassing = found.hourglassing || (part.hourglass == no_index &&
@@ -43,7 +36,7 @@ void settle_defaults(Build& build, bool as_ls_dyna) {
   const bool ls_dyna = as_ls_dyna || build.deck.takes_ls_dyna_defaults;
   const bool open_hourglass = !build.deck.control_hourglass;
   const bool open_thickness = !build.deck.control_shell;
-  if (open_hourglass && !ls_dyna) take_stiffness_of_material(control.hourglass);
+  if (open_hourglass && !ls_dyna) control.hourglass.form = model::HourglassForm::Material;
   if (open_thickness) control.thickness_change = !ls_dyna;
   const OpenShells shells = open_shells(build.model);
   if (ls_dyna || !shells.deformable) return;

@@ -107,7 +107,7 @@ void read_control_hourglass(Cards& cards, RawDeck& deck) {
   control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
   control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
   warn_of_hourglass_coefficient(card, "QH", cards.report());
-  control.coefficient = control.membrane = control.bending = control.warping = card.real("QH");
+  control.coefficient = control.bending = control.warping = card.real("QH");
 }
 
 void read_control_bulk_viscosity(Cards& cards, RawDeck& deck) {

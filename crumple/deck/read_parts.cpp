@@ -184,7 +184,7 @@ void read_hourglass(Cards& cards, RawDeck& deck) {
     raw.id = card.integer("HGID");
     raw.control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
     raw.control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
-    raw.control.coefficient = raw.control.membrane = card.real("QM");
+    raw.control.coefficient = card.real("QM");
     raw.control.bulk_quadratic = card.real("Q1");
     raw.control.bulk_linear = card.real("Q2");
     raw.control.bending = card.real("QB") != 0 ? card.real("QB") : raw.control.coefficient;

@@ -41,17 +41,27 @@ void set_thickness_rule(const model::Part& part, const model::ShellSection& sect
   std::copy(rule.weight.begin(), rule.weight.end(), constants.weight);
 }
 
+/// The stiffness form with what the material resists the patterns of a square with: E t / 12 in the membrane,
+/// where the form has QM E t / 8, and so on (docs/theory/hourglass.md).
+model::HourglassControl with_stiffness_of_material(model::HourglassControl control) {
+  control.coefficient = control.warping = 2.0 / 3;
+  control.bending = 4.0 / 3;
+  return control;
+}
+
 /// The factors that do not change during the run, see hourglass.hpp.
-void set_hourglass(const model::HourglassControl& control, const ElasticConstants& elastic,
-                   double shear_factor, ShellConstants<double>& constants) {
+void set_hourglass(const model::HourglassControl& asked, const ElasticConstants& elastic, double shear_factor,
+                   ShellConstants<double>& constants) {
+  const model::HourglassControl control =
+      asked.form == model::HourglassForm::Material ? with_stiffness_of_material(asked) : asked;
   constants.viscous = control.form == model::HourglassForm::Viscous;
   if (constants.viscous) {
     const double impedance = 0.25 * elastic.density * elastic.plate_wave_speed();
-    constants.hourglass_membrane = control.membrane * impedance;
+    constants.hourglass_membrane = control.coefficient * impedance;
     constants.hourglass_warping = control.warping * impedance;
     constants.hourglass_bending = control.bending * impedance / 12;
   } else {
-    constants.hourglass_membrane = control.membrane * elastic.youngs_modulus / 16;
+    constants.hourglass_membrane = control.coefficient * elastic.youngs_modulus / 16;
     constants.hourglass_warping = control.warping * shear_factor * elastic.shear_modulus() / 24;
     constants.hourglass_bending = control.bending * elastic.youngs_modulus / 384;
   }

@@ -80,6 +80,7 @@ struct DiscreteSection {
 enum class HourglassForm {
   Viscous,    ///< LS-DYNA's IHQ 1, 2, 3 for shells
   Stiffness,  ///< LS-DYNA's IHQ 4, 5 for shells
+  Material,   ///< the stiffness that the material has in the patterns of a square; has no coefficients
 };
 
 /// Of hexahedra with one point, in the order of LS-DYNA's IHQ 1 to 6; its default for explicit runs is the
@@ -95,10 +96,9 @@ enum class SolidHourglassForm {
 
 struct HourglassControl {
   HourglassForm form = HourglassForm::Viscous;  ///< of shells
-  double membrane = 0.1;                        ///< QM of shells [-]
+  double coefficient = 0.1;                     ///< QM: solids, and the membrane of shells [-]
   double bending = 0.1;                         ///< QB: bending of shells [-]
   double warping = 0.1;                         ///< QW: warping (transverse shear) of shells [-]
-  double coefficient = 0.1;                     ///< QM of solids [-]
   double bulk_quadratic = 0;  ///< Q1: bulk viscosity of solids [-]; 0 takes Control::bulk_quadratic
   double bulk_linear = 0;     ///< Q2 [-]; 0 takes Control::bulk_linear
   SolidHourglassForm solid_form = SolidHourglassForm::FlanaganBelytschkoViscous;

@@ -14,7 +14,7 @@ constexpr double yield_stress = 0.2;
 /// A square shell of five points that is stretched along x and bent, and a cube that is stretched along z:
 /// both yield, with kinematic hardening.
 std::string yielding(const std::string& extent) {
-  return "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*CONTROL_TIMESTEP\n0.,0.2\n" + extent +
+  return "*KEYWORD\n*CONTROL_TERMINATION\n1.0\n*CONTROL_TIMESTEP\n0.,0.2\n*CONTROL_SHELL\n\n" + extent +
          "*NODE\n"
          "1,0.,0.,0.\n2,10.,0.,0.\n3,10.,10.,0.\n4,0.,10.,0.\n"
          "11,20.,0.,0.\n12,30.,0.,0.\n13,30.,10.,0.\n14,20.,10.,0.\n"

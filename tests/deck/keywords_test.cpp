@@ -54,7 +54,7 @@ TEST(Section, TrapezoidalRuleAndPlaceOfTheNodes) {
 }
 
 TEST(Control, DefaultsOfLsDyna) {
-  const model::Model model = read_with("");
+  const model::Model model = read_with("$crumple defaults=ls-dyna\n");
   EXPECT_EQ(model.control.step_scale, 0.9);
   EXPECT_EQ(model.control.hourglass.form, model::HourglassForm::Viscous);
   EXPECT_EQ(model.control.hourglass.coefficient, 0.1);
@@ -65,6 +65,25 @@ TEST(Control, DefaultsOfLsDyna) {
   EXPECT_EQ(model.shell_sections[0].thickness_rule, model::ThicknessRule::Gauss);
   EXPECT_EQ(model.search.method, "production");
   EXPECT_TRUE(model.run.precision.empty());
+}
+
+/// With LS-DYNA's meaning of what is blank on a card that is there.
+TEST(Control, ShellsThatTheDeckLeavesOpen) {
+  const model::Model open = read_with("");
+  EXPECT_TRUE(open.control.thickness_change);
+  EXPECT_EQ(open.control.hourglass.form, model::HourglassForm::Material);
+  const model::Model with_shell = read_with("*CONTROL_SHELL\n\n");
+  EXPECT_FALSE(with_shell.control.thickness_change);
+  EXPECT_EQ(with_shell.control.hourglass.form, model::HourglassForm::Material);
+  const model::Model with_hourglass = read_with("*CONTROL_HOURGLASS\n\n");
+  EXPECT_TRUE(with_hourglass.control.thickness_change);
+  EXPECT_EQ(with_hourglass.control.hourglass.form, model::HourglassForm::Viscous);
+  EXPECT_EQ(with_hourglass.control.hourglass.coefficient, 0.1);
+  ReadOptions options;
+  options.ls_dyna_defaults = true;
+  const model::Model asked = read_clean(SmallDeck().text(), options);
+  EXPECT_FALSE(asked.control.thickness_change);
+  EXPECT_EQ(asked.control.hourglass.form, model::HourglassForm::Viscous);
 }
 
 TEST(Control, SecondOneReplacesTheFirstWithAWarning) {

@@ -75,6 +75,21 @@ TEST_F(ChecksTest, TheWorstPartIsNamed) {
   EXPECT_NE(energy_warnings(view(), peaks_)[0].find("part 3 is 20.0 %"), std::string::npos);
 }
 
+/// That of shells with the stiffness of their material is strain energy; where it is much, the mesh is
+/// coarse.
+TEST_F(ChecksTest, HourglassEnergyOfTheMaterialIsNotLimitedButTold) {
+  for (domain::ShellBlock& block : domain_.shells)
+    if (model_.parts[block.part].id == 3) block.hourglass_energy = 20;
+  domain_.energy.hourglass = 21;
+  EXPECT_FALSE(find("hourglass / internal energy").pass);
+  model_.control.hourglass.form = model::HourglassForm::Material;
+  EXPECT_DOUBLE_EQ(find("hourglass / initial").value, 0);
+  EXPECT_TRUE(find("hourglass / internal energy").pass);
+  EXPECT_TRUE(find("hourglass / internal energy, part").pass);
+  ASSERT_EQ(energy_warnings(view(), peaks_).size(), 1U);
+  EXPECT_NE(energy_warnings(view(), peaks_)[0].find("its shells are too large"), std::string::npos);
+}
+
 TEST_F(ChecksTest, AddedMassCountsAgainstTheMassWithoutIt) {
   domain_.added_mass = 1;
   EXPECT_DOUBLE_EQ(find("added mass").value, 0.2);
