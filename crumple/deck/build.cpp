@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/build.hpp"
-#include "deck/coordinates.hpp"
-#include "deck/reader.hpp"
 
 #include <fmt/core.h>
 

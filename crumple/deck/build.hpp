@@ -4,18 +4,19 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "deck/id_table.hpp"
 #include "deck/raw_deck.hpp"
+#include "deck/read_options.hpp"
 #include "deck/report.hpp"
+#include "deck/vector.hpp"
 #include "model/model.hpp"
 
 namespace crumple::deck {
-
-struct ReadOptions;
 
 /// What a user id can be the id of.
 enum class Item {
@@ -116,6 +117,13 @@ using model::ElementKind;
 /// Index of the part that an element names. Where there is none, or its section is for another kind of
 /// elements, says so and returns no_index.
 Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
+// build_coordinates.cpp
+/// Enters the ids of the coordinate systems. The nodes of the model must be there.
+void enter_coordinate_systems(Build& build);
+/// The axes of the coordinate system that a field refers to. Absent, with a message, where there is none or
+/// where it has no axes.
+std::optional<std::array<Vector, 3>> find_axes(Build& build, UserId id, std::string_view field,
+                                               const Where& where);
 // build_defaults.cpp
 /// Settles what the deck leaves open about shells: with thickness change and the hourglass stiffness of their
 /// material, or as LS-DYNA does. Says so.

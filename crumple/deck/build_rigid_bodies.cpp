@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "deck/build.hpp"
-#include "deck/coordinates.hpp"
 
 namespace crumple::deck {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/rigid_inertia.hpp"
 
-#include "deck/coordinates.hpp"
 #include "deck/families.hpp"
+#include "deck/vector.hpp"
 
 namespace crumple::deck {
 

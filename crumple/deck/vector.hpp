@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace crumple::deck {
 
@@ -23,6 +24,20 @@ inline double dot(const Vector& a, const Vector& b) {
 
 inline double length_of(const Vector& a) {
   return std::hypot(a[0], a[1], a[2]);
+}
+
+/// Right-handed axes of unit length: the first along `first`, the second in the plane that `first` and
+/// `other` span, on the side of `other`. Absent if the two span no plane.
+inline std::optional<std::array<Vector, 3>> local_axes(const Vector& first, const Vector& other) {
+  const auto of_length_one = [](const Vector& a) -> std::optional<Vector> {
+    const double length = length_of(a);
+    if (!(length > 0)) return std::nullopt;
+    return Vector{a[0] / length, a[1] / length, a[2] / length};
+  };
+  const std::optional<Vector> x = of_length_one(first);
+  const std::optional<Vector> z = of_length_one(cross(first, other));
+  if (!x || !z) return std::nullopt;
+  return std::array{*x, cross(*z, *x), *z};
 }
 
 }  // namespace crumple::deck

@@ -68,7 +68,8 @@ TEST(SeveralContacts, TogetherDoWhatOneDoes) {
       test::verified(title + "energy that a contact makes, over the largest internal", "zero")
           .below(-found.lowest_contact, 1e-3);
       test::verified(title + "drift of the momentum", "conservation").below(found.momentum_drift, 1e-12);
-      test::verified(title + "imbalance over the initial energy", "conservation").below(found.imbalance, 1e-5);
+      test::verified(title + "imbalance over the initial energy", "conservation")
+          .below(found.imbalance, 1e-5);
       test::verified(title + "kinetic energy after the rebound, over the initial one", "one contact alone")
           .near(found.kinetic, alone.kinetic, 1e-9);
     }
