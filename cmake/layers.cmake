@@ -19,6 +19,30 @@ set(CRUMPLE_LAYERS
   "compare: report output base")
 # app may include everything; it is built by crumple/app/CMakeLists.txt.
 
+# Inside a folder: "room: the rooms of the same folder that it may include". What stands in the folder itself may include
+# all of its rooms, and none of them may include that. Kernels may include every room.
+set(CRUMPLE_ROOMS
+  "contact/surface:"
+  "contact/enforcement: contact/surface"
+  "contact/search: contact/enforcement contact/surface"
+  "contact/node_segment: contact/search contact/enforcement contact/surface"
+  "contact/edge_edge: contact/search contact/enforcement contact/surface"
+  "contact/pinball: contact/search contact/enforcement contact/surface"
+  "contact/tied: contact/enforcement contact/surface"
+  "deck/format:"
+  "deck/keywords: deck/format"
+  "deck/keywords/conditions: deck/keywords deck/format"
+  "deck/keywords/contact: deck/keywords deck/format"
+  "deck/keywords/control: deck/keywords deck/format"
+  "deck/keywords/materials: deck/keywords deck/format"
+  "deck/build: deck/keywords deck/format"
+  "output/files:"
+  "output/results: output/files"
+  "output/histories: output/results output/files"
+  "output/lsdyna: output/results output/files"
+  "output/paraview: output/results output/files"
+  "output/d3plot: output/results output/files")
+
 set(CRUMPLE_NON_CORE deck output report live compare)
 set(CRUMPLE_LAYER_NAMES "")
 foreach(line IN LISTS CRUMPLE_LAYERS)
@@ -114,10 +138,11 @@ function(crumple_compile_together target layer)
   set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# One static library per folder. A folder without sources yet is an interface target.
+# One static library per folder, with its rooms. A folder without sources yet is an interface target.
 function(crumple_add_layer layer)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/crumple/${layer}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "http_server\\.cpp$") # one of the two is chosen below
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/crumple/${layer}/*.cpp)
+  # Kernels are compiled by instruction set, and one of the two servers is chosen below.
+  list(FILTER sources EXCLUDE REGEX "/kernels/|http_server\\.cpp$")
   set(target crumple_${layer})
   set(scope PUBLIC)
   if(sources)

@@ -77,6 +77,17 @@ def read_layers(root):
     return layers, set(outside.group(1).split()) if outside else set()
 
 
+def read_rooms(root):
+    """The rooms inside of folders, from cmake/layers.cmake: {room: set of rooms it may include}."""
+    text = (root / "cmake" / "layers.cmake").read_text()
+    block = re.search(r'set\(CRUMPLE_ROOMS\s+((?:"[^"]*"\s*)*)\)', text)
+    rooms = {}
+    for line in re.findall(r'"([^"]*)"', block.group(1)) if block else []:
+        name, _, allowed = line.partition(":")
+        rooms[name.strip()] = set(allowed.split())
+    return rooms
+
+
 def job_count():
     """Processors that this process may use."""
     return len(os.sched_getaffinity(0))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/force_transducer.hpp"
 
-#include "contact/sides.hpp"
+#include "contact/surface/sides.hpp"
 #include "model/solid_faces.hpp"
 
 namespace crumple::contact {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "contact/statistics.hpp"
-#include "contact/surface.hpp"
-#include "contact/touch.hpp"
+#include "contact/enforcement/touch.hpp"
+#include "contact/surface/statistics.hpp"
+#include "contact/surface/surface.hpp"
 #include "domain/contact_node_force.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"

@@ -7,7 +7,7 @@
 
 #include <cellsearch/search.hpp>
 
-#include "contact/segment_shape.hpp"
+#include "contact/surface/segment_shape.hpp"
 
 namespace crumple::contact {
 namespace {

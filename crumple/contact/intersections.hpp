@@ -7,8 +7,8 @@
 
 #include "base/aligned_array.hpp"
 #include "base/index.hpp"
-#include "contact/statistics.hpp"
-#include "contact/surface.hpp"
+#include "contact/surface/statistics.hpp"
+#include "contact/surface/surface.hpp"
 
 namespace crumple::contact {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/global_search.hpp"
-#include "contact/local_search.hpp"
-#include "contact/multipliers.hpp"
-#include "contact/surface.hpp"
+#include "contact/enforcement/multipliers.hpp"
+#include "contact/node_segment/local_search.hpp"
+#include "contact/search/global_search.hpp"
+#include "contact/surface/surface.hpp"
 #include "domain/build.hpp"
 
 namespace crumple::contact {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "contact/tie_search.hpp"
+#include "contact/tied/tie_search.hpp"
 #include "domain/build.hpp"
 #include "elements/elements.hpp"
 #include "materials/shell_material.hpp"

@@ -15,7 +15,7 @@
 #include "constraints/tied_nodes.hpp"
 #include "contact/force_transducer.hpp"
 #include "contact/interface.hpp"
-#include "contact/tie_springs.hpp"
+#include "contact/tied/tie_springs.hpp"
 #include "domain/domain.hpp"
 #include "domain/energy_residual.hpp"
 #include "elements/energy_trace.hpp"

@@ -8,10 +8,10 @@
 
 #include "base/error.hpp"
 #include "contact/bodies.hpp"
-#include "contact/edge_contact.hpp"
-#include "contact/edge_geometry.hpp"
-#include "contact/edge_search.hpp"
-#include "contact/edges.hpp"
+#include "contact/edge_edge/edge_contact.hpp"
+#include "contact/edge_edge/edge_geometry.hpp"
+#include "contact/edge_edge/edge_search.hpp"
+#include "contact/edge_edge/edges.hpp"
 #include "support/largest.hpp"
 
 namespace crumple::edges_test {

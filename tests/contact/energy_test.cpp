@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "contact/bodies.hpp"
-#include "contact/penalty.hpp"
+#include "contact/enforcement/penalty.hpp"
 #include "support/largest.hpp"
 
 namespace crumple::energy_test {

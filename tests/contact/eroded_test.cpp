@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "contact/bodies.hpp"
-#include "contact/surface.hpp"
+#include "contact/surface/surface.hpp"
 #include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/verified.hpp"

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "contact/bodies.hpp"
-#include "contact/surface.hpp"
+#include "contact/surface/surface.hpp"
 #include "support/meshes.hpp"
 #include "support/verified.hpp"
 

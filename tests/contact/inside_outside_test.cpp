@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/inside_outside.hpp"
+#include "contact/surface/inside_outside.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // The nearest point and the distance by the kernels against the plain one: the same bits.
 
-#include "contact/nearest_point_kernel.hpp"
+#include "contact/surface/nearest_point_kernel.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/penalty.hpp"
+#include "contact/enforcement/penalty.hpp"
 #include "support/larger.hpp"
 #include "support/largest.hpp"
 

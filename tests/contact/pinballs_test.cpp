@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/pinballs.hpp"
+#include "contact/pinball/pinballs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a force does to the nodes of a segment from a height above it, against differences of where it acts.
-#include "contact/raised_point.hpp"
+#include "contact/enforcement/raised_point.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/segment_shape.hpp"
+#include "contact/surface/segment_shape.hpp"
 #include "support/largest.hpp"
 
 namespace crumple::contact::raised_point_test {

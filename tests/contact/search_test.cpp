@@ -8,8 +8,8 @@
 
 #include "base/error.hpp"
 #include "contact/bodies.hpp"
-#include "contact/global_search.hpp"
 #include "contact/intersections.hpp"
+#include "contact/search/global_search.hpp"
 
 namespace crumple::search_test {
 namespace {

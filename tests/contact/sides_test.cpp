@@ -9,8 +9,8 @@
 
 #include "contact/bodies.hpp"
 #include "contact/force_transducer.hpp"
-#include "contact/segment_shape.hpp"
-#include "contact/surface.hpp"
+#include "contact/surface/segment_shape.hpp"
+#include "contact/surface/surface.hpp"
 #include "support/verified.hpp"
 
 namespace crumple::sides_test {

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "contact/bodies.hpp"
-#include "contact/motion_limit.hpp"
+#include "contact/search/motion_limit.hpp"
 
 namespace crumple::swept_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/tie_search.hpp"
+#include "contact/tied/tie_search.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "contact/nearest_segment.hpp"
+#include "contact/surface/nearest_segment.hpp"
 #include "domain/build.hpp"
 #include "support/largest.hpp"
 #include "support/ties.hpp"

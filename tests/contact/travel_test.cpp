@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/travel.hpp"
+#include "contact/search/travel.hpp"
 
 #include <gtest/gtest.h>
 

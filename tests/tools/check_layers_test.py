@@ -23,7 +23,7 @@ GOOD = {
     "crumple/base/index.hpp": "#include <cstdint>\n#include <experimental/simd>\n",
     "crumple/model/model.hpp": '// #include "deck/reader.hpp"\n#include "base/index.hpp"\n',
     "crumple/deck/reader.hpp": '#include <fmt/format.h>\n#include "model/model.hpp"\n',
-    "crumple/contact/surface.cpp": '#include <cellsearch/search.hpp>\n',
+    "crumple/contact/surface/surface.cpp": '#include <cellsearch/search.hpp>\n',
     "crumple/app/main.cpp": '#include <CLI/CLI.hpp>\n#include "deck/reader.hpp"\n',
 }
 
@@ -99,6 +99,28 @@ class CheckLayers(unittest.TestCase):
 
     def test_folder_without_a_rule(self):
         self.assert_fails({"crumple/extra/thing.hpp": "\n"}, "crumple/extra/thing.hpp:1", "not in cmake/layers.cmake")
+
+    def in_rooms(self, header):
+        rooms = LAYERS + '\nset(CRUMPLE_ROOMS\n  "model/parts:"\n  "model/whole: model/parts")\n'
+        return {"cmake/layers.cmake": rooms, "crumple/model/parts/part.hpp": "", "crumple/model/whole/all.hpp": "",
+                "crumple/model/top.hpp": '#include "model/whole/all.hpp"\n', **header}
+
+    def test_rooms_of_a_folder(self):
+        status, output = self.run_on(self.in_rooms(
+            {"crumple/model/whole/all.hpp": '#include "model/parts/part.hpp"\n'}))
+        self.assertEqual(status, 0, output)
+
+    def test_upward_include_between_rooms(self):
+        self.assert_fails(self.in_rooms({"crumple/model/parts/part.hpp": '#include "model/whole/all.hpp"\n'}),
+                          "crumple/model/parts/part.hpp:1", "model/parts may not include model/whole")
+
+    def test_no_room_includes_what_stands_above_it(self):
+        self.assert_fails(self.in_rooms({"crumple/model/parts/part.hpp": '#include "model/top.hpp"\n'}),
+                          "crumple/model/parts/part.hpp:1", "model/parts may not include model")
+
+    def test_room_without_a_rule(self):
+        self.assert_fails(self.in_rooms({"crumple/model/cellar/box.hpp": '#include "model/parts/part.hpp"\n'}),
+                          "crumple/model/cellar/box.hpp:1", "not in cmake/layers.cmake")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The nearest point on the four sub-triangles of a segment, one per lane, and distances of many pairs, one
 // per lane. The bits are those of nearest_point().
-#include "contact/nearest_point_kernel.hpp"
+#include "contact/surface/nearest_point_kernel.hpp"
 
 #include "contact/kernels/nearest_on_triangles.hpp"
 

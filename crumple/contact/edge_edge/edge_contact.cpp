@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/edge_edge/edge_contact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "contact/edge_edge/edge_pair_search.hpp"
+
+namespace crumple::contact {
+namespace {
+
+/// True if the contact point of a node lies on edge k of its segment, ends included.
+bool on_edge(const Surface& surface, const ContactPair& pair, int k) {
+  // The third node of a triangle is its fourth as well.
+  const bool triangle = surface.is_triangle(pair.segment);
+  const int next = triangle && k == 3 ? 0 : (k + 1) % 4;
+  const int start = triangle && k == 3 ? 2 : k;
+  for (int corner = 0; corner < 4; ++corner)
+    if (pair.weight[corner] != 0 && corner != start && corner != next) return false;
+  return true;
+}
+
+/// Calls visit(edge) for the edges on which the contact point of a node lies.
+template <class Visit>
+void for_each_edge(const Surface& surface, const Edges& edges, const ContactPair& pair, const Visit& visit) {
+  const std::array<Index, 4>& around = edges.of_segment[pair.segment];
+  for (int k = 0; k < 4; ++k)
+    if (around[k] != no_index && on_edge(surface, pair, k)) visit(around[k]);
+}
+
+}  // namespace
+
+EdgeContact::EdgeContact(const model::Model& model, const domain::Domain& domain,
+                         const model::Contact& contact, const Surface& surface)
+    : surface_(&surface),
+      edges_(build_edges(model, domain, contact, surface)),
+      search_(edges_, surface, model.search, domain.execution.threads),
+      local_(edges_, surface) {}
+
+double EdgeContact::update(const domain::Domain& domain, const Kinematics& motion, bool surface_changed) {
+  if (!exists()) return 0;
+  double held = 0;
+  Index eroded = 0;
+  for (const domain::BeamBlock& block : domain.beams) eroded += block.eroded;
+  const bool changed = surface_changed || eroded != eroded_beams_;
+  eroded_beams_ = eroded;
+  if (changed) {
+    refresh(edges_, *surface_, domain);
+    std::erase_if(remembered_, [&](const RememberedEdgePair& pair) {
+      const bool gone = edges_.active[pair.key.first] == 0 || edges_.active[pair.key.second] == 0;
+      if (gone) held += std::max(0.0, pair.penalty.energy);
+      return gone;
+    });
+  }
+  search_.update(motion, changed);
+  return held;
+}
+
+void EdgeContact::find(const Kinematics& motion, bool tracking) {
+  if (exists()) present_ = local_.find(motion, search_, remembered_, node_depths_, tracking);
+}
+
+void EdgeContact::relieve(std::span<ContactPair> nodes) const {
+  if (present_.empty()) return;
+  const std::vector<NodeOnEdge> found = reliefs(edges_, present_);
+  if (found.empty()) return;
+  for (ContactPair& pair : nodes)
+    for_each_edge(*surface_, edges_, pair,
+                  [&](Index edge) { pair.fade *= share_left(found, surface_->nodes[pair.node], edge); });
+}
+
+void EdgeContact::append_touches(std::vector<Touch>& touches) const {
+  for (const EdgePair& pair : present_) {
+    Touch touch;
+    for (int i = 0; i < 2; ++i) {
+      const double sign = i == 0 ? 1 : -1;
+      const EdgeNodes ends = edges_.ends(i == 0 ? pair.key.first : pair.key.second);
+      const double fraction = pair.fraction[i];
+      if (fraction < 1) touch.add(surface_->place[ends[0]], sign * (1 - fraction));
+      if (fraction > 0) touch.add(surface_->place[ends[1]], sign * fraction);
+    }
+    touch.normal = pair.normal;
+    touch.penetration = pair.share > 0 ? pair.penetration() : 0;
+    // Between edges of solids there is no mid-surface that a strong squeeze would reach.
+    touch.reach = edges_.contact_distance(pair.key.first, pair.key.second) > 0
+                      ? pair.reach
+                      : std::numeric_limits<double>::max();
+    touch.stiffness = std::min(edges_.stiffness[pair.key.first], edges_.stiffness[pair.key.second]);
+    touch.area = std::min(edges_.area[pair.key.first], edges_.area[pair.key.second]);
+    touch.fade = pair.share;
+    touch.starts_loaded = pair.starts_loaded;
+    touch.slip = pair.slip;
+    touch.friction = pair.friction;
+    touch.penalty = pair.penalty;
+    touch.last_speed = pair.last_speed;
+    touches.push_back(touch);
+  }
+}
+
+UserId EdgeContact::node_id(const EdgePair& pair) const {
+  const EdgeNodes ends = edges_.ends(pair.key.first);
+  return surface_->node_id[surface_->place[ends[pair.fraction[0] <= 0.5 ? 0 : 1]]];
+}
+
+void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touches,
+                           std::span<const ContactPair> nodes, std::vector<Penetration>& penetrations) {
+  if (!exists()) return;
+  const Configuration x{motion.position.data(), motion.velocity.data(), 0};
+  remembered_.clear();
+  for (std::size_t i = 0; i < present_.size(); ++i) {
+    const EdgePair& pair = present_[i];
+    RememberedEdgePair memory;
+    memory.key = pair.key;
+    memory.wrong = pair.wrong;
+    memory.fraction = pair.fraction;
+    memory.offset = pair.offset;
+    memory.depth = pair.share > 0 ? std::max(0.0, pair.penetration()) : 0;
+    memory.share = pair.share;
+    memory.normal = pair.normal;
+    memory.side = pair.side;
+    memory.penalty = touches[i].penalty;
+    const Vec3& friction = touches[i].friction;
+    if (dot(friction, friction) > 0)
+      memory.friction = frame_of(edge_shape(edges_.ends(pair.key.first), x),
+                                 edge_shape(edges_.ends(pair.key.second), x), pair.normal)
+                            .to_local(friction);
+    remembered_.push_back(memory);
+    if (pair.penetration() > 0 && pair.share > 0)
+      penetrations.push_back(
+          {pair.penetration(),
+           std::max({pair.reach, edges_.height[pair.key.first], edges_.height[pair.key.second]}),
+           node_id(pair), edges_.id[pair.key.second]});
+  }
+  node_depths_.clear();
+  for (const ContactPair& pair : nodes) {
+    if (!pair.acts() || pair.penetration() <= 0) continue;
+    for_each_edge(*surface_, edges_, pair, [&](Index edge) {
+      node_depths_.push_back({surface_->nodes[pair.node], edge, pair.penetration()});
+    });
+  }
+  std::sort(node_depths_.begin(), node_depths_.end());
+}
+
+void EdgeContact::declare(domain::StateList& list) {
+  if (!exists()) return;
+  search_.declare(list);
+  list.add_list("contact_edge_pairs", "by item", domain::Entity::Contact, 1, remembered_);
+  list.add_list("contact_edge_node_depths", "by item", domain::Entity::Contact, 1, node_depths_);
+  list.keep("contact_eroded_beams", "-", domain::Entity::Contact, eroded_beams_);
+}
+
+void EdgeContact::resume(const domain::Domain& domain, const Kinematics& motion) {
+  if (!exists()) return;
+  refresh(edges_, *surface_, domain);
+  search_.resume(motion);
+}
+
+}  // namespace crumple::contact

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/edge_edge/edge_local_search.hpp"
+#include "contact/edge_edge/edge_pair.hpp"
+#include "contact/edge_edge/edge_search.hpp"
+#include "contact/edge_edge/edges.hpp"
+#include "contact/enforcement/contact_pair.hpp"
+#include "contact/enforcement/touch.hpp"
+#include "contact/surface/statistics.hpp"
+#include "contact/surface/surface.hpp"
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::contact {
+
+/// The contact of edges with edges, and of beams, that an interface has beside that of nodes with segments.
+/// Without edges that take part it does nothing.
+class EdgeContact {
+ public:
+  EdgeContact(const model::Model& model, const domain::Domain& domain, const model::Contact& contact,
+              const Surface& surface);
+  EdgeContact(const EdgeContact&) = delete;
+  EdgeContact& operator=(const EdgeContact&) = delete;
+
+  bool exists() const { return edges_.count() > 0; }
+  /// Follows erosion, and searches again where needed; see EdgeSearch. Returns what the springs of pairs held
+  /// whose edges have eroded [energy].
+  double update(const domain::Domain& domain, const Kinematics& motion, bool surface_changed);
+  void verify(const Kinematics& motion) const { search_.verify(motion); }
+  /// Finds the contacts at time n; see EdgeLocalSearch.
+  void find(const Kinematics& motion, bool tracking);
+  /// There are none at this time.
+  void find_nothing() { present_ = {}; }
+  /// Takes from nodes the share of those contacts that crossing edges have.
+  void relieve(std::span<ContactPair> nodes) const;
+  /// Appends the contacts that were found, in order.
+  void append_touches(std::vector<Touch>& touches) const;
+  /// Keeps what the next step needs. `touches` are those appended, after the forces, `nodes` the contacts of
+  /// nodes; adds what has a force to `penetrations`.
+  void remember(const Kinematics& motion, std::span<const Touch> touches, std::span<const ContactPair> nodes,
+                std::vector<Penetration>& penetrations);
+
+  std::span<const EdgePair> present() const { return present_; }
+  const Edges& edges() const { return edges_; }
+  const EdgeSearch& search() const { return search_; }
+  /// Id of a node of the first edge where a contact is.
+  UserId node_id(const EdgePair& pair) const;
+
+  /// Declares what is remembered from step to step.
+  void declare(domain::StateList& list);
+  /// To be called once after a restart has filled what was declared.
+  void resume(const domain::Domain& domain, const Kinematics& motion);
+
+ private:
+  const Surface* surface_;
+  Edges edges_;
+  EdgeSearch search_;
+  EdgeLocalSearch local_;
+  Index eroded_beams_ = 0;
+  std::span<EdgePair> present_;
+  std::vector<RememberedEdgePair> remembered_;
+  std::vector<NodeOnEdge> node_depths_;
+};
+
+}  // namespace crumple::contact

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/prefetch.hpp"
+#include "contact/enforcement/penalty.hpp"
+#include "contact/enforcement/raised_point.hpp"
+
+namespace crumple::contact {
+namespace {
+
+constexpr Index piece = 64;
+
+/// By how many touches or places data are asked for before they are needed. In a large model they come from
+/// memory.
+constexpr std::size_t ahead = 8;
+
+/// Calls ask(place) for the nodes of a touch soon after `i`.
+template <class Ask>
+void ask_after(std::size_t i, std::span<const Touch> touches, const Ask& ask) {
+  if (i + ahead >= touches.size()) return;
+  const Touch& touch = touches[i + ahead];
+  for (int k = 0; k < touch.nodes; ++k) ask(touch.place[k]);
+}
+
+/// Calls ask(place) for one soon after place `i` of a list.
+template <class Ask>
+void ask_after(std::size_t i, const std::vector<Index>& places, const Ask& ask) {
+  if (i + ahead < places.size()) ask(places[i + ahead]);
+}
+
+/// Weight with which a touch counts at one of its nodes: a little more than the node's own, as the couple of
+/// friction acts on all of them.
+double lent(double weight) {
+  constexpr double least = 0.05;
+  return std::fabs(weight) + least;
+}
+
+/// Step by which stability is judged: the larger of the last one and what the elements allow now.
+double judged_step(const domain::Domain& domain, double step_scale) {
+  return std::max(domain.clock.step, step_scale * domain.clock.element_limit);
+}
+
+/// Factor on the force because contact begins and ends within steps. `square`: omega^2 that the touch is
+/// expected to have where it begins; where it goes on, its acceleration in the last step tells.
+double factor_in_step(const PenaltyMemory& before, const PenaltyMemory& now, double step, double square) {
+  const double travel = std::fabs(now.speed) * step;
+  if (travel <= 0) return 1;
+  if (before.slope_limit <= 0)
+    return now.speed < 0 ? landing_factor(now.depth / travel, square * step * step) : 1;
+  if (now.speed < 0 || before.depth <= 0) return 1;
+  return leaving_factor(now.depth / travel,
+                        std::clamp((now.speed - before.speed) * step / before.depth, 0.0, 1.0));
+}
+
+/// SLSFAC times SFS, the larger of SFS and SFM where there are two sides.
+double stiffness_scale(const model::Contact& contact, const model::Control& control) {
+  double scale = contact.side[0].stiffness_scale;
+  if (contact.kind != model::ContactKind::SingleSurface)
+    scale = std::max(scale, contact.side[1].stiffness_scale);
+  return control.contact_stiffness_scale * scale;
+}
+
+/// True for a touch of two edges, or of two segments, with as many nodes each.
+bool has_equal_halves(const Touch& touch) {
+  constexpr double round_off = 1e-12;
+  const int half = touch.nodes / 2;
+  return half > 1 && touch.nodes == 2 * half && touch.weight[half - 1] > round_off && touch.weight[half] < 0;
+}
+
+/// What the normal force does to the nodes beyond the weights where its points are above their segments: it
+/// turns them.
+void add_turning(std::span<const Vec3> x, Touch& touch) {
+  const auto first = static_cast<std::size_t>(std::count_if(
+      touch.weight.begin(), touch.weight.begin() + touch.nodes, [](double w) { return w > 0; }));
+  const auto add = [&](std::size_t begin, std::size_t end, double height, const Vec3& force) {
+    if (height == 0) return;
+    const std::array<Vec3, 4> forces = turning_forces(x.subspan(begin, end - begin), height, force);
+    for (std::size_t i = begin; i < end; ++i) touch.couple[i] += forces[i - begin];
+  };
+  add(0, first, touch.height[0], touch.normal_force);
+  add(first, x.size(), touch.height[1], -touch.normal_force);
+}
+
+/// The first of the nodes that bear a couple: those of the segment below a node, all of two edges, as an edge
+/// alone bears none about itself, and of two segments.
+int first_bearing(const Touch& touch) {
+  constexpr int least = 3;
+  return touch.nodes > least && touch.weight[1] <= 0 ? 1 : 0;
+}
+
+}  // namespace
+
+Forces::Forces(const Surface& surface, const model::Contact& contact, const model::Control& control)
+    : surface_(&surface),
+      contact_(contact),
+      stiffness_scale_(stiffness_scale(contact, control)),
+      step_scale_(control.step_scale) {
+  share_step(step_scale_);
+  const std::size_t places = surface.nodes.size();
+  marked_.resize(places);
+  normal_.resize(places);
+  friction_.resize(places);
+  previous_normal_.resize(places);
+  previous_friction_.resize(places);
+}
+
+/// Where the motion of the surfaces bounds the step more than the elements do, these use less of what is
+/// stable, and contact may have more: as if the deck had asked for that step. `share`: of what the elements
+/// allow.
+void Forces::share_step(double share) {
+  step_share_ = share;
+  const double damping = damping_factor(contact_.viscous_damping);
+  budget_ = stability_budget(share, stiffness_scale_) * damping;
+  largest_budget_ = stability_budget(share) * damping;
+}
+
+void Forces::bound_step(const domain::Domain& domain, double bound) {
+  const double allowed = step_scale_ * domain.clock.element_limit;
+  const double share = bound < allowed ? bound / allowed * step_scale_ : step_scale_;
+  if (share != step_share_) share_step(share);
+}
+
+void Forces::evaluate(const domain::Domain& domain, std::span<Touch> touches) {
+  const auto count = static_cast<Index>(touches.size());
+  is_limited_.resize(touches.size());
+  parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
+    for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i) {
+      ask_after(i, touches, [&](Index place) {
+        const Index node = surface_->nodes[place];
+        prefetch<false>(&domain.nodes.mass[node], 1);
+        prefetch<false>(&domain.nodes.position[node], 1);
+        prefetch<false>(&domain.nodes.velocity[node], 1);
+        prefetch<false>(&domain.contact_weight[node], 1);
+      });
+      is_limited_[i] = evaluate_touch(domain, touches[i]) ? 1 : 0;
+    }
+  });
+  limited_ = static_cast<Index>(std::count(is_limited_.begin(), is_limited_.end(), 1));
+}
+
+void Forces::apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report) {
+  scatter(domain, touches);
+  add_work(domain, report);
+  hand_over(domain);
+}
+
+void Forces::count(domain::Domain& domain, std::span<const Touch> touches) const {
+  for (std::size_t t = 0; t < touches.size(); ++t) {
+    ask_after(t, touches,
+              [&](Index place) { prefetch<true>(&domain.contact_weight[surface_->nodes[place]], 1); });
+    const Touch& touch = touches[t];
+    if (touch.penetration <= 0) continue;
+    for (int i = 0; i < touch.nodes; ++i)
+      domain.contact_weight[surface_->nodes[touch.place[i]]] += lent(touch.weight[i]);
+  }
+}
+
+/// 1/m* of the touch, each node lending its mass in proportion to the weights of the touches that act on it:
+/// a spring of stiffness k then has omega^2 <= k / m* in the assembled system (docs/theory/contact.md)
+/// [1/mass].
+double Forces::inverse_mass(const domain::Domain& domain, const Touch& touch) const {
+  double sum = 0;
+  for (int i = 0; i < touch.nodes; ++i) {
+    const double weight = touch.weight[i];
+    const Index node = surface_->nodes[touch.place[i]];
+    sum += weight * weight * domain.contact_weight[node] / (lent(weight) * domain.nodes.mass[node]);
+  }
+  return sum;
+}
+
+/// 1/m* of the touch with the whole masses of the nodes [1/mass].
+double Forces::whole_inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const {
+  double sum = 0;
+  for (int i = 0; i < touch.nodes; ++i)
+    sum += touch.weight[i] * touch.weight[i] / nodes.mass[surface_->nodes[touch.place[i]]];
+  return sum;
+}
+
+/// Of SOFT = 1: 1/2 SOFSCL m* / dt^2 with the whole masses of the nodes. Of SOFT = 2: 1/2 SLSFAC SFS m1 m2 /
+/// (m1 + m2) / dt^2, with the masses of the segments, which are those of their nodes (LS-DYNA Keyword User's
+/// Manual, *CONTACT, optional card A) [force/length].
+double Forces::stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const {
+  if (step <= 0) return 0;
+  std::array<double, 2> mass{};
+  for (int i = 0; i < touch.nodes; ++i) {
+    const double weight = touch.weight[i];
+    const double own = nodes.mass[surface_->nodes[touch.place[i]]];
+    mass[weight > 0 ? 0 : 1] += std::fabs(weight) * own;
+  }
+  if (mass[0] + mass[1] <= 0) return 0;
+  const double unit = 0.5 / (step * step);
+  return contact_.mass_stiffness ? unit * stiffness_scale_ * mass[0] * mass[1] / (mass[0] + mass[1])
+                                 : unit * contact_.soft_scale / whole_inverse_mass(nodes, touch);
+}
+
+/// The stiffness before stability limits it. What masses and steps give a touch keeps while it lasts.
+double Forces::stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const {
+  if (!contact_.mass_stiffness && contact_.soft_scale <= 0) return touch.stiffness;
+  double& by_mass = touch.penalty.stiffness;
+  if (by_mass <= 0) by_mass = stiffness_by_mass(nodes, touch, step);
+  return contact_.mass_stiffness ? by_mass : std::max(touch.stiffness, by_mass);
+}
+
+/// Writes the forces of a touch; true if stability limits its stiffness.
+bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
+  if (touch.penetration <= 0) {
+    touch.friction = touch.normal_force = Vec3{};
+    touch.penalty = {};
+    return false;
+  }
+  const domain::NodeFields& nodes = domain.nodes;
+  const double inverse = inverse_mass(domain, touch);
+  const double step = judged_step(domain, step_share_);
+  Vec3 relative;
+  for (int i = 0; i < touch.nodes; ++i)
+    relative += touch.weight[i] * nodes.velocity[surface_->nodes[touch.place[i]]];
+  const PenaltyMemory before = touch.penalty;
+  touch.penalty.slope_limit = slope_limit(before, inverse, step);
+  touch.penalty.depth = touch.penetration;
+  touch.penalty.speed = dot(relative, touch.normal);
+  PenaltyLaw law;
+  law.stiffness = stiffness(nodes, touch, step);
+  law.limit = touch.penalty.slope_limit;
+  law.reach = touch.reach;
+  const double stiffness = std::min(law.stiffness, law.limit);
+  const double factor = factor_in_step(before, touch.penalty, domain.clock.step, stiffness * inverse);
+  const double damping = 2 * contact_.viscous_damping * std::sqrt(stiffness / inverse);
+  const double acting = touch.share * touch.fade;
+  const double wanted = acting * factor * law.force(touch.penetration);
+  const double spring =
+      passive_spring_force(nodes, before, touch, {wanted, inverse, step, domain.clock.step});
+  // Damping may take the force down to zero, but never pulls.
+  const double size = std::max(0.0, spring - acting * damping * touch.penalty.speed);
+
+  touch.normal_force = size * touch.normal;
+  add_friction(domain, touch, law.stiffness, inverse);
+  return law.limit < law.stiffness;
+}
+
+/// Force of the contact spring, limited so that the spring never returns more energy than it has absorbed
+/// (passivity). The energy is integrated by the trapezoidal rule. Without the limit a penetration that grows
+/// without an approach (another point of the surface becomes the nearest, a share grows, a node changes
+/// sides) would create energy [force].
+double Forces::passive_spring_force(const domain::NodeFields& nodes, const PenaltyMemory& before,
+                                    Touch& touch, const Spring& spring) const {
+  const auto& [wanted, inverse, step, last_step] = spring;
+  constexpr double tolerance = 5e-4;  // of the largest energy, as normals rotate within a step
+  PenaltyMemory& now = touch.penalty;
+  double energy = before.energy - 0.5 * last_step * before.force * touch.last_speed;
+  if (before.slope_limit <= 0 && touch.starts_loaded)
+    energy = std::max(energy, 0.5 * wanted * touch.penetration);
+  now.force = wanted;
+  now.most_energy = std::max(before.most_energy, energy);
+  if (step > 0 && !touch.has_potential) {
+    const double held = energy + tolerance * now.most_energy;
+    double most = passive_force(held, now.speed, inverse, step);
+    // Separating points move with their whole masses. The masses shared among touches would cut the force in
+    // the last steps of an impact.
+    if (most < wanted && now.speed > 0)
+      most = passive_force(held, now.speed, whole_inverse_mass(nodes, touch), step);
+    touch.withheld = std::max(0.0, wanted - most);
+    now.force = std::min(wanted, most);
+  }
+  now.energy = energy - 0.5 * last_step * now.force * now.speed;
+  now.most_energy = std::max(now.most_energy, now.energy);
+  return now.force;
+}
+
+/// A touch keeps the limit with which it began, as a slope that changes under load makes or eats energy,
+/// until that is too much beside the others that have come [force/length].
+double Forces::slope_limit(const PenaltyMemory& before, double inverse, double step) const {
+  if (step <= 0) return std::numeric_limits<double>::max();
+  const double unit = 1 / (step * step * inverse);
+  return before.slope_limit > 0 ? std::min(before.slope_limit, largest_budget_ * unit) : budget_ * unit;
+}
+
+/// What a normal force that uses `used` of (omega dt)^2 leaves to friction.
+double Forces::friction_budget(double used) const {
+  constexpr double least = 0.1;
+  return budget_ * std::clamp(std::max(2.0, largest_budget_ / budget_) - used / budget_, least, 1.0);
+}
+
+/// Friction acts at the two points, which are an arm apart: the nodes of the second take the couple of the
+/// two as well, so that the moment of momentum is kept, and a touch that sticks feels no work where both turn
+/// together. The same goes for a face that pushes straight out beyond its rim.
+void Forces::add_friction(const domain::Domain& domain, Touch& touch, double stiffness,
+                          double inverse) const {
+  constexpr double round_off = 1e-9;
+  const domain::NodeFields& nodes = domain.nodes;
+  const bool rough = contact_.static_friction > 0 || contact_.dynamic_friction > 0;
+  std::array<Vec3, Touch::most_nodes> x;
+  Vec3 arm;
+  for (int i = 0; i < touch.nodes; ++i) {
+    x[i] = nodes.position[surface_->nodes[touch.place[i]]];
+    arm += touch.weight[i] * x[i];
+  }
+  const double size = norm(touch.normal_force);
+  if (!rough) {
+    touch.friction = Vec3{};
+    const bool bears =
+        touch.is_raised() || norm(cross(arm, touch.normal_force)) > round_off * norm(arm) * size;
+    if (!bears) return;
+  }
+  const int first = first_bearing(touch);
+  const Couple couple({&x[first], static_cast<std::size_t>(touch.nodes - first)},
+                      has_equal_halves(touch) ? Couple::Bearing::EachHalf : Couple::Bearing::All);
+  if (rough) {
+    double lightest = 0;
+    for (int i = first; i < touch.nodes; ++i) {
+      const Index node = surface_->nodes[touch.place[i]];
+      lightest = std::max(lightest, domain.contact_weight[node] / (lent(touch.weight[i]) * nodes.mass[node]));
+    }
+    const double turning = couple.largest_square(arm) * lightest;
+    const double step = judged_step(domain, step_share_);
+    if (step > 0)
+      stiffness = std::min(stiffness, friction_budget(touch.penalty.slope_limit * step * step * inverse) /
+                                          (step * step * (inverse + turning)));
+    touch.friction = friction(touch, size, touch.share * touch.fade * stiffness, domain.clock.step);
+  }
+  // Where the points are above their segments the normal force has no moment.
+  touch.couple = couple.forces(-cross(arm, touch.is_raised() ? touch.friction : touch.force()));
+  if (touch.is_raised()) add_turning({x.data(), static_cast<std::size_t>(touch.nodes)}, touch);
+}
+
+/// Coulomb friction by a tangential spring that gives way at mu f: sticks below, slips above
+/// (Hallquist, LS-DYNA Theory Manual, friction of sliding interfaces).
+Vec3 Forces::friction(const Touch& touch, double normal_force, double stiffness, double step) const {
+  if (contact_.static_friction <= 0 && contact_.dynamic_friction <= 0) return {};
+  const auto tangential = [&](const Vec3& a) { return a - dot(a, touch.normal) * touch.normal; };
+  const Vec3 slip = tangential(touch.slip);
+  const double more = contact_.static_friction - contact_.dynamic_friction;
+  double mu = contact_.dynamic_friction;
+  if (more != 0) {
+    const double speed = step > 0 ? norm(slip) / step : 0.0;
+    mu += more * decay(contact_.friction_decay * speed);
+  }
+  const Vec3 trial = tangential(touch.friction) - stiffness * slip;
+  const double size = norm(trial);
+  double capacity = mu * normal_force;
+  if (contact_.friction_stress > 0) capacity = std::min(capacity, contact_.friction_stress * touch.area);
+  return size > capacity ? capacity / size * trial : trial;
+}
+
+/// In the order of the touches, one after another: the sums must not depend on threads.
+void Forces::scatter(domain::Domain& domain, std::span<const Touch> touches) {
+  active_.clear();
+  const auto is_zero = [](const Vec3& a) { return a.x == 0 && a.y == 0 && a.z == 0; };
+  for (std::size_t t = 0; t < touches.size(); ++t) {
+    ask_after(t, touches, [&](Index place) {
+      prefetch<true>(&normal_[place], 1);
+      prefetch<true>(&friction_[place], 1);
+      prefetch<true>(&marked_[place], 1);
+      prefetch<true>(&domain.contact_weight[surface_->nodes[place]], 1);
+    });
+    const Touch& touch = touches[t];
+    for (int i = 0; i < touch.nodes; ++i) domain.contact_weight[surface_->nodes[touch.place[i]]] = 0;
+    if (is_zero(touch.normal_force) && is_zero(touch.friction)) continue;
+    for (int i = 0; i < touch.nodes; ++i) {
+      const Index place = touch.place[i];
+      normal_[place] += touch.weight[i] * touch.normal_force;
+      friction_[place] += touch.weight[i] * touch.friction;
+      if (marked_[place] != 0) continue;
+      marked_[place] = 1;
+      active_.push_back(place);
+    }
+    // Without friction the couple is that of the normal force.
+    AlignedArray<Vec3>& turning = is_zero(touch.friction) ? normal_ : friction_;
+    const int first = first_bearing(touch);
+    for (int i = first; i < touch.nodes; ++i) turning[touch.place[i]] += touch.couple[i - first];
+  }
+  std::sort(active_.begin(), active_.end());
+}
+
+/// Trapezoidal rule: the mean of the forces at both ends of the step, times the displacement between them.
+void Forces::add_work(const domain::Domain& domain, domain::ContactReport& report) {
+  both_.clear();
+  std::set_union(active_.begin(), active_.end(), previous_active_.begin(), previous_active_.end(),
+                 std::back_inserter(both_));
+  double normal = 0;
+  double friction = 0;
+  for (std::size_t i = 0; i < both_.size(); ++i) {
+    ask_after(i, both_, [&](Index next) {
+      prefetch<false>(&domain.nodes.velocity[surface_->nodes[next]], 1);
+      prefetch<true>(&previous_normal_[next], 1);
+      prefetch<true>(&previous_friction_[next], 1);
+    });
+    const Index place = both_[i];
+    const Vec3& v = domain.nodes.velocity[surface_->nodes[place]];
+    normal += dot(previous_normal_[place] + normal_[place], v);
+    friction += dot(previous_friction_[place] + friction_[place], v);
+  }
+  report.energy -= 0.5 * domain.clock.step * normal;
+  report.friction_energy -= 0.5 * domain.clock.step * friction;
+}
+
+/// Adds the sums to the domain and makes them the previous ones.
+void Forces::hand_over(domain::Domain& domain) {
+  for (std::size_t i = 0; i < active_.size(); ++i) {
+    ask_after(i, active_, [&](Index next) {
+      prefetch<true>(&domain.contact_force[surface_->nodes[next]], 1);
+      prefetch<true>(&domain.nodes.force[surface_->nodes[next]], 1);
+    });
+    const Index place = active_[i];
+    const Index node = surface_->nodes[place];
+    const Vec3 sum = normal_[place] + friction_[place];
+    domain.contact_force[node] += sum;
+    for (int axis = 0; axis < 3; ++axis) domain.nodes.force[node].force[axis] += sum[axis];
+    marked_[place] = 0;
+  }
+  for (const Index place : previous_active_) {
+    previous_normal_[place] = Vec3{};
+    previous_friction_[place] = Vec3{};
+  }
+  std::swap(previous_normal_, normal_);
+  std::swap(previous_friction_, friction_);
+  std::swap(previous_active_, active_);
+}
+
+void Forces::declare(domain::StateList& list) {
+  list.add("contact_normal_force", "force", domain::Entity::Contact, 3, std::span(previous_normal_));
+  list.add("contact_friction_force", "force", domain::Entity::Contact, 3, std::span(previous_friction_));
+  list.keep_list("contact_active_places", "-", domain::Entity::Contact, 1, previous_active_);
+}
+
+}  // namespace crumple::contact

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/multipliers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "contact/enforcement/penalty.hpp"
+
+namespace crumple::contact {
+namespace {
+
+constexpr Index piece = 1024;
+
+constexpr int most_rounds = 1000;
+
+/// Change in a round, over the largest penetration or slip before the first, at which the forces are found.
+constexpr double converged = 1e-12;
+
+}  // namespace
+
+Multipliers::Multipliers(const Surface& surface, const model::Contact& contact)
+    : surface_(&surface),
+      contact_(contact),
+      compliance_(surface.nodes.size()),
+      displacement_(surface.nodes.size()) {}
+
+Kinematics Multipliers::predict(const domain::Domain& domain, double interval, double step) {
+  const domain::NodeFields& nodes = domain.nodes;
+  step_ = step;
+  position_.resize(nodes.position.size());
+  velocity_.resize(nodes.position.size());
+  parallel_for(pieces(nodes.count(), piece), domain.execution.threads, [&](Index part) {
+    for (Index i = part * piece; i < std::min((part + 1) * piece, nodes.count()); ++i) {
+      velocity_[i] = nodes.velocity[i];
+      const Index place = surface_->place[i];
+      if (place != no_index) compliance_[place] = Vec3{};
+      if (place != no_index && nodes.is_free(i) && nodes.mass[i] > 0) {
+        const double inverse = interval / nodes.mass[i];
+        for (int axis = 0; axis < 3; ++axis) {
+          if ((nodes.fixed[i] & domain::fixed_translation(axis)) != 0) continue;
+          velocity_[i][axis] += inverse * nodes.force[i].force[axis];
+          compliance_[place][axis] = step * inverse;
+        }
+      }
+      position_[i] = nodes.position[i] + step * velocity_[i];
+    }
+  });
+  return {.position = position_,
+          .velocity = velocity_,
+          .reference = {nodes.reference.data(), nodes.reference.size()},
+          .step = step,
+          .cycle = domain.clock.cycle,
+          .threads = domain.execution.threads,
+          .isa = domain.execution.isa};
+}
+
+Multipliers::Unknown Multipliers::prepare(const Touch& touch) const {
+  Unknown unknown;
+  Vec3 sum;
+  for (int i = 0; i < touch.nodes; ++i)
+    sum += touch.weight[i] * touch.weight[i] * compliance_[touch.place[i]];
+  for (int axis = 0; axis < 3; ++axis)
+    unknown.compliance += touch.normal[axis] * touch.normal[axis] * sum[axis];
+  unknown.tangential_compliance = std::max({sum.x, sum.y, sum.z});
+  // Where the contact point is at a node that cannot move, the others would have to go any distance for it.
+  constexpr double most_leverage = 10;
+  double largest = 0;
+  for (int i = 0; i < touch.nodes; ++i) {
+    const Vec3& own = compliance_[touch.place[i]];
+    largest = std::max(largest, std::fabs(touch.weight[i]) * std::max({own.x, own.y, own.z}));
+  }
+  if (largest > most_leverage * unknown.tangential_compliance)
+    unknown.compliance = unknown.tangential_compliance = 0;
+  const Vec3 slip = touch.slip - dot(touch.slip, touch.normal) * touch.normal;
+  unknown.friction = contact_.dynamic_friction + (contact_.static_friction - contact_.dynamic_friction) *
+                                                     decay(contact_.friction_decay * norm(slip) / step_);
+  return unknown;
+}
+
+/// Adds what a force on the first point of a touch, and its reverse on the second, does to the nodes.
+void Multipliers::move(const Touch& touch, const Vec3& force) {
+  for (int i = 0; i < touch.nodes; ++i) {
+    const Vec3& compliance = compliance_[touch.place[i]];
+    Vec3& displacement = displacement_[touch.place[i]];
+    for (int axis = 0; axis < 3; ++axis)
+      displacement[axis] += touch.weight[i] * compliance[axis] * force[axis];
+  }
+}
+
+/// Displacement of the first point of a touch relative to the second by all forces so far.
+Vec3 Multipliers::moved(const Touch& touch) const {
+  Vec3 sum;
+  for (int i = 0; i < touch.nodes; ++i) sum += touch.weight[i] * displacement_[touch.place[i]];
+  return sum;
+}
+
+/// Returns the displacement by which it corrects.
+double Multipliers::correct_normal(const Touch& touch, Unknown& unknown) {
+  if (unknown.compliance <= 0) return 0;
+  const double left = touch.share * touch.fade * touch.penetration - dot(moved(touch), touch.normal);
+  const double force = std::max(0.0, unknown.force + left / unknown.compliance);
+  const double change = force - unknown.force;
+  if (change == 0) return 0;
+  unknown.force = force;
+  move(touch, change * touch.normal);
+  return std::fabs(change) * unknown.compliance;
+}
+
+double Multipliers::correct_friction(const Touch& touch, Unknown& unknown) {
+  if (unknown.friction <= 0 || unknown.tangential_compliance <= 0) return 0;
+  const auto tangential = [&](const Vec3& a) { return a - dot(a, touch.normal) * touch.normal; };
+  const Vec3 slip = tangential(touch.slip + moved(touch));
+  Vec3 force = unknown.friction_force - (1 / unknown.tangential_compliance) * slip;
+  double capacity = unknown.friction * unknown.force;
+  if (contact_.friction_stress > 0) capacity = std::min(capacity, contact_.friction_stress * touch.area);
+  const double size = norm(force);
+  if (size > capacity) force = (capacity / size) * force;
+  const Vec3 change = force - unknown.friction_force;
+  unknown.friction_force = force;
+  move(touch, change);
+  return norm(change) * unknown.tangential_compliance;
+}
+
+void Multipliers::solve(std::span<Touch> touches) {
+  unknowns_.clear();
+  double scale = 0;
+  for (const Touch& touch : touches) {
+    unknowns_.push_back(prepare(touch));
+    scale = std::max({scale, touch.penetration, unknowns_.back().friction > 0 ? norm(touch.slip) : 0.0});
+    for (int i = 0; i < touch.nodes; ++i) displacement_[touch.place[i]] = Vec3{};
+  }
+  double change = scale;
+  for (rounds_ = 0; change > converged * scale && rounds_ < most_rounds; ++rounds_) {
+    change = 0;
+    for (std::size_t i = 0; i < touches.size(); ++i) {
+      change = std::max(change, correct_normal(touches[i], unknowns_[i]));
+      change = std::max(change, correct_friction(touches[i], unknowns_[i]));
+    }
+  }
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    Touch& touch = touches[i];
+    touch.normal_force = unknowns_[i].force * touch.normal;
+    touch.friction = unknowns_[i].friction_force;
+    touch.penetration -= dot(moved(touch), touch.normal);
+  }
+  // Each node once, though several touches may have it.
+  for (const Touch& touch : touches)
+    for (int i = 0; i < touch.nodes; ++i) {
+      Vec3& displacement = displacement_[touch.place[i]];
+      position_[surface_->nodes[touch.place[i]]] += displacement;
+      displacement = Vec3{};
+    }
+}
+
+}  // namespace crumple::contact

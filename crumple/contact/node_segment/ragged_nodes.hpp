@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/enforcement/contact_pair.hpp"
+#include "contact/surface/surface.hpp"
+#include "domain/domain.hpp"
+
+namespace crumple::contact {
+
+/// The nodes of segments that have eroded or come to light: nodes slide off the rims that erosion leaves, and
+/// nothing returns what their springs hold.
+class RaggedNodes {
+ public:
+  explicit RaggedNodes(const Surface& surface) : surface_(&surface), active_before_(surface.active) {}
+
+  /// To be called when segments may have eroded.
+  void follow();
+
+  /// What the springs of remembered pairs hold that no pair of `pairs` continues, at such nodes [energy].
+  double lost_energy(std::span<const RememberedPair> remembered, std::span<const ContactPair> pairs,
+                     const domain::Domain& domain) const;
+
+  void declare(domain::StateList& list);
+  /// To be called once after a restart, when the surface has followed the erosion.
+  void resume() { active_before_ = surface_->active; }
+
+ private:
+  bool has(const RememberedPair& pair) const;
+
+  const Surface* surface_;
+  std::vector<std::uint8_t> active_before_;  ///< Surface::active at the last look
+  std::vector<std::uint8_t> marked_;         ///< by place; empty where nothing has eroded
+};
+
+}  // namespace crumple::contact

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <cellsearch/motion_tracker.hpp>
+#include <cellsearch/segment_pairs.hpp>
+
+#include "contact/enforcement/penalty.hpp"
+#include "contact/enforcement/touch.hpp"
+#include "contact/pinball/pinballs.hpp"
+#include "contact/search/travel.hpp"
+#include "contact/surface/kinematics.hpp"
+#include "contact/surface/statistics.hpp"
+#include "contact/surface/surface.hpp"
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::contact {
+
+/// What two segments in contact by their pinballs remember from one step to the next. No padding, so that
+/// its bytes can be hashed.
+struct RememberedPinballs {
+  Index first = no_index;  ///< segments in Surface, first < second
+  Index second = no_index;
+  std::array<double, 4> first_weight{};  ///< of the nodes at the contact point
+  std::array<double, 4> second_weight{};
+  double offset = 0;  ///< by which the contact distance is reduced [length]
+  Vec3 apart;         ///< from the second contact point to the first, in the frame of the first [length]
+  Vec3 friction;      ///< on the first, in its frame [force]
+  PenaltyMemory penalty;
+};
+static_assert(sizeof(RememberedPinballs) == 184);
+
+/// Two segments in contact, now.
+struct PinballPair {
+  Index first = no_index;
+  Index second = no_index;
+  PinballOverlap overlap;
+  double offset = 0;           ///< [length]
+  double initial_overlap = 0;  ///< of this offset, what was overlap when the contact began [length]
+  Vec3 slip;                   ///< movement of the first ball over the second since the last step [length]
+  Vec3 friction;               ///< on the first at the last step, turned with it [force]
+  PenaltyMemory penalty;       ///< of the last step
+};
+
+/// Contact of segments with segments by their pinballs, instead of nodes with segments: the global search for
+/// pairs of segments, and the deepest overlap of each pair. It tells no sides apart: what has gone through by
+/// more than half is pushed out on the far side.
+class PinballContact {
+ public:
+  /// Throws Error for a contact that pinballs cannot serve: one with nodes alone or with orientation, or
+  /// with cells over part of the model.
+  PinballContact(const Surface& surface, const model::SearchSettings& settings, const Kinematics& start);
+
+  /// Searches anew if the candidates may no longer be complete or if the surface has changed. Throws
+  /// NumericalError if a coordinate is not a finite number.
+  void update(const Kinematics& motion, bool surface_changed);
+  /// Finds the contacts at time n, pairs ascending. With `tracking` each is allowed the overlap that it has.
+  void find(const Kinematics& motion, bool tracking);
+  void find_nothing() { present_.clear(); }
+  /// Appends the contacts that were found, in order.
+  void append_touches(std::vector<Touch>& touches) const;
+  /// Keeps what the next step needs. `touches` are those appended, after the forces; adds what has a force to
+  /// `penetrations`.
+  void remember(const Kinematics& motion, std::span<const Touch> touches,
+                std::vector<Penetration>& penetrations);
+  /// Every pair of segments whose balls overlap must be a candidate: throws Error naming the first that is
+  /// not. Looks at all pairs, O(N^2).
+  void verify(const Kinematics& motion) const;
+
+  std::span<const PinballPair> present() const { return present_; }
+  /// Id of the node of the first segment that is nearest to the contact.
+  UserId node_id(const PinballPair& pair) const;
+  long searches() const { return searches_; }
+  long candidates() const { return candidates_; }
+
+  /// Declares what is remembered, and the positions at the last search.
+  void declare(domain::StateList& list);
+  /// To be called once after a restart has filled what was declared: finds the candidates of the last search
+  /// again.
+  void resume(const Kinematics& motion);
+
+ private:
+  void search(const Kinematics& motion);
+  void collect(std::span<const Vec3> position);
+  bool may_touch(Index first, Index second) const;
+  bool next_neighbours(Index first, Index second) const;
+  double contact_distance(Index first, Index second) const;
+  double offset_at_start(const Kinematics& motion, Index first, Index second) const;
+  const RememberedPinballs* memory_of(Index first, Index second) const;
+  double examine(const Kinematics& motion, bool tracking, PinballPair& pair) const;
+  void carry_on(const Configuration& x, const RememberedPinballs& memory, PinballPair& pair) const;
+
+  const Surface* surface_;
+  Pinballs pinballs_;
+  double margin_ = 0;
+  cellsearch::SegmentPairSearch search_;
+  cellsearch::MotionTracker motion_;
+  cellsearch::Pairs pairs_;
+  std::vector<double> expansion_;  ///< by segment [length]
+  std::vector<double> slack_;      ///< way at which a pair is due for a look [length]
+  Travel travel_;                  ///< since the last search
+  std::vector<PinballPair> present_;
+  std::vector<std::vector<PinballPair>> parts_;
+  std::vector<RememberedPinballs> remembered_;
+  long searches_ = 0;
+  long candidates_ = 0;
+  std::vector<double> searched_position_;  ///< filled by declare(), and by a restart
+};
+
+}  // namespace crumple::contact

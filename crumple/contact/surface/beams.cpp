@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/surface/beams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "contact/surface/bulk_modulus.hpp"
+
+namespace crumple::contact {
+
+std::vector<ContactBeam> collect_beams(const model::Model& model, const domain::Domain& domain,
+                                       const model::Contact& contact) {
+  std::vector<ContactBeam> found;
+  if (!edges_take_part(contact)) return found;
+  const model::ContactSide& side = contact.side[0];
+  const auto before = static_cast<Index>(domain.shells.size() + domain.solids.size());
+  for (std::size_t b = 0; b < domain.beams.size(); ++b) {
+    const domain::BeamBlock& block = domain.beams[b];
+    if (!std::binary_search(side.parts.begin(), side.parts.end(), block.part)) continue;
+    const model::Part& part = model.parts[block.part];
+    const double radius = std::sqrt(model.beam_sections[part.beam_section].area / std::numbers::pi);
+    const double scale = model.control.contact_stiffness_scale * side.stiffness_scale;
+    for (Index at = 0; at < block.elements; ++at) {
+      const auto [one, other] = block.nodes_of(at);
+      if (one == other) continue;
+      ContactBeam beam;
+      beam.nodes = {std::min(one, other), std::max(one, other)};
+      beam.place = {before + static_cast<Index>(b), at};
+      beam.radius = radius;
+      beam.stiffness = scale * bulk_modulus(model, part) * 2 * radius;
+      beam.area = 2 * radius * norm(domain.nodes.reference[one] - domain.nodes.reference[other]);
+      beam.id = model.beams[block.element[at]].id;
+      found.push_back(beam);
+    }
+  }
+  return found;
+}
+
+}  // namespace crumple::contact

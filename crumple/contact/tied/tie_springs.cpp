@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/tied/tie_springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
+#include "contact/enforcement/penalty.hpp"
+#include "contact/surface/segment_shape.hpp"
+
+namespace crumple::contact {
+namespace {
+
+constexpr Index piece = 64;
+
+/// A stretch below this share of the coordinates is their round-off, and makes no force: a model at rest has
+/// no energy that could tell such noise from motion.
+constexpr double round_off = 1e-14;
+
+/// Stiffness over that of a contact: a joint must be stiffer than the elements beside it, not softer.
+constexpr double stiffening = 10;
+
+/// Share of what stability leaves for contact: the rest is for contact at the same nodes.
+constexpr double share_of_budget = 0.5;
+
+double largest_coordinate(const Vec3& x) {
+  return std::max({std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
+}
+
+double power(double ratio, double exponent) {
+  return exponent == 2 ? ratio * ratio : exponent == 1 ? ratio : std::pow(ratio, exponent);
+}
+
+SegmentShape shape_of(const domain::NodeFields& nodes, const domain::TiedNode& tied) {
+  SegmentShape shape;
+  for (std::size_t k = 0; k < 4; ++k) shape.corner[k] = nodes.position[tied.corner[k]];
+  return shape;
+}
+
+Vec3 spin_of(const domain::NodeFields& nodes, const domain::TiedNode& tied) {
+  Vec3 spin;
+  for (std::size_t k = 0; k < 4; ++k) spin += tied.weight[k] * nodes.angular_velocity[tied.corner[k]];
+  return spin;
+}
+
+/// Springs by penalty at each node of the domain.
+std::vector<Index> count_springs(const domain::Domain& domain) {
+  std::vector<Index> count(static_cast<std::size_t>(domain.nodes.count()), 0);
+  for (const domain::Tie& tie : domain.ties) {
+    if (tie.method != model::TieMethod::Penalty) continue;
+    for (const domain::TiedNode& tied : tie.nodes) {
+      ++count[tied.node];
+      for (std::size_t k = 0; k < 4; ++k)
+        if (k < 3 || tied.corner[3] != tied.corner[2]) ++count[tied.corner[k]];
+    }
+  }
+  return count;
+}
+
+/// True if one rigid body has all nodes.
+bool in_one_body(const domain::Domain& domain, const domain::TiedNode& tied) {
+  if (domain.body_of_node.empty()) return false;
+  const Index body = domain.body_of_node[tied.node];
+  return body != no_index && std::all_of(tied.corner.begin(), tied.corner.end(),
+                                         [&](Index node) { return domain.body_of_node[node] == body; });
+}
+
+}  // namespace
+
+TieSprings::TieSprings(const model::Model& model, const domain::Domain& domain, Index tie)
+    : contact_(model.tied_contacts[tie]),
+      tie_(tie),
+      step_scale_(model.control.step_scale),
+      budget_(share_of_budget * stability_budget(model.control.step_scale)) {
+  const std::vector<Index> springs_at = count_springs(domain);
+  const std::vector<domain::TiedNode>& nodes = domain.ties[tie].nodes;
+  springs_.reserve(nodes.size());
+  active_.reserve(nodes.size());
+  for (const domain::TiedNode& tied : nodes) {
+    Spring spring{.tied = tied};
+    spring.tied.stiffness *= stiffening;
+    set_limits(domain, springs_at, spring);
+    springs_.push_back(spring);
+    active_.push_back(in_one_body(domain, tied) ? 0 : 1);
+  }
+  loads_.resize(springs_.size());
+  previous_.resize(springs_.size());
+  turn_.resize(springs_.size());
+}
+
+std::array<Index, TieSprings::ends> TieSprings::nodes_of(const Spring& spring) const {
+  const auto& corner = spring.tied.corner;
+  return {spring.tied.node, corner[0], corner[1], corner[2], corner[3]};
+}
+
+/// Bounds for stability, each node lending its mass divided by the number of springs at it: as for contact
+/// (docs/theory/contact.md). A corner moves the end of the spring by no more than its weight plus the height
+/// times the opposite diagonal over twice the segment's area. Rotations have the frequency of the spring.
+void TieSprings::set_limits(const domain::Domain& domain, const std::vector<Index>& springs_at,
+                            Spring& spring) const {
+  const domain::NodeFields& nodes = domain.nodes;
+  const domain::TiedNode& tied = spring.tied;
+  const SegmentShape shape = shape_of(nodes, tied);
+  const Vec3 first = shape.corner[2] - shape.corner[0];
+  const Vec3 second = shape.corner[3] - shape.corner[1];
+  const double size = norm(cross(first, second));
+  spring.inverse_mass = springs_at[tied.node] / nodes.mass[tied.node];
+  bool turns = contact_.ties_rotations && nodes.inertia[tied.node] > 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double lever = std::fabs(tied.height) * norm(k % 2 == 0 ? second : first) / size;
+    const double gain = std::fabs(tied.weight[k]) + lever;
+    spring.inverse_mass += gain * gain * springs_at[tied.corner[k]] / nodes.mass[tied.corner[k]];
+    if (tied.weight[k] != 0 && !(nodes.inertia[tied.corner[k]] > 0)) turns = false;
+  }
+  if (!turns) return;
+  spring.turning_stiffness = tied.stiffness * nodes.inertia[tied.node] / nodes.mass[tied.node];
+  spring.inverse_inertia = springs_at[tied.node] / nodes.inertia[tied.node];
+  for (std::size_t k = 0; k < 4; ++k)
+    if (tied.weight[k] != 0)
+      spring.inverse_inertia +=
+          tied.weight[k] * tied.weight[k] * springs_at[tied.corner[k]] / nodes.inertia[tied.corner[k]];
+}
+
+double TieSprings::share_of_strength(const Spring& spring, double tension, double shear) const {
+  if (!contact_.failure) return 0;
+  const model::TieFailure& failure = *contact_.failure;
+  const double area = failure.by_stress ? spring.tied.area : 1.0;
+  double share = 0;
+  if (failure.normal_strength > 0)
+    share += power(std::max(tension, 0.0) / (failure.normal_strength * area), failure.normal_exponent);
+  if (failure.shear_strength > 0)
+    share += power(shear / (failure.shear_strength * area), failure.shear_exponent);
+  return share;
+}
+
+TieSprings::Load TieSprings::evaluate(const domain::Domain& domain, std::size_t at, double step) {
+  const domain::NodeFields& nodes = domain.nodes;
+  const Spring& spring = springs_[at];
+  const domain::TiedNode& tied = spring.tied;
+  const SegmentShape shape = shape_of(nodes, tied);
+  const Vec3 first = shape.corner[2] - shape.corner[0];
+  const Vec3 second = shape.corner[3] - shape.corner[1];
+  const Vec3 product = cross(first, second);
+  const double size = norm(product);
+  Load load;
+  if (!(size > 0)) return load;
+  const Vec3 normal = (1 / size) * product;
+  Vec3 away = nodes.position[tied.node] - tied.height * normal;
+  for (std::size_t k = 0; k < 4; ++k) away -= tied.weight[k] * shape.corner[k];
+  if (norm(away) <= round_off * largest_coordinate(nodes.position[tied.node])) away = Vec3{};
+  const double limit = budget_ / (step * step);
+  const double stiffness = step > 0 ? std::min(tied.stiffness, limit / spring.inverse_mass) : tied.stiffness;
+  const Vec3 force = -stiffness * away;
+  load.force[0] = force;
+  for (std::size_t k = 0; k < 4; ++k) load.force[1 + k] = -tied.weight[k] * force;
+  // The normal turns with the diagonals.
+  const Vec3 couple = (tied.height / size) * (force - dot(force, normal) * normal);
+  const Vec3 on_first = cross(second, couple);
+  const Vec3 on_second = cross(couple, first);
+  load.force[3] -= on_first;
+  load.force[1] += on_first;
+  load.force[4] -= on_second;
+  load.force[2] += on_second;
+  load.opening = norm(away);
+  load.share =
+      share_of_strength(spring, -tied.side * dot(force, normal), norm(force - dot(force, normal) * normal));
+  if (spring.turning_stiffness > 0) {
+    const Frame frame = frame_of(shape);
+    const Vec3 spin = nodes.angular_velocity[tied.node] - spin_of(nodes, tied);
+    turn_[at] += domain.clock.step * frame.to_local(spin);
+    const double turning = step > 0 ? std::min(spring.turning_stiffness, limit / spring.inverse_inertia)
+                                    : spring.turning_stiffness;
+    load.moment = -turning * frame.to_global(turn_[at]);
+  }
+  return load;
+}
+
+bool TieSprings::ends_now(const domain::Domain& domain, const Spring& spring, bool look) const {
+  return domain.clock.time >= contact_.death_time ||
+         (look && domain::has_failed(domain, spring.tied.block, spring.tied.element));
+}
+
+/// Hands a load over to the nodes; returns the work on them since the last call.
+double TieSprings::add(domain::Domain& domain, std::size_t at, const Load& load) {
+  domain::NodeFields& nodes = domain.nodes;
+  const Spring& spring = springs_[at];
+  const domain::TiedNode& tied = spring.tied;
+  const std::array<Index, ends> node = nodes_of(spring);
+  double work = 0;
+  for (std::size_t k = 0; k < ends; ++k) {
+    work += dot(previous_[at].force[k] + load.force[k], nodes.velocity[node[k]]);
+    for (int axis = 0; axis < 3; ++axis) nodes.force[node[k]].force[axis] += load.force[k][axis];
+  }
+  if (spring.turning_stiffness > 0) {
+    const Vec3 spin = nodes.angular_velocity[tied.node] - spin_of(nodes, tied);
+    work += dot(previous_[at].moment + load.moment, spin);
+    for (int axis = 0; axis < 3; ++axis) {
+      nodes.force[tied.node].moment[axis] += load.moment[axis];
+      for (std::size_t k = 0; k < 4; ++k)
+        nodes.force[tied.corner[k]].moment[axis] -= tied.weight[k] * load.moment[axis];
+    }
+  }
+  previous_[at] = load;
+  return 0.5 * domain.clock.step * work;
+}
+
+void TieSprings::add_forces(domain::Domain& domain) {
+  const StageTimer timer(domain.times.contact_forces);
+  domain::Tie& tie = domain.ties[tie_];
+  const Index eroded = domain::eroded_elements(domain);
+  const bool look = eroded != eroded_;
+  eroded_ = eroded;
+  const double step = std::max(domain.clock.step, step_scale_ * domain.clock.element_limit);
+  const auto count = static_cast<Index>(springs_.size());
+  parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
+    for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i)
+      loads_[i] = active_[i] != 0 ? evaluate(domain, static_cast<std::size_t>(i), step) : Load{};
+  });
+  tie.force = Vec3{};
+  tie.opening = 0;
+  for (std::size_t i = 0; i < springs_.size(); ++i) {
+    Load& load = loads_[i];
+    if (active_[i] == 0 && previous_[i].opening == 0) continue;
+    const bool breaks = load.share >= 1;
+    if (active_[i] != 0 && (breaks || ends_now(domain, springs_[i], look))) {
+      active_[i] = 0;
+      load = Load{};
+      ++tie.released;
+      if (breaks) ++tie.broken;
+    }
+    tie.energy -= add(domain, i, load);
+    tie.force += load.force[0];
+    tie.opening = std::max(tie.opening, load.opening);
+  }
+}
+
+void TieSprings::declare(domain::StateList& list) {
+  list.add("tie_springs", "-", domain::Entity::Contact, 1, std::span(active_));
+  list.add("tie_spring_loads", "by item", domain::Entity::Contact, 20, std::span(previous_));
+  list.add("tie_spring_turns", "rad", domain::Entity::Contact, 3, std::span(turn_));
+  list.keep("tie_spring_eroded", "-", domain::Entity::Contact, eroded_);
+}
+
+}  // namespace crumple::contact
