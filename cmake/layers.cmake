@@ -38,7 +38,7 @@ set(CRUMPLE_ROOMS
   "deck/build: deck/keywords deck/format"
   "output/files:"
   "output/results: output/files"
-  "output/histories: output/results output/files"
+  "output/histories/histories: output/results output/files"
   "output/lsdyna: output/results output/files"
   "output/paraview: output/results output/files"
   "output/d3plot: output/results output/files")
@@ -180,7 +180,7 @@ function(crumple_add_layer layer)
       CRUMPLE_BUILT_PAGES="${CRUMPLE_PAGES}")
   endif()
   if(layer STREQUAL "output")
-    set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/output/text_file.cpp PROPERTY COMPILE_DEFINITIONS
+    set_property(SOURCE ${PROJECT_SOURCE_DIR}/crumple/output/lsdyna/text_file.cpp PROPERTY COMPILE_DEFINITIONS
       CRUMPLE_VERSION="${PROJECT_VERSION}")
   endif()
   if(layer MATCHES "^(output|report|live|compare)$")

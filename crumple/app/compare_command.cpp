@@ -13,8 +13,8 @@
 #include "compare/comparison_page.hpp"
 #include "compare/comparison_text.hpp"
 #include "compare/open_results.hpp"
-#include "output/atomic_file.hpp"
-#include "output/write_error.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/write_error.hpp"
 #include "report/page.hpp"
 
 namespace crumple::app {

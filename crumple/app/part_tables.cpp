@@ -11,7 +11,7 @@
 #include "elements/beam_kernel_list.hpp"
 #include "elements/registry.hpp"
 #include "materials/shell_material.hpp"
-#include "output/part_masses.hpp"
+#include "output/results/part_masses.hpp"
 
 namespace crumple::app {
 

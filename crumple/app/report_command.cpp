@@ -8,7 +8,7 @@
 #include "app/print.hpp"
 #include "app/report_pictures.hpp"
 #include "base/error.hpp"
-#include "output/write_error.hpp"
+#include "output/files/write_error.hpp"
 #include "report/page.hpp"
 
 namespace crumple::app {

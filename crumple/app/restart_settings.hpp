@@ -7,7 +7,7 @@
 
 #include "app/command_line.hpp"
 #include "deck/recorded_source.hpp"
-#include "output/restart_file.hpp"
+#include "output/files/restart_file.hpp"
 
 namespace crumple::app {
 

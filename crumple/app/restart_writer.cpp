@@ -8,8 +8,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "output/atomic_file.hpp"
-#include "output/write_error.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/write_error.hpp"
 
 namespace crumple::app {
 

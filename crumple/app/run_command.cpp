@@ -14,7 +14,7 @@
 #include "app/stop_signals.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
-#include "output/write_error.hpp"
+#include "output/files/write_error.hpp"
 
 namespace crumple::app {
 

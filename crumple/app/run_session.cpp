@@ -16,11 +16,11 @@
 #include "base/error.hpp"
 #include "deck/units.hpp"
 #include "elements/elements.hpp"
-#include "output/atomic_file.hpp"
 #include "output/earlier_results.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/set_aside.hpp"
+#include "output/files/write_error.hpp"
 #include "output/run_record.hpp"
-#include "output/set_aside.hpp"
-#include "output/write_error.hpp"
 
 namespace crumple::app {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "output/checks.hpp"
-#include "output/view.hpp"
+#include "output/results/view.hpp"
 #include "timeloop/simulation.hpp"
 
 namespace crumple::app {

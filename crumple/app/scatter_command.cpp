@@ -20,8 +20,8 @@
 #include "base/error.hpp"
 #include "compare/open_results.hpp"
 #include "compare/scatter_bands.hpp"
-#include "output/atomic_file.hpp"
-#include "output/write_error.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/write_error.hpp"
 #include "report/scatter_folder.hpp"
 #include "report/text_file.hpp"
 

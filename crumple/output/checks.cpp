@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "output/part_masses.hpp"
+#include "output/results/part_masses.hpp"
 
 namespace crumple::output {
 

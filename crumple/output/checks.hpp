@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "output/view.hpp"
+#include "output/results/view.hpp"
 
 namespace crumple::output {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "output/binout.hpp"
-#include "output/text_file.hpp"
+#include "output/lsdyna/binout.hpp"
+#include "output/lsdyna/text_file.hpp"
 
 namespace crumple::output {
 namespace {

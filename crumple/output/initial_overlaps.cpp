@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "output/csv_file.hpp"
+#include "output/files/csv_file.hpp"
 
 namespace crumple::output {
 

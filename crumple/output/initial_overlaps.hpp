@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "output/view.hpp"
+#include "output/results/view.hpp"
 
 namespace crumple::output {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/recorder.hpp"
 
+#include "output/files/set_aside.hpp"
 #include "output/initial_overlaps.hpp"
-#include "output/set_aside.hpp"
 
 namespace crumple::output {
 

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "output/binout.hpp"
-#include "output/csv_file.hpp"
-#include "output/d3plot_series.hpp"
-#include "output/history.hpp"
-#include "output/paraview_series.hpp"
-#include "output/sampled_history.hpp"
-#include "output/schedule.hpp"
-#include "output/text_file.hpp"
-#include "output/view.hpp"
+#include "output/d3plot/d3plot_series.hpp"
+#include "output/files/csv_file.hpp"
+#include "output/histories/history.hpp"
+#include "output/histories/sampled_history.hpp"
+#include "output/histories/schedule.hpp"
+#include "output/lsdyna/binout.hpp"
+#include "output/lsdyna/text_file.hpp"
+#include "output/paraview/paraview_series.hpp"
+#include "output/results/view.hpp"
 
 namespace crumple::output {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/isa.hpp"
-#include "output/atomic_file.hpp"
+#include "output/files/atomic_file.hpp"
 
 namespace crumple::output {
 

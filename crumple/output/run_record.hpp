@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "output/checks.hpp"
-#include "output/view.hpp"
+#include "output/results/view.hpp"
 
 namespace crumple::output {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "output/atomic_file.hpp"
+#include "output/files/atomic_file.hpp"
 #include "report/payload.hpp"
 #include "report/text_file.hpp"
 

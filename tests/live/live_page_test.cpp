@@ -13,8 +13,8 @@
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
-#include "output/atomic_file.hpp"
-#include "output/vtu_file.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/paraview/vtu_file.hpp"
 
 namespace crumple::live::live_page_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/atomic_file.hpp"
+#include "output/files/atomic_file.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "output/write_error.hpp"
+#include "output/files/write_error.hpp"
 
 namespace crumple::output::atomic_file_test {
 namespace {

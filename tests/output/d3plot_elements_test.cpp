@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // d3plot files of models with solids, beams, springs and rigid walls.
+#include "output/d3plot/d3plot_series.hpp"
 #include "output/d3plot_reader.hpp"
-#include "output/d3plot_series.hpp"
 #include "output/sample.hpp"
 #include "support/lines.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/d3plot_series.hpp"
+#include "output/d3plot/d3plot_series.hpp"
 
 #include <sys/resource.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "output/d3plot_reader.hpp"
+#include "output/files/write_error.hpp"
 #include "output/recorder.hpp"
 #include "output/sample.hpp"
-#include "output/write_error.hpp"
 
 namespace crumple::output::d3plot_series_test {
 namespace {

@@ -10,10 +10,10 @@
 #include <sstream>
 
 #include "domain/state_snapshot.hpp"
+#include "output/files/write_error.hpp"
 #include "output/lsda_reader.hpp"
 #include "output/recorder.hpp"
 #include "output/sample.hpp"
-#include "output/write_error.hpp"
 
 namespace crumple::output::foreign_forms_test {
 namespace {

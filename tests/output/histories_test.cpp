@@ -2,11 +2,11 @@
 #include <cmath>
 #include <sstream>
 
-#include "output/history.hpp"
-#include "output/part_masses.hpp"
+#include "output/files/write_error.hpp"
+#include "output/histories/history.hpp"
 #include "output/recorder.hpp"
+#include "output/results/part_masses.hpp"
 #include "output/sample.hpp"
-#include "output/write_error.hpp"
 
 namespace crumple::output::histories_test {
 namespace {

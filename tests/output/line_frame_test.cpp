@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Frames of models with beams and springs.
-#include "output/line_results.hpp"
-#include "output/paraview_series.hpp"
+#include "output/paraview/paraview_series.hpp"
+#include "output/results/line_results.hpp"
 #include "output/sample.hpp"
 #include "output/vtu_reader.hpp"
 #include "support/lines.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/lsda_file.hpp"
+#include "output/lsdyna/lsda_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <limits>
 
+#include "output/files/write_error.hpp"
 #include "output/lsda_reader.hpp"
 #include "output/sample.hpp"
-#include "output/write_error.hpp"
 
 namespace crumple::output::lsda_file_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/paraview_series.hpp"
+#include "output/paraview/paraview_series.hpp"
 
 #include <cstdlib>
 #include <regex>

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "domain/build.hpp"
-#include "output/view.hpp"
+#include "output/results/view.hpp"
 #include "support/meshes.hpp"
 
 namespace crumple::output {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/schedule.hpp"
+#include "output/histories/schedule.hpp"
 
 #include <gtest/gtest.h>
 

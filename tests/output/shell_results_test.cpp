@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/shell_results.hpp"
+#include "output/results/shell_results.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Frames of models with solids.
-#include "output/paraview_series.hpp"
+#include "output/paraview/paraview_series.hpp"
 #include "output/sample.hpp"
 #include "output/vtu_reader.hpp"
 #include "support/meshes.hpp"

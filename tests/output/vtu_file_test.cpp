@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/vtu_file.hpp"
+#include "output/paraview/vtu_file.hpp"
 
 #include <gtest/gtest.h>
 

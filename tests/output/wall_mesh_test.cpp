@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "output/wall_mesh.hpp"
+#include "output/paraview/wall_mesh.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "output/paraview_series.hpp"
+#include "output/paraview/paraview_series.hpp"
 #include "output/sample.hpp"
 #include "output/vtu_reader.hpp"
 

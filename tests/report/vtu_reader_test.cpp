@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "base/error.hpp"
-#include "output/vtu_file.hpp"
+#include "output/paraview/vtu_file.hpp"
 
 namespace crumple::report::vtu_reader_test {
 namespace {

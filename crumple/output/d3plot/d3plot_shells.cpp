@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/d3plot/d3plot_shells.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "output/results/part_masses.hpp"
+
+namespace crumple::output {
+
+namespace {
+
+math::Quadrature rule_of(const model::ShellSection& section, Index points) {
+  switch (section.thickness_rule) {
+    case model::ThicknessRule::Lobatto:
+      return math::lobatto_rule(points);
+    case model::ThicknessRule::Trapezoid:
+      return math::trapezoid_rule(points);
+    default:
+      return math::gauss_rule(points);
+  }
+}
+
+struct PlaneTensor {
+  double xx = 0, yy = 0, xy = 0;
+};
+
+/// Along axes turned by the angle of that cosine and sine.
+PlaneTensor turned(const PlaneTensor& t, double c, double s) {
+  return {c * c * t.xx + s * s * t.yy + 2 * c * s * t.xy, s * s * t.xx + c * c * t.yy - 2 * c * s * t.xy,
+          c * s * (t.yy - t.xx) + (c * c - s * s) * t.xy};
+}
+
+}  // namespace
+
+D3plotShells::D3plotShells(const View& view, const domain::ShellBlock& block)
+    : view_(&view),
+      block_(&block),
+      section_(&view.model.shell_sections[view.model.parts[block.part].section]),
+      results_(view.model, block),
+      history_(block),
+      layout_(view.model.output.extent),
+      stress_(block.find("stress")),
+      plastic_strain_(block.find("plastic_strain")),
+      energy_(block.find("energy")) {
+  if (stress_ != nullptr) layers_ = stress_->count / ShellResults::stress_components / block.plane_points;
+  rule_ = rule_of(*section_, layers_);
+}
+
+D3plotShells::Local D3plotShells::stress(Index place, Index layer) const {
+  Local mean{};
+  if (stress_ == nullptr) return mean;
+  const Index planes = block_->plane_points;
+  for (Index plane = 0; plane < planes; ++plane)
+    for (std::size_t c = 0; c < mean.size(); ++c) {
+      const Index component = (plane * layers_ + layer) * ShellResults::stress_components;
+      mean[c] += block_->state(place, stress_->first + component + static_cast<Index>(c)) / planes;
+    }
+  return mean;
+}
+
+double D3plotShells::plastic_strain(Index place, Index layer) const {
+  if (plastic_strain_ == nullptr) return 0;
+  double mean = 0;
+  const Index planes = block_->plane_points;
+  for (Index plane = 0; plane < planes; ++plane)
+    mean += block_->state(place, plastic_strain_->first + plane * layers_ + layer) / planes;
+  return mean;
+}
+
+double D3plotShells::history(Index place, Index layer, int variable) const {
+  double mean = 0;
+  const Index planes = block_->plane_points;
+  for (Index plane = 0; plane < planes; ++plane)
+    mean += history_.value(place, plane * layers_ + layer, variable) / planes;
+  return mean;
+}
+
+void D3plotShells::add_layer(D3plotWords& words, const ShellAxes& axes, Index place, Index below,
+                             Index above) const {
+  Local local = stress(place, below);
+  const Local other = stress(place, above);
+  for (std::size_t c = 0; c < local.size(); ++c) local[c] = 0.5 * (local[c] + other[c]);
+  if (layout_.stresses)
+    for (const double component : in_global_axes(axes, local)) words.real(component);
+  if (layout_.plastic_strain) words.real(0.5 * (plastic_strain(place, below) + plastic_strain(place, above)));
+  for (int i = 0; i < layout_.shell_history; ++i)
+    words.real(0.5 * (history(place, below, i) + history(place, above, i)));
+}
+
+/// From the first node of the deck to the next that is not the same.
+math::Vec3 D3plotShells::first_side(Index place) const {
+  const domain::NodeFields& nodes = view_->domain.nodes;
+  const std::array<Index, 4>& node = view_->model.shells[block_->element[place]].node;
+  const auto at = [&](std::size_t k) { return nodes.position[nodes.domain_node[node[k]]]; };
+  return node[0] == node[1] ? at(2) - at(1) : at(1) - at(0);
+}
+
+void D3plotShells::add_resultants(D3plotWords& words, const ShellAxes& axes, Index place) const {
+  const double thickness = results_.thickness(place);
+  PlaneTensor force;
+  PlaneTensor moment;
+  double shear1 = 0;
+  double shear2 = 0;
+  for (Index layer = 0; layer < layers_; ++layer) {
+    const auto [xx, yy, xy, yz, zx] = stress(place, layer);
+    const double weight = thickness * rule_.weight[layer];
+    const double arm = 0.5 * thickness * rule_.point[layer] * weight;
+    force = {force.xx + weight * xx, force.yy + weight * yy, force.xy + weight * xy};
+    moment = {moment.xx + arm * xx, moment.yy + arm * yy, moment.xy + arm * xy};
+    // The stress that the formulations keep has the root of the factor once, their forces have it twice.
+    shear1 += std::sqrt(section_->shear_factor) * weight * zx;
+    shear2 += std::sqrt(section_->shear_factor) * weight * yz;
+  }
+  const math::Vec3 side = first_side(place);
+  const double along = dot(side, axes.e1);
+  const double across = dot(side, axes.e2);
+  const double length = std::hypot(along, across);
+  const double c = length > 0 ? along / length : 1;
+  const double s = length > 0 ? across / length : 0;
+  const PlaneTensor m = turned(moment, c, s);
+  const PlaneTensor n = turned(force, c, s);
+  for (const double value :
+       {m.xx, m.yy, m.xy, c * shear1 + s * shear2, c * shear2 - s * shear1, n.xx, n.yy, n.xy})
+    words.real(value);
+}
+
+double D3plotShells::energy_density(Index place) const {
+  if (energy_ == nullptr) return 0;
+  const model::ShellElement& shell = view_->model.shells[block_->element[place]];
+  const double density = view_->model.materials[view_->model.parts[block_->part].material].density;
+  const double volume = shell_mass(*view_, shell) / density;
+  return volume > 0 ? block_->state(place, energy_->first) / volume : 0;
+}
+
+void D3plotShells::add_shell(D3plotWords& words, Index place) const {
+  const ShellAxes axes = shell_axes(*block_, view_->domain.nodes, place);
+  if (layout_.layers == D3plotLayout::surfaces) {
+    add_layer(words, axes, place, (layers_ - 1) / 2, layers_ / 2);
+    for (const Index layer : {0, layers_ - 1}) add_layer(words, axes, place, layer, layer);
+  } else {
+    const int present = std::min(layout_.layers, static_cast<int>(layers_));
+    for (Index layer = 0; layer < present; ++layer) add_layer(words, axes, place, layer, layer);
+    words.zeros((layout_.layers - present) * layout_.layer_values());
+  }
+  if (layout_.resultants) add_resultants(words, axes, place);
+  if (!layout_.energy) return;
+  words.real(results_.thickness(place));
+  words.zeros(2);
+  words.real(energy_density(place));
+}
+
+}  // namespace crumple::output

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/lsdyna/lsda_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+#include "output/files/write_error.hpp"
+
+namespace crumple::output {
+
+namespace {
+
+enum class Command : std::uint8_t {
+  Folder = 2,
+  Data = 3,
+  Variable = 4,
+  BeginTable = 5,
+  EndTable = 6,
+  FirstTable = 7
+};
+
+// Numbers of the types of values.
+constexpr std::uint8_t characters = 1;
+constexpr std::uint8_t integers_of_4 = 3;
+constexpr std::uint8_t integers_of_8 = 4;
+constexpr std::uint8_t reals_of_8 = 10;
+
+constexpr std::uint64_t head_bytes = 9;  ///< of a record: its length and its command
+constexpr std::uint64_t link_bytes = 8;
+
+template <class Number>
+void put(std::string& bytes, Number number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+
+void put_head(std::string& bytes, std::uint64_t length, Command command) {
+  put(bytes, length);
+  put(bytes, command);
+}
+
+void put_folder(std::string& bytes, std::string_view folder) {
+  put_head(bytes, head_bytes + folder.size(), Command::Folder);
+  bytes += folder;
+}
+
+/// Bytes of a length, of an offset, of a command and of a type; the order of bytes; the kind of reals.
+std::string header() {
+  const char order = std::endian::native == std::endian::little ? 1 : 0;
+  return {8, 8, 8, 1, 1, order, 0, 0};
+}
+
+template <class Number>
+std::string_view bytes_of(std::span<const Number> numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
+}
+
+}  // namespace
+
+LsdaFile::LsdaFile(std::filesystem::path path, Opening opening) : path_(std::move(path)) {
+  if (opening == Opening::New) begin();
+}
+
+void LsdaFile::open(const char* mode) {
+  file_.reset(std::fopen(path_.c_str(), mode));
+  if (!file_) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
+  // Each part is one write: nothing is left over for later if it fails.
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+}
+
+void LsdaFile::begin() {
+  open("wb");
+  std::string start = header();
+  put_head(start, head_bytes + link_bytes, Command::FirstTable);
+  put(start, std::uint64_t{0});
+  write_at(0, start);
+  length_ = start.size();
+}
+
+void LsdaFile::declare(domain::StateList& list) {
+  list.keep(path_.filename().string() + "_bytes", "-", domain::Entity::Run, length_);
+}
+
+bool LsdaFile::resume() {
+  std::error_code fault;
+  const std::uint64_t there = std::filesystem::file_size(path_, fault);
+  if (fault || there < length_ || length_ == 0) {
+    begin();
+    return false;
+  }
+  std::filesystem::resize_file(path_, length_, fault);
+  if (fault) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), fault.message()));
+  open("r+b");
+  // A link to the next table ends every flush, and the start of the file.
+  write_at(length_ - link_bytes, std::string(link_bytes, '\0'));
+  return true;
+}
+
+void LsdaFile::enter(std::string_view folder) {
+  folder_ = folder;
+}
+
+void LsdaFile::add(std::string_view name, std::span<const double> values) {
+  add_record(name, reals_of_8, values.size(), bytes_of(values));
+}
+
+void LsdaFile::add(std::string_view name, std::span<const std::int64_t> values) {
+  using Short = std::int32_t;
+  const auto fits = [](std::int64_t value) {
+    return value >= std::numeric_limits<Short>::min() && value <= std::numeric_limits<Short>::max();
+  };
+  if (!std::all_of(values.begin(), values.end(), fits)) {
+    add_record(name, integers_of_8, values.size(), bytes_of(values));
+    return;
+  }
+  std::vector<Short> narrow;
+  narrow.reserve(values.size());
+  for (const std::int64_t value : values) narrow.push_back(static_cast<Short>(value));
+  add_record(name, integers_of_4, narrow.size(), bytes_of(std::span<const Short>(narrow)));
+}
+
+void LsdaFile::add(std::string_view name, std::string_view text) {
+  add_record(name, characters, text.size(), text);
+}
+
+void LsdaFile::add_record(std::string_view name, std::uint8_t type, std::uint64_t values,
+                          std::string_view bytes) {
+  if (values == 0) return;
+  if (folder_ != recorded_folder_) {
+    put_folder(records_, folder_);
+    recorded_folder_ = folder_;
+  }
+  entries_.push_back({folder_, std::string(name), type, length_ + records_.size(), values});
+  put_head(records_, head_bytes + 2 + name.size() + bytes.size(), Command::Data);
+  put(records_, type);
+  put(records_, static_cast<std::uint8_t>(name.size()));
+  records_ += name;
+  records_ += bytes;
+}
+
+std::string LsdaFile::table() const {
+  std::string lines;
+  std::string_view folder;
+  for (const Entry& entry : entries_) {
+    if (entry.folder != folder) put_folder(lines, entry.folder);
+    folder = entry.folder;
+    put_head(lines, head_bytes + entry.name.size() + 17, Command::Variable);
+    lines += entry.name;
+    put(lines, entry.type);
+    put(lines, entry.record);
+    put(lines, entry.values);
+  }
+  put_head(lines, head_bytes + link_bytes, Command::EndTable);
+  put(lines, std::uint64_t{0});
+  std::string whole;
+  put_head(whole, head_bytes + lines.size(), Command::BeginTable);
+  return whole + lines;
+}
+
+void LsdaFile::flush() {
+  if (entries_.empty()) return;
+  std::string link;
+  put(link, length_ + records_.size());
+  const std::string added = records_ + table();
+  records_.clear();
+  entries_.clear();
+  // A file that goes on from here without this one's memory says where it is.
+  recorded_folder_.clear();
+  write_at(length_, added);
+  write_at(length_ - link_bytes, link);
+  length_ += added.size();
+}
+
+void LsdaFile::write_at(std::uint64_t place, std::string_view bytes) {
+  const bool good = std::fseek(file_.get(), static_cast<long>(place), SEEK_SET) == 0 &&
+                    std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
+  if (!good) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
+}
+
+}  // namespace crumple::output

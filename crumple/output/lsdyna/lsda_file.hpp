@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "output/files/csv_file.hpp"
+
+namespace crumple::output {
+
+/// A file in the format LSDA, the one of LS-DYNA's binout: a tree of named arrays, in this machine's order of
+/// bytes. Records go to the end of it. Each flush adds a table of what is new and only then links it to the
+/// table before: at any moment a reader that follows the tables finds whole flushes and nothing else.
+class LsdaFile {
+ public:
+  /// Makes the file, empty; if it is continued, that is left to resume(). Throws WriteError.
+  explicit LsdaFile(std::filesystem::path path, Opening opening = Opening::New);
+
+  /// Declares the length of the file, for a restart.
+  void declare(domain::StateList& list);
+  /// To be called after a restart has filled what was declared: what came after that length is cut off. False
+  /// if the file is not there any more and begins anew. Throws WriteError.
+  bool resume();
+
+  /// What is added next lies in this folder of the tree: an absolute path, made as needed.
+  void enter(std::string_view folder);
+  /// Adds an array under a name of at most 255 characters; empty ones are left out.
+  void add(std::string_view name, std::span<const double> values);
+  /// The same; of 4 bytes each where that is enough.
+  void add(std::string_view name, std::span<const std::int64_t> values);
+  /// The same, a character for each byte.
+  void add(std::string_view name, std::string_view text);
+  void add(std::string_view name, double value) { add(name, std::span<const double>(&value, 1)); }
+  void add(std::string_view name, std::int64_t value) { add(name, std::span<const std::int64_t>(&value, 1)); }
+
+  /// Makes what was added a part of the file that outlives the program. Throws WriteError.
+  void flush();
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  /// A line of the table: where an array is.
+  struct Entry {
+    std::string folder;
+    std::string name;
+    std::uint8_t type = 0;
+    std::uint64_t record = 0;  ///< place of its record in the file [bytes]
+    std::uint64_t values = 0;
+  };
+  void open(const char* mode);
+  void begin();
+  void add_record(std::string_view name, std::uint8_t type, std::uint64_t values, std::string_view bytes);
+  std::string table() const;
+  void write_at(std::uint64_t place, std::string_view bytes);
+
+  std::filesystem::path path_;
+  std::unique_ptr<std::FILE, Closer> file_;
+  std::uint64_t length_ = 0;  ///< after the last flush [bytes]
+  std::string records_;       ///< not in the file yet
+  std::vector<Entry> entries_;
+  std::string folder_;
+  std::string recorded_folder_;  ///< that the records are in
+};
+
+}  // namespace crumple::output
