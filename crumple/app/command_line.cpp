@@ -15,7 +15,7 @@
 #include "app/foreign_arguments.hpp"
 #include "base/error.hpp"
 #include "base/isa.hpp"
-#include "deck/parameters.hpp"
+#include "deck/format/parameters.hpp"
 
 namespace crumple::app {
 

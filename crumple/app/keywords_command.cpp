@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "app/print.hpp"
-#include "deck/keyword_cards.hpp"
+#include "deck/keywords/keyword_cards.hpp"
 
 namespace crumple::app {
 

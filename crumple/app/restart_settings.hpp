@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
-#include "deck/recorded_source.hpp"
+#include "deck/format/recorded_source.hpp"
 #include "output/files/restart_file.hpp"
 
 namespace crumple::app {

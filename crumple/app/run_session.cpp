@@ -14,7 +14,7 @@
 #include "app/run_limits.hpp"
 #include "app/run_summary.hpp"
 #include "base/error.hpp"
-#include "deck/units.hpp"
+#include "deck/build/units.hpp"
 #include "elements/elements.hpp"
 #include "output/earlier_results.hpp"
 #include "output/files/atomic_file.hpp"

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 
-#include "deck/build.hpp"
-#include "deck/cards.hpp"
-#include "deck/keywords.hpp"
-#include "deck/numbers.hpp"
-#include "deck/recorded_source.hpp"
-#include "deck/scanner.hpp"
-#include "deck/settings.hpp"
-#include "deck/text_source.hpp"
-#include "deck/units.hpp"
+#include "deck/build/build.hpp"
+#include "deck/build/units.hpp"
+#include "deck/format/cards.hpp"
+#include "deck/format/numbers.hpp"
+#include "deck/format/recorded_source.hpp"
+#include "deck/format/scanner.hpp"
+#include "deck/format/text_source.hpp"
+#include "deck/keywords/control/settings.hpp"
+#include "deck/keywords/keywords.hpp"
 
 namespace crumple::deck {
 

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/diagnostic.hpp"
-#include "deck/read_options.hpp"
-#include "deck/recorded_source.hpp"
+#include "deck/format/diagnostic.hpp"
+#include "deck/format/read_options.hpp"
+#include "deck/format/recorded_source.hpp"
 #include "model/model.hpp"
 
 namespace crumple::deck {

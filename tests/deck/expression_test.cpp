@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *PARAMETER_EXPRESSION.
-#include "deck/expression.hpp"
+#include "deck/format/expression.hpp"
 
 #include <gtest/gtest.h>
 

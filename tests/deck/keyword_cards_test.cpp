@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the deck reader says of its own keywords is what it reads.
-#include "deck/keyword_cards.hpp"
+#include "deck/keywords/keyword_cards.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/numbers.hpp"
+#include "deck/format/numbers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "deck/units.hpp"
+#include "deck/build/units.hpp"
 
 #include <cmath>
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/build/build.hpp"
+
+#include <fmt/core.h>
+
+namespace crumple::deck {
+
+namespace {
+
+struct ItemWords {
+  std::string_view name;
+  std::string_view keyword;        ///< what defines it
+  std::string_view family;         ///< beginning of the keywords, supported or not, that define it
+  std::string_view second_family;  ///< another such beginning; may be empty
+};
+
+const ItemWords& words(Item item) {
+  static constexpr ItemWords table[] = {
+      {"node", "*NODE", "*NODE_", ""},
+      {"shell", "*ELEMENT_SHELL", "*ELEMENT_SHELL_", ""},
+      {"mass element", "*ELEMENT_MASS", "*ELEMENT_MASS_", ""},
+      {"part", "*PART", "*PART_", ""},
+      {"section", "*SECTION_SHELL or *SECTION_SOLID", "*SECTION_", ""},
+      {"material", "*MAT_ELASTIC or another *MAT", "*MAT_", ""},
+      {"hourglass control", "*HOURGLASS", "*HOURGLASS_", ""},
+      {"curve", "*DEFINE_CURVE", "*DEFINE_CURVE_", "*DEFINE_TABLE"},
+      {"node set", "*SET_NODE_LIST", "*SET_NODE_", ""},
+      {"part set", "*SET_PART_LIST", "*SET_PART_", ""},
+      {"rigid wall", "*RIGIDWALL_PLANAR_ID", "*RIGIDWALL_", ""},
+      {"contact", "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", "*CONTACT_", ""},
+      {"table", "*DEFINE_TABLE", "*DEFINE_TABLE_", ""},
+      {"solid", "*ELEMENT_SOLID", "*ELEMENT_SOLID_", ""},
+      {"shell set", "*SET_SHELL_LIST", "*SET_SHELL_", ""},
+      {"solid set", "*SET_SOLID_LIST", "*SET_SOLID_", ""},
+      {"segment set", "*SET_SEGMENT", "*SET_SEGMENT_", ""},
+      {"box", "*DEFINE_BOX", "*DEFINE_BOX_", ""},
+      {"rigid body", "a part of *MAT_RIGID or *CONSTRAINED_NODAL_RIGID_BODY", "*CONSTRAINED_NODAL_RIGID_",
+       ""},
+      {"beam", "*ELEMENT_BEAM", "*ELEMENT_BEAM_", ""},
+      {"discrete element", "*ELEMENT_DISCRETE", "*ELEMENT_DISCRETE_", ""},
+      {"orientation", "*DEFINE_SD_ORIENTATION", "*DEFINE_SD_ORIENTATION_", ""},
+      {"equation of state", "*EOS_GRUNEISEN or *EOS_LINEAR_POLYNOMIAL", "*EOS_", ""},
+      {"coordinate system", "*DEFINE_COORDINATE_SYSTEM, _NODES or _VECTOR", "*DEFINE_COORDINATE_", ""},
+      {"beam set", "*SET_BEAM", "*SET_BEAM_", ""},
+      {"discrete set", "*SET_DISCRETE", "*SET_DISCRETE_", ""},
+      {"cross-section", "*DATABASE_CROSS_SECTION_PLANE_ID", "*DATABASE_CROSS_SECTION_", ""},
+  };
+  return table[static_cast<std::size_t>(item)];
+}
+
+}  // namespace
+
+void Build::enter(Item item, const Reference& reference, std::size_t index) {
+  Entries& entries = entries_[static_cast<std::size_t>(item)];
+  const Index here = static_cast<Index>(index);
+  const Index before = entries.table.insert(reference.id, here);
+  if (static_cast<std::size_t>(here) >= entries.first.size())
+    entries.first.resize(static_cast<std::size_t>(here) + 1);
+  entries.first[static_cast<std::size_t>(here)] = reference.where;
+  if (before == no_index) return;
+  const Where& first = entries.first[static_cast<std::size_t>(before)];
+  report.field_error(reference.where,
+                     {reference.field, std::to_string(reference.id), "an id that is not used yet",
+                      fmt::format("{} {} is already defined at {}; remove one or give it another id",
+                                  words(item).name, reference.id, report.place(first)),
+                      "duplicate"});
+}
+
+Index Build::find_quietly(Item item, UserId id) const {
+  return entries_[static_cast<std::size_t>(item)].table.find(id);
+}
+
+const UnsupportedDefinition* Build::unsupported_definition(Item item, UserId id) const {
+  const ItemWords& word = words(item);
+  for (const UnsupportedDefinition& definition : deck.unsupported) {
+    const std::string_view keyword = definition.where.keyword;
+    const bool fits = keyword.starts_with(word.family) ||
+                      (!word.second_family.empty() && keyword.starts_with(word.second_family));
+    if (fits && definition.id == id) return &definition;
+  }
+  return nullptr;
+}
+
+Index Build::find(Item item, const Reference& reference) {
+  const Index index = find_quietly(item, reference.id);
+  if (index != no_index) return index;
+  const ItemWords& word = words(item);
+  FieldFault fault{
+      reference.field,
+      std::to_string(reference.id),
+      fmt::format(
+          "the id of {} {}",
+          word.name.starts_with('h') || word.name.starts_with('o') || word.name.starts_with('e') ? "an" : "a",
+          word.name),
+      {},
+      "reference"};
+  if (item == Item::Part && is_dropped(reference.id)) {
+    // As an error it would only repeat the one at the part.
+    fault.hint = fmt::format("part {} is left out, see the message there", reference.id);
+    if (report.allow_unsupported()) report.field_warning(reference.where, fault);
+  } else if (const UnsupportedDefinition* definition = unsupported_definition(item, reference.id)) {
+    fault.hint = fmt::format("{} {} is defined by {} at {}, which is not supported", word.name, reference.id,
+                             definition->where.keyword, report.place(definition->where));
+    report.field_unsupported(reference.where, fault);
+  } else {
+    fault.hint = fmt::format("the deck has no {} {}; add it with {}", word.name, reference.id, word.keyword);
+    report.field_error(reference.where, fault);
+  }
+  return no_index;
+}
+
+model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report& report) {
+  Build build(deck, report);
+  build.model.title = deck.title;
+  build.model.control = deck.control;
+  build.model.output = deck.output;
+  build.model.search = deck.search;
+  build.model.run = deck.run;
+  build_properties(build);
+  check_materials(build);
+  build_nodes(build);
+  enter_coordinate_systems(build);
+  build_parts(build);
+  build_shells(build);
+  settle_defaults(build, options.ls_dyna_defaults);
+  build_solids(build);
+  build_beams(build);
+  build_discretes(build);
+  check_empty_parts(build);
+  build_sets(build);
+  build_masses(build);
+  build_rigid_bodies(build);
+  build_connections(build);
+  build_fixed_nodes(build);
+  build_velocities(build);
+  build_loads(build);
+  build_motions(build);
+  build_walls(build);
+  build_contacts(build, options.automatic_contact);
+  build_tied_contacts(build);
+  build_output(build);
+  build_cross_sections(build);
+  return std::move(build.model);
+}
+
+}  // namespace crumple::deck

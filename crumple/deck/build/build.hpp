@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deck/format/id_table.hpp"
+#include "deck/format/raw_deck.hpp"
+#include "deck/format/read_options.hpp"
+#include "deck/format/report.hpp"
+#include "deck/format/vector.hpp"
+#include "model/model.hpp"
+
+namespace crumple::deck {
+
+/// What a user id can be the id of.
+enum class Item {
+  Node,
+  Shell,
+  Mass,
+  Part,
+  Section,
+  Material,
+  Hourglass,
+  Curve,
+  NodeSet,
+  PartSet,
+  Wall,
+  Contact,
+  Table,
+  Solid,
+  ShellSet,
+  SolidSet,
+  SegmentSet,
+  Box,
+  RigidBody,
+  Beam,
+  Discrete,
+  Orientation,
+  EquationOfState,
+  CoordinateSystem,
+  BeamSet,
+  DiscreteSet,
+  CrossSection,
+  Count,  ///< how many there are
+};
+
+/// A user id with the field in which it stands.
+struct Reference {
+  UserId id = 0;
+  std::string_view field;
+  Where where;
+};
+
+/// The model under construction, with the ids of what it already has. The deck and the report outlive it.
+class Build {
+ public:
+  Build(const RawDeck& raw, Report& to) : deck(raw), report(to) {}
+
+  const RawDeck& deck;
+  Report& report;
+  model::Model model;
+  std::vector<std::vector<Index>> solid_sets;     ///< members by set, as in RawDeck::solid_sets
+  std::vector<std::vector<Index>> beam_sets;      ///< likewise
+  std::vector<std::vector<Index>> discrete_sets;  ///< likewise
+  std::vector<std::int32_t> shells_of_part;       ///< number of shells, by index of the part
+  std::vector<std::int32_t> solids_of_part;       ///< number of solids, by index of the part
+  std::vector<std::int32_t> lines_of_part;  ///< number of beams or discrete elements, by index of the part
+
+  /// Enters the id of an item that gets this index. An id that is there already is reported.
+  void enter(Item item, const Reference& reference, std::size_t index);
+
+  /// Index of the item that a field refers to. Where there is none, says so and returns no_index: an error,
+  /// or what --allow-unsupported makes of it if an unsupported keyword would define the item.
+  Index find(Item item, const Reference& reference);
+
+  /// The same without a message.
+  Index find_quietly(Item item, UserId id) const;
+
+  /// Parts that are left out because something they need is not supported.
+  void drop_part(UserId id) { dropped_parts_.insert(id, 0); }
+  bool is_dropped(UserId part) const { return dropped_parts_.find(part) != no_index; }
+
+  /// The unsupported keyword that would define an item; null if there is none.
+  const UnsupportedDefinition* unsupported_definition(Item item, UserId id) const;
+
+ private:
+  struct Entries {
+    IdTable table;
+    std::vector<Where> first;  ///< where each id was entered, in the order of entering
+  };
+
+  Entries entries_[static_cast<std::size_t>(Item::Count)];
+  IdTable dropped_parts_;
+};
+
+// build_properties.cpp
+void build_properties(Build& build);
+// check_materials.cpp
+void check_materials(Build& build);
+// check_parts.cpp
+/// Whether the elements, the material and the equation of state of a part go together.
+void check_part(const RawPart& raw, const model::Part& part, Build& build);
+// build_mesh.cpp
+void build_nodes(Build& build);
+void build_parts(Build& build);
+void build_shells(Build& build);
+void check_empty_parts(Build& build);
+
+using model::ElementKind;
+
+/// Index of the part that an element names. Where there is none, or its section is for another kind of
+/// elements, says so and returns no_index.
+Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
+// build_coordinates.cpp
+/// Enters the ids of the coordinate systems. The nodes of the model must be there.
+void enter_coordinate_systems(Build& build);
+/// The axes of the coordinate system that a field refers to. Absent, with a message, where there is none or
+/// where it has no axes.
+std::optional<std::array<Vector, 3>> find_axes(Build& build, UserId id, std::string_view field,
+                                               const Where& where);
+// build_defaults.cpp
+/// Settles what the deck leaves open about shells: with thickness change and the hourglass stiffness of their
+/// material, or as LS-DYNA does. Says so.
+void settle_defaults(Build& build, bool as_ls_dyna);
+// build_solids.cpp
+void build_solids(Build& build);
+// build_lines.cpp
+void build_beams(Build& build);
+void build_discretes(Build& build);
+// build_sets.cpp
+void build_sets(Build& build);
+/// Whether a point is in a box; its sides belong to it.
+bool is_inside(const RawBox& box, const std::array<double, 3>& point);
+// build_conditions.cpp
+/// Nodes of the elements of some parts, ascending.
+std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& parts);
+/// Nodes of the set that a field refers to; null, with a message, if there is none.
+const std::vector<Index>* set_nodes(Build& build, const Reference& set);
+std::vector<Index> all_nodes(const Build& build);
+void build_masses(Build& build);
+void build_fixed_nodes(Build& build);
+void build_velocities(Build& build);
+// build_connections.cpp
+void build_connections(Build& build);
+/// A spot weld, rivet or constrained set, to a node that it moves.
+struct Connection {
+  std::string name;                   ///< "spot weld 7"
+  std::array<bool, 3> translation{};  ///< global axes along which it changes the node's velocity
+  bool is_body = false;               ///< it sets all of the node's motion, whatever is held
+};
+/// The connections of the model by node.
+std::map<Index, Connection> connections_of_nodes(const Build& build);
+// build_walls.cpp
+void build_walls(Build& build);
+// build_rigid_bodies.cpp
+void build_rigid_bodies(Build& build);
+/// The rigid body of every node, or no_index.
+std::vector<Index> bodies_of_nodes(const Build& build);
+// build_motions.cpp
+/// Prescribed motions, body loads and loads on rigid bodies.
+void build_motions(Build& build);
+// build_loads.cpp
+void build_loads(Build& build);
+// build_contacts.cpp
+void build_contacts(Build& build, bool automatic_contact);
+/// Id of a contact that the deck gives none, from its place among all contacts; of no other one.
+UserId unnamed_contact_id(const Build& build, std::size_t place);
+/// Adds what a field names to the side of a contact. False, with a message, if there is a fault.
+bool add_contact_side(Build& build, const RawContactSide& raw, const Where& where, model::ContactSide& side);
+// build_tied_contact.cpp
+void build_tied_contacts(Build& build);
+// build_cross_sections.cpp
+void build_cross_sections(Build& build);
+// build_output.cpp
+void build_output(Build& build);
+
+/// Follows all references, checks that the items fit together and makes the model. Faults go to the report.
+model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report& report);
+
+}  // namespace crumple::deck

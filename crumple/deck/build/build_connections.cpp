@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spot welds, rivets and constrained sets of nodes.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "deck/build/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+/// Who moves each node: a node has room for one constraint.
+class Owners {
+ public:
+  explicit Owners(Build& build) : build_(build), owner_(build.model.nodes.id.size()) {
+    for (const model::RigidBody& body : build.model.rigid_bodies)
+      for (const Index node : body.nodes)
+        owner_[static_cast<std::size_t>(node)] = {fmt::format("rigid body {}", body.id), {}};
+  }
+
+  /// Enters a constraint for its nodes; reports a node that has one already.
+  void take(const std::vector<Index>& nodes, const std::string& name, const Where& where) {
+    for (const Index node : nodes) {
+      Owner& owner = owner_[static_cast<std::size_t>(node)];
+      if (!owner.name.empty())
+        build_.report.error(
+            where, "shared",
+            fmt::format("node {} belongs to {} and {}{}; a node has room for one constraint, as "
+                        "in LS-DYNA",
+                        build_.model.nodes.id[static_cast<std::size_t>(node)], owner.name, name,
+                        owner.where.line > 0 ? fmt::format(" ({})", build_.report.place(owner.where))
+                                             : std::string()));
+      owner = {name, where};
+    }
+  }
+
+ private:
+  struct Owner {
+    std::string name;
+    Where where;
+  };
+  Build& build_;
+  std::vector<Owner> owner_;
+};
+
+/// Both nodes, or nothing with a message.
+std::vector<Index> find_pair(Build& build, const std::array<UserId, 2>& ids, const Where& where) {
+  std::vector<Index> pair = {build.find(Item::Node, {ids[0], "N1", where}),
+                             build.find(Item::Node, {ids[1], "N2", where})};
+  if (pair[0] == no_index || pair[1] == no_index) return {};
+  if (pair[0] == pair[1]) {
+    build.report.field_error(where, {"N2", std::to_string(ids[1]), "another node than N1",
+                                     "a node cannot be joined to itself", "same"});
+    return {};
+  }
+  return pair;
+}
+
+/// Distinct nodes of a set, ascending; nothing, with a message, if there are less than two.
+std::vector<Index> find_members(Build& build, UserId set, const Where& where) {
+  const std::vector<Index>* const members = set_nodes(build, {set, "NSID", where});
+  if (!members) return {};
+  std::vector<Index> nodes = *members;
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  if (nodes.size() >= 2) return nodes;
+  build.report.field_error(
+      where, {"NSID", std::to_string(set), "a set of at least two nodes", "there is nothing to join", "set"});
+  return {};
+}
+
+/// Forces are told apart along the line between two nodes.
+void check_strength(Build& build, const RawWeld& raw, const model::SpotWeld& weld) {
+  if (!(weld.normal_strength > 0) && !(weld.shear_strength > 0)) return;
+  const auto& positions = build.model.nodes.position;
+  const bool pair = weld.nodes.size() == 2 && positions[static_cast<std::size_t>(weld.nodes[0])] !=
+                                                  positions[static_cast<std::size_t>(weld.nodes[1])];
+  if (pair) return;
+  const Where& where = raw.limits_where.line > 0 ? raw.limits_where : raw.where;
+  const bool normal = weld.normal_strength > 0;
+  build.report.field_unsupported(
+      where,
+      {normal ? "SN" : "SS", fmt::format("{}", normal ? weld.normal_strength : weld.shear_strength), "0",
+       "failure by forces needs two nodes at different places; take TFAIL or EPSF, or *CONSTRAINED_SPOTWELD",
+       "strength"});
+}
+
+void build_welds(Build& build, Owners& owners) {
+  for (std::size_t i = 0; i < build.deck.welds.size(); ++i) {
+    const RawWeld& raw = build.deck.welds[i];
+    model::SpotWeld weld = raw.weld;
+    if (weld.id == 0) weld.id = static_cast<UserId>(i) + 1;
+    weld.nodes = raw.node_set != 0 ? find_members(build, raw.node_set, raw.where)
+                                   : find_pair(build, raw.node, raw.where);
+    if (weld.nodes.empty()) continue;
+    check_strength(build, raw, weld);
+    owners.take(weld.nodes, fmt::format("spot weld {}", weld.id), raw.where);
+    build.model.spot_welds.push_back(std::move(weld));
+  }
+}
+
+void build_rivets(Build& build, Owners& owners) {
+  for (std::size_t i = 0; i < build.deck.rivets.size(); ++i) {
+    const RawRivet& raw = build.deck.rivets[i];
+    const std::vector<Index> pair = find_pair(build, raw.node, raw.where);
+    if (pair.empty()) continue;
+    const UserId id = raw.id == 0 ? static_cast<UserId>(i) + 1 : raw.id;
+    const auto& positions = build.model.nodes.position;
+    if (positions[static_cast<std::size_t>(pair[0])] == positions[static_cast<std::size_t>(pair[1])])
+      build.report.field_error(raw.where, {"N2", std::to_string(raw.node[1]), "a node apart from N1",
+                                           "a rivet keeps the distance of two nodes", "distance"});
+    owners.take(pair, fmt::format("rivet {}", id), raw.where);
+    build.model.rivets.push_back({id, {pair[0], pair[1]}, raw.failure_time});
+  }
+}
+
+void build_node_sets(Build& build, Owners& owners) {
+  for (const RawConstrainedSet& raw : build.deck.constrained_sets) {
+    std::vector<Index> nodes = find_members(build, raw.node_set, raw.where);
+    if (nodes.empty()) continue;
+    owners.take(nodes, fmt::format("the constrained node set {}", raw.node_set), raw.where);
+    build.model.constrained_node_sets.push_back({std::move(nodes), raw.direction, raw.failure_time});
+  }
+}
+
+}  // namespace
+
+std::map<Index, Connection> connections_of_nodes(const Build& build) {
+  std::map<Index, Connection> found;
+  const auto take = [&](const auto& nodes, const Connection& connection) {
+    for (const Index node : nodes) found[node] = connection;
+  };
+  constexpr std::array<bool, 3> all{true, true, true};
+  for (const model::SpotWeld& weld : build.model.spot_welds)
+    take(weld.nodes, {fmt::format("spot weld {}", weld.id), all, true});
+  for (const model::Rivet& rivet : build.model.rivets)
+    take(rivet.node, {fmt::format("rivet {}", rivet.id), all, false});
+  for (const model::ConstrainedNodeSet& set : build.model.constrained_node_sets)
+    take(set.nodes, {"a constrained node set", set.direction, false});
+  return found;
+}
+
+void build_connections(Build& build) {
+  if (build.deck.welds.empty() && build.deck.rivets.empty() && build.deck.constrained_sets.empty()) return;
+  Owners owners(build);
+  build_welds(build, owners);
+  build_rivets(build, owners);
+  build_node_sets(build, owners);
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/build/build.hpp"
+#include "deck/format/vector.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+/// The two vectors of a system that is given by three nodes; absent, with messages, if one is missing.
+std::optional<std::array<Vector, 2>> vectors_of_nodes(const RawCoordinateSystem& raw, Build& build) {
+  constexpr std::array<std::string_view, 3> field = {"N1", "N2", "N3"};
+  std::array<Vector, 3> point{};
+  bool complete = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Index node = build.find(Item::Node, {raw.node[i], field[i], raw.where});
+    if (node == no_index)
+      complete = false;
+    else
+      point[i] = build.model.nodes.position[static_cast<std::size_t>(node)];
+  }
+  if (!complete) return std::nullopt;
+  return std::array{difference(point[1], point[0]), difference(point[2], point[0])};
+}
+
+}  // namespace
+
+void enter_coordinate_systems(Build& build) {
+  const auto& systems = build.deck.coordinate_systems;
+  for (std::size_t i = 0; i < systems.size(); ++i)
+    build.enter(Item::CoordinateSystem, {systems[i].id, "CID", systems[i].where}, i);
+}
+
+std::optional<std::array<Vector, 3>> find_axes(Build& build, UserId id, std::string_view field,
+                                               const Where& where) {
+  const Index index = build.find(Item::CoordinateSystem, {id, field, where});
+  if (index == no_index) return std::nullopt;
+  const RawCoordinateSystem& raw = build.deck.coordinate_systems[static_cast<std::size_t>(index)];
+  std::array<Vector, 2> vectors = {raw.first, raw.other};
+  if (raw.node[0] != 0) {
+    const auto of_nodes = vectors_of_nodes(raw, build);
+    if (!of_nodes) return std::nullopt;
+    vectors = *of_nodes;
+  }
+  const auto axes = local_axes(vectors[0], vectors[1]);
+  if (!axes)
+    build.report.field_error(raw.where, {"CID", std::to_string(raw.id), "a system with two axes",
+                                         "its points or vectors lie on one line", "axes"});
+  return axes;
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds for shells where the deck leaves it open (docs/theory/hourglass.md, "Which form to take").
+#include <fmt/core.h>
+
+#include "deck/build/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+/// Shells for which what the deck leaves open makes a difference.
+struct OpenShells {
+  bool deformable = false;
+  bool hourglassing = false;  ///< with hourglass control that *CONTROL_HOURGLASS decides about
+};
+
+OpenShells open_shells(const model::Model& model) {
+  OpenShells found;
+  for (const model::ShellElement& shell : model.shells) {
+    if (shell.part == no_index) continue;
+    const model::Part& part = model.parts[shell.part];
+    if (part.section == no_index || model::is_rigid(model, part)) continue;
+    found.deformable = true;
+    const model::ShellFormulation formulation = model.shell_sections[part.section].formulation;
+    found.hourglassing = found.hourglassing || (part.hourglass == no_index &&
+                                                formulation != model::ShellFormulation::FullyIntegrated &&
+                                                formulation != model::ShellFormulation::Triangle);
+  }
+  return found;
+}
+
+}  // namespace
+
+void settle_defaults(Build& build, bool as_ls_dyna) {
+  model::Control& control = build.model.control;
+  const bool ls_dyna = as_ls_dyna || build.deck.takes_ls_dyna_defaults;
+  const bool open_hourglass = !build.deck.control_hourglass;
+  const bool open_thickness = !build.deck.control_shell;
+  if (open_hourglass && !ls_dyna) control.hourglass.form = model::HourglassForm::Material;
+  if (open_thickness) control.thickness_change = !ls_dyna;
+  const OpenShells shells = open_shells(build.model);
+  if (ls_dyna || !shells.deformable) return;
+  std::string text;
+  if (open_thickness) text = "no *CONTROL_SHELL: the thickness of shells follows their strain (ISTUPD 1)";
+  if (open_hourglass && shells.hourglassing)
+    text += fmt::format("{}no *CONTROL_HOURGLASS: shells resist hourglassing with their material's stiffness",
+                        text.empty() ? "" : "; ");
+  if (text.empty()) return;
+  build.report.add(Severity::Note, {{}, 0, 0, 0}, "defaults",
+                   text + "; --ls-dyna-defaults takes constant thickness and viscous control instead");
+}
+
+}  // namespace crumple::deck

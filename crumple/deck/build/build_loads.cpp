@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loads on nodes and segments.
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "deck/build/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+void build_nodal_load(const RawNodalLoad& raw, Build& build) {
+  const Index curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  std::vector<Index> nodes;
+  if (raw.is_set) {
+    const Index set = build.find(Item::NodeSet, {raw.target, "NSID", raw.where});
+    if (set != no_index) nodes = build.model.node_sets[static_cast<std::size_t>(set)].nodes;
+  } else if (const Index node = build.find(Item::Node, {raw.target, "NID", raw.where}); node != no_index) {
+    nodes.push_back(node);
+  }
+  if (curve == no_index) return;
+  for (const Index node : nodes) {
+    model::NodalLoad load;
+    load.node = node;
+    load.curve = curve;
+    if (raw.direction <= 3)
+      load.force[static_cast<std::size_t>(raw.direction - 1)] = raw.scale;
+    else
+      load.moment[static_cast<std::size_t>(raw.direction - 5)] = raw.scale;
+    build.model.nodal_loads.push_back(load);
+  }
+}
+
+/// The same load on every shell or segment of a set.
+void build_pressure_on_set(const RawPressureLoad& raw, model::PressureLoad load, Build& build) {
+  const bool of_shells = raw.shell_set != 0;
+  const Index set = of_shells ? build.find(Item::ShellSet, {raw.shell_set, "ESID", raw.where})
+                              : build.find(Item::SegmentSet, {raw.segment_set, "SSID", raw.where});
+  if (set == no_index || load.curve == no_index) return;
+  if (!of_shells) {
+    for (const std::array<Index, 4>& segment :
+         build.model.segment_sets[static_cast<std::size_t>(set)].segments) {
+      load.node = segment;
+      build.model.pressure_loads.push_back(load);
+    }
+    return;
+  }
+  for (const Index shell : build.model.shell_sets[static_cast<std::size_t>(set)].shells) {
+    load.shell = shell;
+    load.node = build.model.shells[static_cast<std::size_t>(shell)].node;
+    build.model.pressure_loads.push_back(load);
+  }
+}
+
+void build_pressure_load(const RawPressureLoad& raw, Build& build) {
+  model::PressureLoad load;
+  load.pressure = raw.scale;
+  load.arrival = raw.arrival;
+  load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  if (raw.shell_set != 0 || raw.segment_set != 0) {
+    build_pressure_on_set(raw, load, build);
+    return;
+  }
+  if (raw.shell != 0) {
+    const Index shell = build.find(Item::Shell, {raw.shell, "EID", raw.where});
+    if (shell == no_index) return;
+    load.node = build.model.shells[static_cast<std::size_t>(shell)].node;
+    load.shell = shell;
+  } else {
+    constexpr std::array<std::string_view, 4> fields = {"N1", "N2", "N3", "N4"};
+    const std::size_t corners = raw.node[3] == raw.node[2] ? 3 : 4;
+    for (std::size_t k = 0; k < corners; ++k)
+      load.node[k] = build.find(Item::Node, {raw.node[k], fields[k], raw.where});
+    if (corners == 3) load.node[3] = load.node[2];
+  }
+  for (const Index node : load.node)
+    if (node == no_index) return;
+  if (load.curve != no_index) build.model.pressure_loads.push_back(load);
+}
+
+std::array<Index, 4> sorted(std::array<Index, 4> node) {
+  std::sort(node.begin(), node.end());
+  return node;
+}
+
+/// A segment that is a shell is loaded as long as that shell is there.
+void find_loaded_shells(model::Model& model) {
+  const auto segment = [](const model::PressureLoad& load) { return load.shell == no_index; };
+  if (std::none_of(model.pressure_loads.begin(), model.pressure_loads.end(), segment)) return;
+  std::map<std::array<Index, 4>, Index> shells;
+  for (std::size_t i = 0; i < model.shells.size(); ++i)
+    shells.emplace(sorted(model.shells[i].node), static_cast<Index>(i));
+  for (model::PressureLoad& load : model.pressure_loads) {
+    if (!segment(load)) continue;
+    const auto found = shells.find(sorted(load.node));
+    if (found != shells.end()) load.shell = found->second;
+  }
+}
+
+}  // namespace
+
+void build_loads(Build& build) {
+  for (const RawNodalLoad& raw : build.deck.nodal_loads) build_nodal_load(raw, build);
+  for (const RawPressureLoad& raw : build.deck.pressure_loads) build_pressure_load(raw, build);
+  find_loaded_shells(build.model);
+}
+
+}  // namespace crumple::deck

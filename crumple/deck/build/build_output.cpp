@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Output requests.
+#include "deck/build/build.hpp"
+
+#include <vector>
+
+namespace crumple::deck {
+
+namespace {
+
+/// What *DATABASE_HISTORY may name: the items of a kind, and sets of them.
+struct Traced {
+  Item item;
+  Item set;
+  std::vector<Index>* into;
+};
+
+Traced traced_of(HistoryItem item, model::OutputRequests& output) {
+  switch (item) {
+    case HistoryItem::Shell:
+      return {Item::Shell, Item::ShellSet, &output.history_shells};
+    case HistoryItem::Solid:
+      return {Item::Solid, Item::SolidSet, &output.history_solids};
+    case HistoryItem::Beam:
+      return {Item::Beam, Item::BeamSet, &output.history_beams};
+    case HistoryItem::Discrete:
+      return {Item::Discrete, Item::DiscreteSet, &output.history_discretes};
+    default:
+      return {Item::Node, Item::NodeSet, &output.history_nodes};
+  }
+}
+
+const std::vector<Index>& members_of(const Build& build, Item set, Index index) {
+  const auto place = static_cast<std::size_t>(index);
+  switch (set) {
+    case Item::ShellSet:
+      return build.model.shell_sets[place].shells;
+    case Item::SolidSet:
+      return build.solid_sets[place];
+    case Item::BeamSet:
+      return build.beam_sets[place];
+    case Item::DiscreteSet:
+      return build.discrete_sets[place];
+    default:
+      return build.model.node_sets[place].nodes;
+  }
+}
+
+/// Lists what is named in the order of the deck, each once.
+class HistoryList {
+ public:
+  explicit HistoryList(std::vector<Index>& list) : list_(&list) {}
+
+  void add(Index index) {
+    const auto place = static_cast<std::size_t>(index);
+    if (place >= taken_.size()) taken_.resize(place + 1, 0);
+    if (taken_[place] == 0) list_->push_back(index);
+    taken_[place] = 1;
+  }
+
+ private:
+  std::vector<Index>* list_;
+  std::vector<char> taken_;
+};
+
+void build_histories(Build& build, HistoryItem item) {
+  const Traced traced = traced_of(item, build.model.output);
+  HistoryList list(*traced.into);
+  for (const RawHistory& raw : build.deck.histories) {
+    if (raw.item != item) continue;
+    const Index index = build.find(raw.is_set ? traced.set : traced.item, {raw.id, "ID", raw.where});
+    if (index == no_index) continue;
+    if (!raw.is_set)
+      list.add(index);
+    else
+      for (const Index member : members_of(build, traced.set, index)) list.add(member);
+  }
+}
+
+}  // namespace
+
+void build_output(Build& build) {
+  model::OutputRequests& output = build.model.output;
+  if (build.deck.state_count > 0)
+    output.state_interval = build.model.control.end_time / static_cast<double>(build.deck.state_count);
+  for (const HistoryItem item :
+       {HistoryItem::Node, HistoryItem::Shell, HistoryItem::Solid, HistoryItem::Beam, HistoryItem::Discrete})
+    build_histories(build, item);
+}
+
+}  // namespace crumple::deck

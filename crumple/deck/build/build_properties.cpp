@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sections, materials, hourglass controls and curves.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "base/counted.hpp"
+#include "deck/build/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+/// Plastic strain up to which a hardening table is continued with its last slope, as LS-DYNA continues
+/// curves.
+constexpr double far_strain = 10;
+
+/// Continues a hardening curve that begins behind zero strain to there; `points` is where it stands.
+void extend_to_zero(std::vector<double>& strain, std::vector<double>& stress, const RawMaterial& material,
+                    const Where& points, Report& report) {
+  const double slope = (stress[1] - stress[0]) / (strain[1] - strain[0]);
+  const double initial = stress[0] - slope * strain[0];
+  if (!(initial > 0))
+    report.error(
+        material.where, "initial yield",
+        fmt::format("continued to zero plastic strain the hardening curve gives a yield stress of {}; "
+                    "start it at zero",
+                    initial));
+  else
+    report.warning(
+        points, "initial yield",
+        fmt::format("the yield stress of material {} is given from plastic strain {:.4g} on; its first slope "
+                    "is continued to zero, where it gives the yield stress {:.4g}; start it at zero",
+                    material.material.id, strain.front(), initial));
+  strain.insert(strain.begin(), 0.0);
+  stress.insert(stress.begin(), initial);
+}
+
+/// Continues a hardening curve to zero strain and far beyond its end.
+void extend(std::vector<double>& strain, std::vector<double>& stress, const RawMaterial& material,
+            const Where& points, Report& report) {
+  if (strain.size() < 2) return;
+  if (strain.front() > 0) extend_to_zero(strain, stress, material, points, report);
+  if (strain.back() >= far_strain) return;
+  const std::size_t last = strain.size() - 1;
+  const double slope = (stress[last] - stress[last - 1]) / (strain[last] - strain[last - 1]);
+  if (slope < 0)
+    report.warning(material.where, "softening",
+                   "the hardening curve falls at its end; behind it the yield stress stays constant");
+  if (!(slope > 0)) return;
+  stress.push_back(stress[last] + slope * (far_strain - strain[last]));
+  strain.push_back(far_strain);
+}
+
+/// A curve of the model as strains and stresses of hardening.
+void take_hardening(const model::Curve& curve, const Where& where, std::vector<double>& strain,
+                    std::vector<double>& stress, Report& report) {
+  strain = curve.abscissa;
+  stress = curve.ordinate;
+  for (std::size_t i = 0; i < curve.abscissa.size(); ++i)
+    if (curve.abscissa[i] < 0 || !(curve.ordinate[i] > 0)) {
+      report.error(where, "hardening",
+                   fmt::format("curve {} gives the yield stress {} at plastic strain {}, expected strains "
+                               "not below zero and stresses above zero",
+                               curve.id, curve.ordinate[i], curve.abscissa[i]));
+      return;
+    }
+}
+
+/// The model's curve of every value of a table; no_index where it is missing, which has been reported.
+std::vector<Index> curves_of(const RawTable& raw, Build& build) {
+  std::vector<Index> found;
+  const std::vector<RawCurve>& curves = build.deck.curves;
+  if (raw.curve.empty() && raw.first_curve + raw.value.size() > curves.size()) {
+    build.report.error(raw.where, "curves",
+                       fmt::format("table {} has {}, and {} behind it; each value needs its "
+                                   "*DEFINE_CURVE, in the same order, or use *DEFINE_TABLE_2D",
+                                   raw.id, counted(raw.value.size(), "value"),
+                                   counted(curves.size() - raw.first_curve, "curve")));
+    return std::vector<Index>(raw.value.size(), no_index);
+  }
+  for (std::size_t i = 0; i < raw.value.size(); ++i) {
+    const UserId id = raw.curve.empty() ? curves[raw.first_curve + i].curve.id : raw.curve[i];
+    found.push_back(build.find(Item::Curve, {id, "CURVEID", raw.where}));
+  }
+  return found;
+}
+
+/// Hardening curves by strain rate.
+void take_table(const RawMaterial& raw, const RawTable& table, model::PiecewiseLinearPlasticity& law,
+                Build& build) {
+  law.plastic_strain = {0};
+  law.yield_stress = {1};
+  if (table.value.empty()) {
+    build.report.error(table.where, "empty", fmt::format("table {} has no values", table.id));
+    return;
+  }
+  // A first value below zero says that all are natural logarithms of the rates.
+  law.logarithmic_rates = table.value.front() < 0;
+  const std::vector<Index> curves = curves_of(table, build);
+  for (std::size_t i = 0; i < table.value.size(); ++i) {
+    if (curves[i] == no_index) continue;
+    model::HardeningAtRate at{table.value[i], {}, {}};
+    const model::Curve& curve = build.model.curves[static_cast<std::size_t>(curves[i])];
+    take_hardening(curve, raw.where, at.plastic_strain, at.yield_stress, build.report);
+    const Where& points = build.deck.curves[static_cast<std::size_t>(curves[i])].where;
+    extend(at.plastic_strain, at.yield_stress, raw, points, build.report);
+    law.by_rate.push_back(std::move(at));
+  }
+}
+
+void take_hardening(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
+  const Where* points = &raw.where;
+  if (raw.hardening_curve != 0) {
+    const Index table = build.find_quietly(Item::Table, raw.hardening_curve);
+    if (table != no_index) {
+      take_table(raw, build.deck.tables[static_cast<std::size_t>(table)], law, build);
+      return;
+    }
+    const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCSS", raw.curve_where});
+    if (index == no_index) return;
+    points = &build.deck.curves[static_cast<std::size_t>(index)].where;
+    take_hardening(build.model.curves[static_cast<std::size_t>(index)], raw.where, law.plastic_strain,
+                   law.yield_stress, build.report);
+  }
+  extend(law.plastic_strain, law.yield_stress, raw, *points, build.report);
+}
+
+/// LCSR: factors on the yield stress over strain rate.
+void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
+  if (raw.rate_curve == 0) return;
+  const Index index = build.find(Item::Curve, {raw.rate_curve, "LCSR", raw.curve_where});
+  if (index == no_index) return;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  law.factor_rate = curve.abscissa;
+  law.rate_factor = curve.ordinate;
+  // Constant below the first point.
+  if (curve.abscissa.front() > 0) {
+    law.factor_rate.insert(law.factor_rate.begin(), 0.0);
+    law.rate_factor.insert(law.rate_factor.begin(), curve.ordinate.front());
+  }
+  for (std::size_t i = 0; i < curve.abscissa.size(); ++i)
+    if (curve.abscissa[i] < 0 || !(curve.ordinate[i] > 0)) {
+      build.report.error(raw.where, "rate",
+                         fmt::format("curve {} gives the factor {} at strain rate {}, expected rates not "
+                                     "below zero and factors above zero",
+                                     curve.id, curve.ordinate[i], curve.abscissa[i]));
+      return;
+    }
+}
+
+/// LCID of crushable foam: the yield stress over the crushed volume.
+void take_crush(const RawMaterial& raw, model::CrushableFoam& law, Build& build) {
+  if (raw.hardening_curve == 0) return;
+  const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCID", raw.curve_where});
+  if (index == no_index) return;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  law.crush = curve.abscissa;
+  law.yield_stress = curve.ordinate;
+  const auto below_zero = [](double stress) { return stress < 0; };
+  const bool none =
+      std::all_of(curve.ordinate.begin(), curve.ordinate.end(), [](double stress) { return stress == 0; });
+  if (none || std::any_of(curve.ordinate.begin(), curve.ordinate.end(), below_zero))
+    build.report.error(
+        raw.where, "crush",
+        fmt::format("curve {} must give yield stresses that are positive in compression", curve.id));
+}
+
+/// One table of ids for all kinds of sections, in the order of the deck; the indices of shells, solids, beams
+/// and discrete elements follow each other.
+void enter_sections(Build& build) {
+  struct Entry {
+    Reference reference;
+    std::size_t index = 0;
+  };
+  const RawDeck& deck = build.deck;
+  std::vector<Entry> entries(deck.section_count());
+  std::size_t index = 0;
+  const auto take = [&](const auto& raws) {
+    for (const auto& raw : raws) entries[raw.order] = {{raw.section.id, "SECID", raw.where}, index++};
+  };
+  take(deck.sections);
+  take(deck.solid_sections);
+  take(deck.beam_sections);
+  take(deck.discrete_sections);
+  for (const Entry& entry : entries) build.enter(Item::Section, entry.reference, entry.index);
+}
+
+/// A curve of a spring or damper: it must have both signs and go through the origin.
+Index spring_curve(const RawSpringMaterial& raw, UserId id, std::string_view field, Build& build) {
+  if (id == 0) return no_index;
+  const Index index = build.find(Item::Curve, {id, field, raw.where});
+  if (index == no_index) return no_index;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  constexpr double small = 1e-9;
+  const bool both = curve.abscissa.front() < 0 && curve.abscissa.back() > 0;
+  const double most = std::max(std::fabs(curve.ordinate.front()), std::fabs(curve.ordinate.back()));
+  if (!both || std::fabs(curve.at(0)) > small * most)
+    build.report.field_error(raw.where,
+                             {field, std::to_string(id), "a curve from below zero to above through (0, 0)",
+                              "it holds for both directions, the negative one first", "curve"});
+  return index;
+}
+
+/// Materials of springs and dampers, behind the others.
+void build_spring_materials(Build& build) {
+  model::Model& model = build.model;
+  for (const RawSpringMaterial& raw : build.deck.spring_materials) {
+    build.enter(Item::Material, {raw.material.id, "MID", raw.where},
+                model.materials.size() + model.spring_materials.size());
+    model.spring_materials.push_back(raw.material);
+    model::SpringLaw& law = model.spring_materials.back().law;
+    if (auto* spring = std::get_if<model::NonlinearSpring>(&law)) {
+      spring->curve = spring_curve(raw, raw.curve, raw.curve_field, build);
+      if (raw.rate_curve != 0)
+        spring->rate_curve = build.find(Item::Curve, {raw.rate_curve, raw.rate_field, raw.where});
+    } else if (auto* damper = std::get_if<model::NonlinearDamper>(&law)) {
+      damper->curve = spring_curve(raw, raw.curve, raw.curve_field, build);
+    }
+  }
+}
+
+}  // namespace
+
+void build_properties(Build& build) {
+  const RawDeck& deck = build.deck;
+  model::Model& model = build.model;
+  for (const RawCurve& raw : deck.curves) {
+    build.enter(Item::Curve, {raw.curve.id, "LCID", raw.where}, model.curves.size());
+    model.curves.push_back(raw.curve);
+  }
+  for (std::size_t i = 0; i < deck.tables.size(); ++i)
+    build.enter(Item::Table, {deck.tables[i].id, "TBID", deck.tables[i].where}, i);
+  for (const RawSection& raw : deck.sections) {
+    model.shell_sections.push_back(raw.section);
+    model::ShellSection& section = model.shell_sections.back();
+    if (!raw.formulation_given) section.formulation = deck.default_formulation;
+    if (deck.warping_stiffness && section.formulation == model::ShellFormulation::BelytschkoTsay)
+      section.formulation = model::ShellFormulation::BelytschkoWongChiang;
+    // LS-DYNA takes Gauss points where Lobatto's rule has none of the order.
+    const bool gauss = section.thickness_rule == model::ThicknessRule::Gauss;
+    if (deck.lobatto_points && gauss && section.thickness_points >= 3)
+      section.thickness_rule = model::ThicknessRule::Lobatto;
+  }
+  for (const RawSolidSection& raw : deck.solid_sections) model.solid_sections.push_back(raw.section);
+  for (const RawBeamSection& raw : deck.beam_sections) model.beam_sections.push_back(raw.section);
+  for (const RawDiscreteSection& raw : deck.discrete_sections) model.discrete_sections.push_back(raw.section);
+  enter_sections(build);
+  for (const RawHourglass& raw : deck.hourglasses) {
+    build.enter(Item::Hourglass, {raw.id, "HGID", raw.where}, model.hourglass_controls.size());
+    model.hourglass_controls.push_back(raw.control);
+  }
+  for (const RawEquationOfState& raw : deck.equations_of_state) {
+    build.enter(Item::EquationOfState, {raw.equation.id, "EOSID", raw.where},
+                model.equations_of_state.size());
+    model.equations_of_state.push_back(raw.equation);
+  }
+  for (const RawMaterial& raw : deck.materials) {
+    build.enter(Item::Material, {raw.material.id, "MID", raw.where}, model.materials.size());
+    model.materials.push_back(raw.material);
+    if (auto* law = std::get_if<model::PiecewiseLinearPlasticity>(&model.materials.back().law)) {
+      take_hardening(raw, *law, build);
+      take_factors(raw, *law, build);
+    }
+    if (auto* law = std::get_if<model::CrushableFoam>(&model.materials.back().law))
+      take_crush(raw, *law, build);
+  }
+  build_spring_materials(build);
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Solids.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "deck/build/build.hpp"
+#include "deck/format/vector.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using Corners = std::array<Vector, 8>;
+
+/// Places of the corners in the parent cube, in units of half its side.
+constexpr std::array<std::array<int, 3>, 8> corner_of_cube = {
+    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+
+double triple_product(const Vector& a, const Vector& b, const Vector& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// Determinant of the Jacobian of the trilinear map at a point of the parent cube [-1, 1]^3.
+double jacobian(const Corners& x, const Vector& at) {
+  std::array<Vector, 3> tangent{};
+  for (std::size_t corner = 0; corner < 8; ++corner)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double slope = 0.125;
+      for (std::size_t other = 0; other < 3; ++other) {
+        const double place = corner_of_cube[corner][other];
+        slope *= other == axis ? place : 1 + place * at[other];
+      }
+      for (std::size_t i = 0; i < 3; ++i) tangent[axis][i] += slope * x[corner][i];
+    }
+  return triple_product(tangent[0], tangent[1], tangent[2]);
+}
+
+struct Shape {
+  double volume = 0;
+  double least_jacobian = 0;  ///< at the points of the rule
+};
+
+/// By Gauss' rule with 2 x 2 x 2 points, which is exact: the Jacobian is quadratic in each coordinate.
+Shape shape_of(const Corners& x) {
+  const double gauss_point = std::sqrt(1.0 / 3);
+  Shape shape;
+  for (std::size_t point = 0; point < 8; ++point) {
+    Vector at{};
+    for (std::size_t i = 0; i < 3; ++i) at[i] = corner_of_cube[point][i] * gauss_point;
+    const double value = jacobian(x, at);
+    shape.volume += value;
+    shape.least_jacobian = point == 0 ? value : std::min(shape.least_jacobian, value);
+  }
+  return shape;
+}
+
+/// Corners at the same node must hang together by edges of the cube, else the element is folded onto itself.
+bool repeats_neighbours_only(const std::array<Index, 8>& node) {
+  static constexpr std::array<std::array<std::size_t, 3>, 8> neighbours = {
+      {{1, 3, 4}, {0, 2, 5}, {1, 3, 6}, {0, 2, 7}, {0, 5, 7}, {1, 4, 6}, {2, 5, 7}, {3, 4, 6}}};
+  // Every corner takes the least place among its equals that it can reach; eight rounds reach all.
+  std::array<std::size_t, 8> least{0, 1, 2, 3, 4, 5, 6, 7};
+  for (int round = 0; round < 8; ++round)
+    for (std::size_t i = 0; i < 8; ++i)
+      for (const std::size_t j : neighbours[i])
+        if (node[i] == node[j]) least[i] = std::min(least[i], least[j]);
+  for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (node[i] == node[j] && least[i] != least[j]) return false;
+  return true;
+}
+
+/// LS-DYNA's tetrahedron N1, N2, N3, N4, N4, N4, N4, N4 has N4 in the face of N1 to N3: as a hexahedron that
+/// face is warped through the middle of the tetrahedron, and half the volume is lost. N3 and N4 four times is
+/// the whole.
+void unfold_tetrahedron(std::array<Index, 8>& node) {
+  const bool folded = std::all_of(node.begin() + 4, node.end(), [&](Index n) { return n == node[3]; });
+  if (folded) node[3] = node[2];
+}
+
+/// Nodes that do not make a hexahedron, wedge, pyramid or tetrahedron. True if they do.
+bool check_repetitions(const model::SolidElement& solid, const Where& where, Report& report) {
+  std::array<Index, 8> node = solid.node;
+  std::sort(node.begin(), node.end());
+  const auto distinct = std::unique(node.begin(), node.end()) - node.begin();
+  if (distinct < 4) {
+    report.error(
+        where, "repeated",
+        fmt::format("solid {} has {} different nodes only, expected at least four", solid.id, distinct));
+    return false;
+  }
+  if (repeats_neighbours_only(solid.node)) return true;
+  report.error(
+      where, "repeated",
+      fmt::format("solid {} has a node twice at corners that are not neighbours; a wedge is N1, N2, N3, N4, "
+                  "N5, N5, N6, N6, a pyramid ends in N5 four times, a tetrahedron in N4 five times",
+                  solid.id));
+  return false;
+}
+
+/// A solid of a section that is for tetrahedra. True if it is one, or may have four or eight nodes.
+bool check_formulation(const model::SolidElement& solid, const Where& where, Build& build) {
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(solid.part)];
+  const model::SolidSection& section =
+      build.model.solid_sections[static_cast<std::size_t>(part.solid_section)];
+  if (!model::is_tetrahedral(section.formulation) || model::is_tetrahedron(solid)) return true;
+  build.report.error(
+      where, "formulation",
+      fmt::format("solid {} is no tetrahedron, but section {} of its part has a formulation for tetrahedra, "
+                  "ELFORM 10 or 13; expected N1, N2, N3, N4, N4, N4, N4, N4; put other solids into a part "
+                  "of their own",
+                  solid.id, section.id));
+  return false;
+}
+
+/// Volume that is not above zero, or corners turned inside out.
+void check_shape(const model::SolidElement& solid, const Where& where, Build& build) {
+  Corners x;
+  for (std::size_t i = 0; i < 8; ++i)
+    x[i] = build.model.nodes.position[static_cast<std::size_t>(solid.node[i])];
+  double longest = 0;
+  for (const Vector& a : x)
+    for (const Vector& b : x) longest = std::max(longest, length_of(difference(a, b)));
+  const Shape shape = shape_of(x);
+  constexpr double flat = 1e-9;
+  if (std::fabs(shape.volume) <= flat * longest * longest * longest)
+    build.report.error(
+        where, "volume",
+        fmt::format("solid {} has no volume; check the order of its nodes and their coordinates", solid.id));
+  else if (shape.volume < 0)
+    build.report.error(
+        where, "negative volume",
+        fmt::format(
+            "solid {} has the negative volume {:.4g}; N1 to N4 run counter-clockwise seen from the side of "
+            "N5 to N8: exchange N1-N4 with N5-N8, of a wedge N1 with N2 and N3 with N4, of a pyramid N2 with "
+            "N4, of a tetrahedron N2 with N3",
+            solid.id, shape.volume));
+  else if (!(shape.least_jacobian > 0))
+    build.report.warning(
+        where, "distorted",
+        fmt::format("solid {} is so distorted that one of its corners is turned inside out; its "
+                    "results will be poor",
+                    solid.id));
+}
+
+}  // namespace
+
+void build_solids(Build& build) {
+  static constexpr std::array<std::string_view, 8> fields = {"N1", "N2", "N3", "N4", "N5", "N6", "N7", "N8"};
+  std::vector<model::SolidElement>& solids = build.model.solids;
+  solids.reserve(build.deck.solids.size());
+  build.solids_of_part.assign(build.model.parts.size(), 0);
+  for (const RawSolid& raw : build.deck.solids) {
+    if (build.is_dropped(raw.part)) continue;
+    model::SolidElement solid;
+    solid.id = raw.id;
+    solid.part = find_part_of(build, ElementKind::Solid, {raw.part, "PID", raw.where});
+    bool complete = solid.part != no_index;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const bool again = i > 0 && raw.node[i] == raw.node[i - 1];
+      solid.node[i] =
+          again ? solid.node[i - 1] : build.find(Item::Node, {raw.node[i], fields[i], raw.nodes_where});
+      complete = complete && solid.node[i] != no_index;
+    }
+    build.enter(Item::Solid, {raw.id, "EID", raw.where}, solids.size());
+    if (complete) unfold_tetrahedron(solid.node);
+    if (complete && check_repetitions(solid, raw.nodes_where, build.report)) {
+      if (check_formulation(solid, raw.nodes_where, build)) check_shape(solid, raw.nodes_where, build);
+      ++build.solids_of_part[static_cast<std::size_t>(solid.part)];
+    }
+    solids.push_back(solid);
+  }
+}
+
+}  // namespace crumple::deck

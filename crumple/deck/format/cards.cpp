@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/format/cards.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "deck/format/numbers.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+/// A last field of text takes the rest of the line, commas included.
+bool ends_in_text(Layout layout) {
+  return !layout.empty() && layout.back().type == FieldType::Text && layout.back().width >= 60;
+}
+
+std::string list_of_names(Layout layout) {
+  std::string names;
+  for (const Field& field : layout) names += fmt::format("{}{}", names.empty() ? "" : ", ", field.name);
+  return names;
+}
+
+std::size_t advance_tab(std::size_t column) {
+  constexpr std::size_t tab_stop = 8;
+  return (column / tab_stop + 1) * tab_stop;
+}
+
+}  // namespace
+
+const Card::Value& Card::value(std::string_view name) const {
+  for (std::size_t i = 0; i < layout_.size(); ++i)
+    if (layout_[i].name == name) return values_[i];
+  assert(false && "the layout has no field of this name");
+  return values_[0];
+}
+
+Cards::Cards(const Block& block, HeadingKind heading, const Parameters& parameters, Report& report)
+    : block_(&block), heading_(heading), parameters_(&parameters), report_(&report) {}
+
+bool Cards::more() const {
+  return std::any_of(block_->lines.begin() + static_cast<std::ptrdiff_t>(next_), block_->lines.end(),
+                     [](const Line& line) { return !trimmed(line.text).empty(); });
+}
+
+Card Cards::next_filled(Layout layout) {
+  while (has_line() && trimmed(block_->lines[next_].text).empty()) ++next_;
+  return next(layout);
+}
+
+Card Cards::next(Layout layout) {
+  assert(layout.size() <= max_fields);
+  if (uses_ != nullptr) uses_->push_back({layout, {}});
+  Card card;
+  card.layout_ = layout;
+  card.where_ = block_->where;
+  card.where_.card = ++card_;
+  std::string_view text;
+  const bool is_missing = !has_line();
+  if (!is_missing) {
+    const Line& line = block_->lines[next_++];
+    card.where_.line = line.number;
+    text = line.text;
+  } else {
+    if (!block_->lines.empty()) card.where_.line = block_->lines.back().number;
+    report_->error(card.where_, "missing card",
+                   fmt::format("the card is missing, expected one with {}; add it, a blank line takes all "
+                               "defaults",
+                               list_of_names(layout)));
+  }
+  slots_.fill({});
+  rest_ = {};
+  cut_by_tab_ = false;
+  free_ = is_free(text, layout);
+  if (free_)
+    split_free(text, layout);
+  else
+    split_fixed(without_tabs(text, layout, card.where_), layout);
+  const bool absent = is_missing || cut_by_tab_;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    if (absent) card.values_[i].good = false;
+    card.values_[i].real = layout[i].fallback;
+    if (layout[i].type == FieldType::Integer)
+      card.values_[i].integer = static_cast<std::int64_t>(layout[i].fallback);
+    if (!absent) parse(i, card);
+  }
+  if (!rest_.empty() && !absent) report_rest(card);
+  return card;
+}
+
+bool Cards::is_free(std::string_view line, Layout layout) const {
+  if (!ends_in_text(layout)) return line.find(',') != std::string_view::npos;
+  int columns = 0;
+  for (const Field& field : layout.first(layout.size() - 1)) columns += width_of(field);
+  return line.substr(0, static_cast<std::size_t>(columns)).find(',') != std::string_view::npos;
+}
+
+int Cards::width_of(const Field& field) const {
+  switch (block_->format) {
+    case ColumnFormat::Standard:
+      return field.width;
+    case ColumnFormat::TenDigit:
+      return std::max(field.width, 10);
+    case ColumnFormat::Long:
+      return std::max(field.width, 20);
+  }
+  return field.width;
+}
+
+void Cards::split_fixed(std::string_view line, Layout layout) {
+  std::size_t column = 0;
+  for (std::size_t i = 0; i < layout.size() && column < line.size(); ++i) {
+    const std::size_t width = i + 1 == layout.size() && ends_in_text(layout)
+                                  ? line.size()
+                                  : static_cast<std::size_t>(width_of(layout[i]));
+    slots_[i] = trimmed(line.substr(column, width));
+    column += width;
+  }
+  // Cards of eight fields end at column 80 (or its like); remarks may follow there.
+  const std::size_t end_of_card = block_->format == ColumnFormat::Long ? 160 : 80;
+  if (column < std::min(line.size(), end_of_card)) rest_ = trimmed(line.substr(column, end_of_card - column));
+}
+
+void Cards::split_free(std::string_view line, Layout layout) {
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < layout.size() && start <= line.size(); ++i) {
+    const bool takes_rest = i + 1 == layout.size() && ends_in_text(layout);
+    const std::size_t comma = takes_rest ? std::string_view::npos : line.find(',', start);
+    const std::size_t end = comma == std::string_view::npos ? line.size() : comma;
+    slots_[i] = trimmed(line.substr(start, end - start));
+    start = end + 1;
+  }
+  if (start <= line.size()) rest_ = trimmed(line.substr(start));
+}
+
+std::string_view Cards::without_tabs(std::string_view line, Layout layout, const Where& where) {
+  if (line.find('\t') == std::string_view::npos) return line;
+  expanded_.clear();
+  for (const char c : line) {
+    if (c == '\t')
+      expanded_.append(advance_tab(expanded_.size()) - expanded_.size(), ' ');
+    else
+      expanded_.push_back(c);
+  }
+  // A tab shows differently in every editor, so a value cut by the edge of a field is never taken.
+  std::size_t edge = 0;
+  for (const Field& field : layout) {
+    edge += static_cast<std::size_t>(width_of(field));
+    if (ends_in_text(layout) && &field == &layout.back()) break;
+    if (edge < expanded_.size() && expanded_[edge] != ' ' && expanded_[edge - 1] != ' ') {
+      report_->error(
+          where, "tab",
+          fmt::format("the line has tabs, and with tab stops of 8 columns the field {} cuts a value "
+                      "in two; use blanks or commas",
+                      field.name));
+      cut_by_tab_ = true;
+      break;
+    }
+  }
+  return expanded_;
+}
+
+std::string Cards::place_of(std::size_t field, Layout layout) const {
+  if (free_) return fmt::format("value {} of the line", field + 1);
+  int first = 1;
+  for (std::size_t i = 0; i < field; ++i) first += width_of(layout[i]);
+  return fmt::format("columns {}-{} of the line", first, first + width_of(layout[field]) - 1);
+}
+
+void Cards::parse(std::size_t index, Card& card) {
+  const Field& field = card.layout_[index];
+  Card::Value& value = card.values_[index];
+  value.text = slots_[index];
+  if (field.type == FieldType::Text) return;
+  if (!value.text.empty() && !read_number(index, card)) {
+    value.good = false;
+    return;
+  }
+  const CheckResult result = check_field(field, value.real, value.text);
+  if (!result.fault) return;
+  value.good = result.is_harmless;
+  if (result.is_harmless) {
+    report_->field_warning(card.where_, *result.fault);
+  } else if (result.is_unsupported) {
+    FieldFault fault = *result.fault;
+    if (report_->allow_unsupported()) fault.hint += fmt::format("; {} is used", field.fallback);
+    report_->field_unsupported(card.where_, fault);
+    value.real = field.fallback;
+  } else {
+    report_->field_error(card.where_, *result.fault);
+  }
+}
+
+bool Cards::read_number(std::size_t index, Card& card) {
+  const Field& field = card.layout_[index];
+  Card::Value& value = card.values_[index];
+  std::string_view text = value.text;
+  std::optional<std::string> substituted;
+  if (Parameters::is_reference(text)) {
+    substituted = parameters_->substitute(text);
+    if (!substituted) {
+      report_->field_error(card.where_, {field.name, std::string(text), "a parameter that is defined",
+                                         "define it with *PARAMETER before this line, or give it on the "
+                                         "command line with --parameter NAME=NUMBER",
+                                         "parameter"});
+      return false;
+    }
+    text = *substituted;
+  }
+  const bool whole = field.type == FieldType::Integer;
+  const std::optional<std::int64_t> integer = whole ? parse_integer(text) : std::nullopt;
+  const std::optional<double> real = whole ? std::nullopt : parse_real(text);
+  if (!integer && !real) {
+    std::string hint = place_of(index, card.layout_);
+    if (substituted) hint += fmt::format(", where {} is \"{}\"", value.text, *substituted);
+    report_->field_error(card.where_, {field.name, std::string(value.text),
+                                       whole ? "a whole number" : "a number", hint, "number"});
+    return false;
+  }
+  const double number = integer ? static_cast<double>(*integer) : *real;
+  if (number == 0 && field.zero_is_default) return true;
+  value.real = number;
+  value.integer = integer.value_or(0);
+  return true;
+}
+
+void Cards::report_rest(const Card& card) {
+  // Zeros behind the last field are fields of other versions of the format, switched off.
+  const std::optional<double> number = parse_real(rest_.substr(0, rest_.find(',')));
+  if (number && *number == 0 && rest_.find_first_of("123456789") == std::string_view::npos) return;
+  if (rest_.find_first_not_of(", ") == std::string_view::npos) return;
+  const std::string message =
+      fmt::format("\"{}\" stands behind the last field known ({}) and is not read; remove it", rest_,
+                  card.layout_.back().name);
+  if (number)
+    report_->unsupported(card.where_, "rest", message);
+  else
+    report_->warning(card.where_, "rest", message);
+}
+
+void Cards::report_unread() {
+  for (; has_line(); ++next_) {
+    const Line& line = block_->lines[next_];
+    if (line.text.find_first_not_of("0.,+-eEdD \t") == std::string_view::npos) continue;
+    Where where = block_->where;
+    where.line = line.number;
+    report_->unsupported(where, "unread",
+                         fmt::format("read \"{}\" behind the last card that is known; remove the line",
+                                     line.text.substr(0, 80)));
+    skip_rest();
+    return;
+  }
+}
+
+Heading Cards::heading() {
+  Heading result;
+  if (heading_ == HeadingKind::None) return result;
+  if (heading_ == HeadingKind::Title) {
+    result.title = text_line("a title");
+    return result;
+  }
+  static constexpr Field identity[] = {row::reference("ID"), row::text("HEADING", 70)};
+  const std::int32_t count = card_;
+  const Card card = next(identity);
+  card_ = count;
+  result.id = card.integer("ID");
+  result.title = card.text("HEADING");
+  return result;
+}
+
+std::string Cards::text_line(std::string_view what) {
+  if (uses_ != nullptr) uses_->push_back({{}, what});
+  if (!has_line()) {
+    report_->error(block_->where, "missing line", fmt::format("a line is missing, expected {}", what));
+    return {};
+  }
+  return std::string(trimmed(block_->lines[next_++].text));
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/format/parameters.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "deck/format/cards.hpp"
+#include "deck/format/expression.hpp"
+#include "deck/format/numbers.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+constexpr Field parameter_card[] = {row::text("PRMR1", 10), row::text("VAL1", 10),  row::text("PRMR2", 10),
+                                    row::text("VAL2", 10),  row::text("PRMR3", 10), row::text("VAL3", 10),
+                                    row::text("PRMR4", 10), row::text("VAL4", 10)};
+
+constexpr Field expression_card[] = {row::text("PRMR1", 10), row::text("EXPRESSION1", 70)};
+
+bool is_name(std::string_view text) {
+  if (text.empty() || (text.front() >= '0' && text.front() <= '9')) return false;
+  for (const char c : text) {
+    const bool letter = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (!letter && c != '_' && !(c >= '0' && c <= '9')) return false;
+  }
+  return true;
+}
+
+std::string_view without_sign(std::string_view text) {
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  return text;
+}
+
+}  // namespace
+
+bool Parameters::is_reference(std::string_view text) {
+  return without_sign(text).starts_with('&');
+}
+
+std::optional<std::string> Parameters::substitute(std::string_view reference) const {
+  const std::string_view name = trimmed(without_sign(reference).substr(1));
+  const auto found = values_.find(upper_case(name));
+  if (found == values_.end()) return std::nullopt;
+  const std::string& text = found->second.text;
+  if (!reference.starts_with('-')) return text;
+  if (text.starts_with('-')) return text.substr(1);
+  return fmt::format("-{}", without_sign(text));
+}
+
+bool Parameters::preset(std::string_view name, std::string_view value) {
+  if (!is_name(name) || !parse_real(value)) return false;
+  values_.insert_or_assign(upper_case(name),
+                           Value{std::string(value), {}, parse_integer(value).has_value(), true});
+  return true;
+}
+
+void Parameters::read(Cards& cards) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(parameter_card);
+    for (std::size_t i = 0; i < std::size(parameter_card); i += 2) {
+      const std::string_view name = card.text(parameter_card[i].name);
+      const std::string_view value = card.text(parameter_card[i + 1].name);
+      if (name.empty() && value.empty()) continue;
+      define(name, value, card.where(), cards.report());
+    }
+  }
+}
+
+void Parameters::read_expressions(Cards& cards) {
+  std::optional<Name> name;
+  std::string expression;
+  Where where;
+  const auto finish = [&] {
+    if (name) define_by(expression, *name, where, cards.report());
+  };
+  while (cards.more()) {
+    const Card card = cards.next_filled(expression_card);
+    // A line without a name goes on with the expression before it.
+    const bool goes_on = card.text("PRMR1").empty() && where.line > 0;
+    if (goes_on) {
+      expression += fmt::format(" {}", card.text("EXPRESSION1"));
+      continue;
+    }
+    finish();
+    where = card.where();
+    expression = card.text("EXPRESSION1");
+    name = name_of(card.text("PRMR1"), where, cards.report());
+  }
+  finish();
+}
+
+std::optional<Parameters::Name> Parameters::name_of(std::string_view name_and_type, const Where& where,
+                                                    Report& report) {
+  const std::string name = upper_case(trimmed(name_and_type.substr(name_and_type.empty() ? 0 : 1)));
+  const char type = name_and_type.empty() ? ' ' : upper_case(name_and_type.substr(0, 1)).front();
+  if ((type == 'R' || type == 'I') && is_name(name)) return Name{name, type == 'I'};
+  report.error(where, "name",
+               fmt::format("read \"{}\", expected R (real) or I (integer) and the name of a parameter, such "
+                           "as \"R thick\"{}",
+                           name_and_type, type == 'C' ? "; text parameters (C) are not supported" : ""));
+  return std::nullopt;
+}
+
+void Parameters::define(std::string_view name_and_type, std::string_view text, const Where& where,
+                        Report& report) {
+  const std::optional<Name> name = name_of(name_and_type, where, report);
+  if (!name) return;
+  std::string value(text);
+  if (is_reference(text)) {
+    std::optional<std::string> found = substitute(text);
+    if (!found) {
+      report.error(where, "undefined",
+                   fmt::format("parameter {} is set to \"{}\", which is not defined before this line",
+                               name->name, text));
+      return;
+    }
+    value = std::move(*found);
+  }
+  const bool good = name->is_whole ? parse_integer(value).has_value() : parse_real(value).has_value();
+  if (!good) {
+    report.error(where, "value",
+                 fmt::format("parameter {}: read \"{}\", expected {}", name->name, text,
+                             name->is_whole ? "a whole number" : "a number"));
+    return;
+  }
+  enter(*name, value, where, report);
+}
+
+void Parameters::define_by(const std::string& expression, const Name& name, const Where& where,
+                           Report& report) {
+  const Evaluated result = evaluate(expression, [&](std::string_view other) -> std::optional<Number> {
+    const auto found = values_.find(other);
+    if (found == values_.end()) return std::nullopt;
+    return Number{parse_real(found->second.text).value_or(0), found->second.is_whole};
+  });
+  const double value = result.number.value;
+  constexpr double exact_limit = 9007199254740992.0;  // 2^53
+  if (!result.fault.empty())
+    report.error(where, "expression",
+                 fmt::format("parameter {}: read \"{}\", but {}", name.name, expression, result.fault));
+  else if (name.is_whole && (std::floor(value) != value || std::fabs(value) > exact_limit))
+    report.error(
+        where, "whole",
+        fmt::format("parameter {}: read \"{}\", which is {}, expected a whole number; take int() or nint(), "
+                    "or make it real (R)",
+                    name.name, expression, value));
+  else
+    enter(name,
+          name.is_whole ? fmt::format("{}", static_cast<std::int64_t>(value)) : fmt::format("{}", value),
+          where, report);
+}
+
+void Parameters::enter(const Name& name, const std::string& text, const Where& where, Report& report) {
+  const auto [entry, is_new] = values_.try_emplace(name.name, Value{text, where, name.is_whole});
+  if (is_new || entry->second.text == text) return;
+  if (entry->second.is_preset) {
+    report.warning(where, "preset",
+                   fmt::format("parameter {} is \"{}\" by the command line, not \"{}\"", name.name,
+                               entry->second.text, text));
+    return;
+  }
+  report.error(where, "twice",
+               fmt::format("parameter {} is already set to \"{}\" at {}; give it one value", name.name,
+                           entry->second.text, report.place(entry->second.where)));
+}
+
+}  // namespace crumple::deck

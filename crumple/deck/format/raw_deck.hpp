@@ -1,0 +1,486 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/index.hpp"
+#include "deck/format/report.hpp"
+#include "model/model.hpp"
+
+namespace crumple::deck {
+
+/// What the cards say, item by item, before references are followed: user ids instead of indices, and the
+/// place of everything. Numbers have been checked one by one; whether items fit together has not.
+
+struct RawNode {
+  UserId id = 0;
+  std::array<double, 3> position{};
+  int translation_code = 0;  ///< TC
+  int rotation_code = 0;     ///< RC
+  Where where;
+};
+
+struct RawShell {
+  UserId id = 0;
+  UserId part = 0;
+  std::array<UserId, 4> node{};
+  std::array<double, 4> thickness{};
+  double material_angle = 0;  ///< [rad]
+  Where where;
+};
+
+struct RawSolid {
+  UserId id = 0;
+  UserId part = 0;
+  std::array<UserId, 8> node{};
+  Where where;
+  Where nodes_where;  ///< of the card with the nodes
+};
+
+struct RawBeam {
+  UserId id = 0;
+  UserId part = 0;
+  std::array<UserId, 2> node{};
+  UserId orientation_node = 0;
+  std::array<double, 3> orientation{};
+  Where where;
+};
+
+struct RawDiscrete {
+  UserId id = 0;
+  UserId part = 0;
+  std::array<UserId, 2> node{};  ///< the second is zero if that end is held
+  UserId orientation = 0;        ///< VID
+  double scale = 1;
+  double offset = 0;
+  Where where;
+};
+
+/// A direction in which springs and dampers act.
+struct RawOrientation {
+  UserId id = 0;
+  std::array<double, 3> vector{};  ///< not zero
+  Where where;
+};
+
+struct RawMass {
+  UserId id = 0;
+  UserId target = 0;  ///< a node, or a node set
+  bool is_set = false;
+  double mass = 0;
+  Where where;
+  double inertia = 0;
+};
+
+/// Mass properties of a rigid part, or of a nodal rigid body.
+struct RawInertia {
+  model::RigidInertia inertia;
+  UserId centre_node = 0;  ///< the centre is this node's place; 0: it is given
+  Where where;
+};
+
+struct RawPart {
+  UserId id = 0;
+  std::string title;
+  UserId section = 0;
+  UserId material = 0;
+  UserId hourglass = 0;
+  std::optional<RawInertia> inertia{};
+  UserId equation_of_state = 0;
+  Where where;
+};
+
+struct RawSection {
+  model::ShellSection section;
+  bool formulation_given = true;  ///< false: takes CONTROL_SHELL's THEORY
+  bool thickness_good = true;     ///< false: could not be read, which has been reported
+  std::size_t order = 0;          ///< among all sections of the deck
+  Where where;
+};
+
+struct RawSolidSection {
+  model::SolidSection section;
+  std::size_t order = 0;  ///< among all sections of the deck
+  Where where;
+};
+
+struct RawBeamSection {
+  model::BeamSection section;
+  std::size_t order = 0;  ///< among all sections of the deck
+  Where where;
+};
+
+struct RawDiscreteSection {
+  model::DiscreteSection section;
+  std::size_t order = 0;  ///< among all sections of the deck
+  Where where;
+};
+
+struct RawSpringMaterial {
+  model::SpringMaterial material;
+  UserId curve = 0;
+  UserId rate_curve = 0;
+  std::string_view curve_field;
+  std::string_view rate_field;
+  Where where;
+};
+
+struct RawMaterial {
+  model::Material material;
+  UserId held_system = 0;  ///< of a rigid material: the coordinate system of what is held; 0 is global axes
+  UserId hardening_curve = 0;  ///< a curve or a table; of foam that of its crush
+  UserId rate_curve = 0;
+  Where where;
+  Where curve_where;
+};
+
+struct RawEquationOfState {
+  model::EquationOfState equation;
+  Where where;
+};
+
+struct RawHourglass {
+  UserId id = 0;
+  model::HourglassControl control;
+  Where where;
+};
+
+struct RawCurve {
+  model::Curve curve;
+  Where where;
+};
+
+/// Curves over a second variable.
+struct RawTable {
+  UserId id = 0;
+  std::vector<double> value;
+  std::vector<UserId> curve;    ///< of each value; empty: the curves defined next after the table
+  std::size_t first_curve = 0;  ///< place in RawDeck::curves of the first of those
+  Where where;
+};
+
+/// A box with sides along the global axes.
+/// Axes that are fixed in space, by two vectors or by three nodes.
+struct RawCoordinateSystem {
+  UserId id = 0;
+  std::array<double, 3> first{};  ///< along the x axis
+  std::array<double, 3> other{};  ///< in the xy plane
+  std::array<UserId, 3> node{};   ///< origin, on the x axis, in the xy plane; 0: the vectors count
+  Where where;
+};
+
+struct RawBox {
+  UserId id = 0;
+  std::array<double, 3> lowest{};
+  std::array<double, 3> highest{};
+  Where where;
+};
+
+/// Something to put into a set, or to take out again: a member, a range of members, or what an item has.
+struct RawMember {
+  enum class What {
+    Member,
+    All,
+    Part,
+    Box,
+    BoxOfShells,
+    BoxOfSolids,
+    Shell,
+    Segment,
+    OwnSet,
+    ShellSet,
+    SolidSet
+  };
+  What what = What::Member;
+  bool removes = false;
+  UserId first = 0;
+  UserId last = 0;               ///< of a range; otherwise the same
+  UserId increment = 1;          ///< of a range
+  std::array<UserId, 4> node{};  ///< of a segment
+  std::string_view field;
+  Where where;
+};
+
+struct RawSet {
+  UserId id = 0;
+  std::string title;
+  std::vector<RawMember> members;
+  bool collects = false;  ///< sets with COLLECT and the same id are one
+  Where where;
+};
+
+struct RawFixed {
+  UserId target = 0;
+  bool is_set = false;
+  std::array<bool, 3> translation{};
+  std::array<bool, 3> rotation{};
+  Where where;
+};
+
+struct RawVelocity {
+  enum class Target { All, NodeSet, Node, Part, PartSet };
+  Target target = Target::All;
+  UserId id = 0;
+  std::array<double, 3> velocity{};
+  std::array<double, 3> angular_velocity{};
+  /// Rotation about an axis through a point (GENERATION), added to `velocity`.
+  bool rotates = false;
+  std::array<double, 3> spin{};  ///< vector of the angular velocity
+  std::array<double, 3> axis_point{};
+  UserId exempt_set = 0;  ///< nodes of this set get the two below
+  std::array<double, 3> exempt_velocity{};
+  std::array<double, 3> exempt_angular_velocity{};
+  bool is_generation = false;
+  bool replaces_given = false;   ///< IRIGID: velocities that come with a given inertia do not count
+  bool of_whole_bodies = false;  ///< IVATN: of the nodes tied to these, too
+  Where where;
+};
+
+struct RawWall {
+  model::RigidWall wall;
+  UserId node_set = 0;
+  UserId exempt_set = 0;
+  UserId box = 0;
+  UserId motion_curve = 0;
+  Where motion_where;
+  Where where;
+};
+
+/// What one side of a contact consists of.
+struct RawContactSide {
+  enum class Target { All, Part, PartSet, AllButPartSet, SegmentSet, ShellSet, NodeSet };
+  Target target = Target::All;
+  UserId id = 0;
+  UserId box = 0;
+  std::string_view field;      ///< SSID or MSID
+  std::string_view box_field;  ///< SBOXID or MBOXID
+};
+
+struct RawContact {
+  model::Contact contact;
+  std::array<RawContactSide, 2> side;       ///< of contact with itself the first alone
+  bool takes_own_thickness_option = false;  ///< THKOPT: not that of *CONTROL_CONTACT
+  int thickness_option = 0;                 ///< SHLTHK
+  bool only_measures = false;               ///< a force transducer
+  Where where;
+};
+
+/// A tied contact, with what it becomes where it has broken.
+struct RawTiedContact {
+  model::TiedContact tied;
+  std::array<RawContactSide, 2> side{};
+  std::optional<model::Contact> afterwards{};
+  Where where;
+};
+
+/// A force or a moment on a node or on every node of a set.
+struct RawNodalLoad {
+  UserId target = 0;
+  bool is_set = false;
+  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
+  UserId curve = 0;
+  double scale = 1;
+  Where where;
+};
+
+/// A pressure on a segment, or on a shell.
+struct RawPressureLoad {
+  std::array<UserId, 4> node{};
+  UserId shell = 0;        ///< the nodes are this shell's; 0: they are given
+  UserId shell_set = 0;    ///< on all shells of a set
+  UserId segment_set = 0;  ///< on all segments of a set
+  UserId curve = 0;
+  double scale = 1;
+  double arrival = 0;
+  Where where;
+};
+
+/// Two rigid bodies that are one.
+struct RawRigidMerge {
+  UserId leading = 0;
+  UserId merged = 0;
+  Where where;
+};
+
+/// Nodes that are tied to a rigid part.
+struct RawExtraNodes {
+  UserId part = 0;
+  UserId target = 0;  ///< a node, or a node set
+  bool is_set = false;
+  bool adds_mass = false;  ///< to a given inertia
+  Where where;
+};
+
+/// Nodes of a set as a rigid body of their own.
+struct RawNodalBody {
+  UserId id = 0;
+  std::string title;
+  UserId node_set = 0;
+  model::RigidMaterial held{};
+  UserId held_system = 0;  ///< as in RawMaterial
+  std::optional<RawInertia> inertia{};
+  Where where;
+};
+
+/// A weld of two nodes, or of the nodes of a set.
+struct RawWeld {
+  model::SpotWeld weld;
+  std::array<UserId, 2> node{};
+  UserId node_set = 0;
+  Where where;
+  Where limits_where;  ///< of a second card
+};
+
+struct RawRivet {
+  UserId id = 0;
+  std::array<UserId, 2> node{};
+  double failure_time = 0;
+  Where where;
+};
+
+struct RawConstrainedSet {
+  UserId node_set = 0;
+  std::array<bool, 3> direction{};
+  double failure_time = 0;
+  Where where;
+};
+
+struct RawPrescribedMotion {
+  enum class Target { Node, NodeSet, Body };
+  Target target = Target::Node;
+  UserId id = 0;
+  UserId curve = 0;
+  model::PrescribedMotion motion;
+  Where where;
+};
+
+struct RawBodyLoad {
+  model::BodyLoad load;
+  UserId curve = 0;
+  Where where;
+};
+
+struct RawRigidBodyLoad {
+  UserId body = 0;
+  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
+  UserId curve = 0;
+  double scale = 1;
+  Where where;
+};
+
+/// What *DATABASE_HISTORY names.
+enum class HistoryItem { Node, Shell, Solid, Beam, Discrete };
+
+struct RawHistory {
+  UserId id = 0;
+  bool is_set = false;
+  Where where;
+  HistoryItem item = HistoryItem::Node;
+};
+
+/// A plane through the elements of some parts.
+struct RawCutPlane {
+  UserId part_set = 0;             ///< 0: all parts
+  std::array<double, 3> point{};   ///< the tail of the normal; where the edges begin
+  std::array<double, 3> normal{};  ///< not yet of length one
+  double radius = 0;               ///< of a circle around the point; 0: it is none
+  std::array<double, 3> edge{};    ///< direction of the first edge
+  double length = 0;               ///< of the first edge; 0: without end
+  double width = 0;                ///< of the second one, along normal x edge
+  Where edge_where;
+};
+
+/// A cut whose force is to be written: sets, or a plane.
+struct RawCrossSection {
+  UserId id = 0;
+  std::string title;
+  UserId nodes = 0;  ///< sets; 0 is none
+  UserId shells = 0;
+  UserId solids = 0;
+  UserId beams = 0;
+  UserId discretes = 0;
+  std::optional<RawCutPlane> plane{};
+  Where where;
+};
+
+/// The id that a keyword would define if it were supported: a missing reference then names the true cause.
+struct UnsupportedDefinition {
+  UserId id = 0;
+  Where where;
+};
+
+struct RawDeck {
+  std::size_t section_count() const {
+    return sections.size() + solid_sections.size() + beam_sections.size() + discrete_sections.size();
+  }
+
+  std::string title;
+  std::vector<RawNode> nodes;
+  std::vector<RawShell> shells;
+  std::vector<RawSolid> solids;
+  std::vector<RawBeam> beams;
+  std::vector<RawDiscrete> discretes;
+  std::vector<RawMass> masses;
+  std::vector<RawPart> parts;
+  std::vector<RawSection> sections;
+  std::vector<RawSolidSection> solid_sections;
+  std::vector<RawBeamSection> beam_sections;
+  std::vector<RawDiscreteSection> discrete_sections;
+  std::vector<RawMaterial> materials;
+  std::vector<RawSpringMaterial> spring_materials;
+  std::vector<RawOrientation> orientations;
+  std::vector<RawEquationOfState> equations_of_state;
+  std::vector<RawHourglass> hourglasses;
+  std::vector<RawCurve> curves;
+  std::vector<RawTable> tables;
+  std::vector<RawSet> node_sets;
+  std::vector<RawSet> part_sets;
+  std::vector<RawSet> shell_sets;
+  std::vector<RawSet> solid_sets;
+  std::vector<RawSet> beam_sets;
+  std::vector<RawSet> discrete_sets;
+  std::vector<RawSet> segment_sets;
+  std::vector<RawBox> boxes;
+  std::vector<RawCoordinateSystem> coordinate_systems;
+  std::vector<RawFixed> fixed;
+  std::vector<RawVelocity> velocities;
+  std::vector<RawNodalLoad> nodal_loads;
+  std::vector<RawPressureLoad> pressure_loads;
+  std::vector<RawRigidMerge> rigid_merges;
+  std::vector<RawExtraNodes> extra_nodes;
+  std::vector<RawNodalBody> nodal_bodies;
+  std::vector<RawWeld> welds;
+  std::vector<RawRivet> rivets;
+  std::vector<RawConstrainedSet> constrained_sets;
+  std::vector<RawPrescribedMotion> prescribed_motions;
+  std::vector<RawBodyLoad> body_loads;
+  std::vector<RawRigidBodyLoad> rigid_body_loads;
+  std::vector<RawWall> walls;
+  std::vector<RawContact> contacts;
+  int contact_thickness_option = 0;  ///< SHLTHK of *CONTROL_CONTACT
+  std::vector<RawTiedContact> tied_contacts;
+  std::vector<RawHistory> histories;
+  std::vector<RawCrossSection> cross_sections;
+  std::vector<UnsupportedDefinition> unsupported;
+  model::Control control;
+  model::OutputRequests output;
+  model::SearchSettings search;
+  model::RunSettings run;
+  long state_count = 0;  ///< NPLTC: states over the whole run; 0 is not given
+  model::ShellFormulation default_formulation = model::ShellFormulation::BelytschkoTsay;
+  bool warping_stiffness = false;  ///< BWC: Belytschko-Tsay shells are Belytschko-Wong-Chiang ones
+  bool lobatto_points = false;     ///< CONTROL_SHELL's INTGRD
+  std::optional<Where> termination;
+  std::optional<Where> control_shell;
+  std::optional<Where> control_hourglass;
+  bool takes_ls_dyna_defaults = false;  ///< `$crumple defaults=ls-dyna`
+  std::optional<Where> search_cells;
+  std::optional<Where> search_domain;
+};
+
+}  // namespace crumple::deck

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/format/scanner.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "deck/format/numbers.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+constexpr std::size_t max_depth = 64;
+constexpr int max_includes = 10000;
+
+std::uint64_t fnv1a(std::uint64_t hash, std::string_view text) {
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 1099511628211ULL;
+  }
+  return hash;
+}
+
+/// The text behind `$crumple`, or nothing if the comment is another one.
+std::optional<std::string_view> crumple_setting(std::string_view comment) {
+  constexpr std::string_view mark = "$CRUMPLE";
+  if (comment.size() < mark.size() || upper_case(comment.substr(0, mark.size())) != mark) return std::nullopt;
+  const std::string_view rest = comment.substr(mark.size());
+  if (!rest.empty() && rest.front() != ' ' && rest.front() != '\t' && rest.front() != '\r')
+    return std::nullopt;
+  return trimmed(rest);
+}
+
+}  // namespace
+
+Scanner::Scanner(TextSource& source, Report& report, std::function<void(const Block&)> on_block,
+                 std::function<void(std::string_view, const Where&)> on_setting)
+    : source_(&source),
+      report_(&report),
+      on_block_(std::move(on_block)),
+      on_setting_(std::move(on_setting)) {}
+
+void Scanner::read_deck() {
+  read_file(source_->deck(), {});
+}
+
+void Scanner::read_file(LoadedText loaded, const Where& from) {
+  const bool is_deck = open_.empty();
+  if (!loaded.text) {
+    if (is_deck)
+      report_->error({{}, report_->add_file(loaded.name), 0, 0}, "file", loaded.fault);
+    else
+      report_->error(from, "file", fmt::format("cannot read \"{}\": {}", loaded.name, loaded.fault));
+    return;
+  }
+  if (std::find(open_.begin(), open_.end(), loaded.identity) != open_.end()) {
+    report_->error(from, "loop",
+                   fmt::format("\"{}\" includes itself, directly or through other files; remove one of the "
+                               "*INCLUDE lines",
+                               loaded.name));
+    return;
+  }
+  if (open_.size() >= max_depth || ++includes_ > max_includes) {
+    report_->error(from, "too many", "too many files are included, or too deep; is there a mistake?");
+    return;
+  }
+  OpenFile file{std::move(loaded), 0};
+  file.number = report_->add_file(file.loaded.name);
+  files_.push_back(file.loaded.path.empty() ? std::filesystem::path(file.loaded.name) : file.loaded.path);
+  texts_.push_back(std::move(*file.loaded.text));
+  const std::string_view text = texts_.back();
+  hash_ = fnv1a(hash_, text);
+  if (!is_text(text, file.number)) return;
+
+  open_.push_back(file.loaded.identity);
+  const ColumnFormat outer = format_;
+  read_lines(text, file);
+  format_ = outer;
+  open_.pop_back();
+}
+
+bool Scanner::is_text(std::string_view text, std::int32_t file) {
+  const Where where{{}, file, 0, 0};
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    report_->error(where, "file", "the file is empty, expected LS-DYNA keywords");
+    return false;
+  }
+  const auto control = std::find_if(text.begin(), text.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 32 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != 26;
+  });
+  if (control == text.end()) return true;
+  const bool compressed = text.starts_with("\x1f\x8b") || text.starts_with("PK");
+  const bool wide = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+  report_->error(where, "file",
+                 fmt::format("this is not a text file (byte {} is 0x{:02x}){}", control - text.begin(),
+                             static_cast<unsigned>(static_cast<unsigned char>(*control)),
+                             compressed ? "; it is compressed, unpack it first"
+                             : wide     ? "; it is UTF-16, save it as UTF-8 or ASCII"
+                                        : ", expected LS-DYNA keywords"));
+  return false;
+}
+
+void Scanner::read_lines(std::string_view text, OpenFile& file) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  // Files of old Macintosh systems have carriage returns alone.
+  const char line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
+  Where where{{}, file.number, 0, 0};
+  while (!text.empty()) {
+    const std::size_t end = text.find(line_end);
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    while (!line.empty() &&
+           (line.back() == '\r' || line.back() == ' ' || line.back() == 26 || line.back() == '\f'))
+      line.remove_suffix(1);
+    ++where.line;
+    if (line.starts_with('$')) {
+      if (const auto setting = crumple_setting(line)) on_setting_(*setting, where);
+    } else if (line.starts_with('*')) {
+      finish_block(file);
+      start_block(line, where);
+      if (block_ && block_->name == "END") break;
+    } else if (block_) {
+      block_->lines.push_back({line, where.line});
+    } else if (!trimmed(line).empty()) {
+      report_->error(where, "before",
+                     fmt::format("read \"{}\" before any keyword, expected a line that starts with *",
+                                 line.substr(0, 40)));
+    }
+  }
+  if (block_ && block_->name == "END") block_.reset();
+  finish_block(file);
+}
+
+void Scanner::start_block(std::string_view line, const Where& where) {
+  Block block;
+  const std::size_t blank = line.find_first_of(" \t(,");
+  std::string name = upper_case(trimmed(line.substr(1, blank == std::string_view::npos ? blank : blank - 1)));
+  std::string_view rest = blank == std::string_view::npos ? std::string_view() : trimmed(line.substr(blank));
+  block.where = where;
+  block.format = format_;
+  const auto format_of = [&](char mark) {
+    if (mark == '+') block.format = ColumnFormat::Long;
+    if (mark == '-') block.format = ColumnFormat::Standard;
+    if (mark == '%') block.format = ColumnFormat::TenDigit;
+    return mark == '+' || mark == '-' || mark == '%';
+  };
+  while (!name.empty() && format_of(name.back())) name.pop_back();
+  while (!rest.empty() && format_of(rest.front())) rest = trimmed(rest.substr(1));
+  block.name = name;
+  block.where.keyword = intern("*" + name);
+  if (name == "KEYWORD")
+    read_keyword_options(rest, block.where);
+  else if (!rest.empty() && rest.front() != '(' && rest.front() != '$')
+    report_->warning(block.where, "rest", fmt::format("\"{}\" behind the keyword is not read", rest));
+  block_ = std::move(block);
+}
+
+void Scanner::finish_block(OpenFile& file) {
+  if (!block_) return;
+  const Block block = std::move(*block_);
+  block_.reset();
+  if (block.name == "KEYWORD") {
+    for (const Line& line : block.lines)
+      if (!trimmed(line.text).empty()) {
+        Where where = block.where;
+        where.line = line.number;
+        report_->error(where, "data",
+                       fmt::format("read \"{}\", expected another keyword", line.text.substr(0, 40)));
+        break;
+      }
+  } else if (block.name == "INCLUDE") {
+    read_include(block, file);
+  } else {
+    on_block_(block);
+  }
+}
+
+void Scanner::read_keyword_options(std::string_view options, const Where& where) {
+  const std::string text = upper_case(options);
+  std::size_t start = 0;
+  while ((start = text.find_first_not_of(" ,\t", start)) != std::string::npos) {
+    const std::size_t end = std::min(text.find_first_of(" ,\t", start), text.size());
+    const std::string option = text.substr(start, end - start);
+    start = end;
+    if (option.starts_with('$') || option.starts_with('(')) return;
+    if (option == "LONG=Y" || option == "LONG=K") {
+      format_ = ColumnFormat::Long;
+    } else if (option == "LONG=S" || option == "LONG=N" || option == "I10=N") {
+      format_ = ColumnFormat::Standard;
+    } else if (option == "I10=Y") {
+      format_ = ColumnFormat::TenDigit;
+    } else if (option.starts_with("LONG=") || option.starts_with("I10=")) {
+      report_->error(where, "format",
+                     fmt::format("read \"{}\", expected LONG=Y, LONG=K, LONG=S or I10=Y", option));
+    } else {
+      report_->warning(where, "option", fmt::format("the option \"{}\" is not used", option));
+    }
+  }
+}
+
+void Scanner::read_include(const Block& block, const OpenFile& file) {
+  std::string name;
+  Where where = block.where;
+  bool found = false;
+  for (const Line& line : block.lines) {
+    std::string_view text = trimmed(line.text);
+    if (text.empty()) continue;
+    if (name.empty()) where.line = line.number;
+    // A name that needs more than one line goes on behind " +".
+    const bool goes_on = text.ends_with(" +");
+    name += goes_on ? trimmed(text.substr(0, text.size() - 2)) : text;
+    if (goes_on) continue;
+    found = true;
+    read_file(source_->include(name, file.loaded), where);
+    name.clear();
+  }
+  if (!found || !name.empty())
+    report_->error(where, "name", "the name of the file is missing, expected it on the next line");
+}
+
+}  // namespace crumple::deck

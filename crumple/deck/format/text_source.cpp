@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/format/text_source.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace crumple::deck {
+
+namespace {
+
+LoadedText load(const std::filesystem::path& path) {
+  LoadedText loaded;
+  loaded.name = path.generic_string();
+  loaded.path = path;
+  std::error_code fault;
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, fault);
+  loaded.identity = fault ? loaded.name : canonical.generic_string();
+  const std::filesystem::file_status status = std::filesystem::status(path, fault);
+  if (!std::filesystem::exists(status)) {
+    loaded.fault = "there is no such file";
+    return loaded;
+  }
+  if (std::filesystem::is_directory(status)) {
+    loaded.fault = "this is a folder, expected a file";
+    return loaded;
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    loaded.fault = "the file cannot be opened; check its permissions";
+    return loaded;
+  }
+  loaded.text.emplace(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  if (stream.bad()) {
+    loaded.text.reset();
+    loaded.fault = "the file cannot be read to its end";
+  }
+  return loaded;
+}
+
+}  // namespace
+
+LoadedText DiskSource::deck() {
+  return load(deck_);
+}
+
+LoadedText DiskSource::include(const std::string& name, const LoadedText& including) {
+  std::string portable = name;
+  std::replace(portable.begin(), portable.end(), '\\', '/');
+  const std::filesystem::path path(portable);
+  if (path.is_absolute()) return load(path);
+  LoadedText beside_including = load(including.path.parent_path() / path);
+  if (beside_including.text) return beside_including;
+  LoadedText beside_deck = load(deck_.parent_path() / path);
+  return beside_deck.text ? std::move(beside_deck) : std::move(beside_including);
+}
+
+LoadedText MemorySource::deck() {
+  return {name_, name_, {}, std::string(text_), {}};
+}
+
+LoadedText MemorySource::include(const std::string& name, const LoadedText&) {
+  const auto found = included_->find(name);
+  if (found == included_->end()) return {name, name, {}, std::nullopt, "there is no such file"};
+  return {name, name, {}, found->second, {}};
+}
+
+}  // namespace crumple::deck

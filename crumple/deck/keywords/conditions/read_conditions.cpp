@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *BOUNDARY_SPC and *INITIAL_VELOCITY.
+#include <cmath>
+
+#include "deck/keywords/families.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Check fixed_or_free = within(0, 1, "0 is free, 1 fixed");
+constexpr std::string_view global_axes = "only global axes are supported";
+constexpr std::string_view no_boxes = "take *SET_NODE_GENERAL with the option BOX instead";
+
+constexpr Field spc_card[] = {
+    id("NID"),
+    only("CID", {0}, global_axes),
+    integer("DOFX", 0, fixed_or_free),
+    integer("DOFY", 0, fixed_or_free),
+    integer("DOFZ", 0, fixed_or_free),
+    integer("DOFRX", 0, fixed_or_free),
+    integer("DOFRY", 0, fixed_or_free),
+    integer("DOFRZ", 0, fixed_or_free),
+};
+
+constexpr Field velocity_card_1[] = {
+    reference("NSID"),
+    reference("NSIDEX"),
+    only("BOXID", {0}, no_boxes),
+    only("IRIGID", {0, -1, -2},
+         "-1 and -2 go before the velocities of *PART_INERTIA, 0 does not; sets of parts are not supported"),
+    only("ICID", {0}, global_axes),
+};
+
+constexpr Field velocity_card_2[] = {real("VX"),  real("VY"),  real("VZ"),
+                                     real("VXR"), real("VYR"), real("VZR")};
+
+constexpr Field velocity_card_3[] = {real("VXE"),  real("VYE"),  real("VZE"),
+                                     real("VXRE"), real("VYRE"), real("VZRE")};
+
+constexpr Field velocity_node_card[] = {
+    id("NID"),   real("VX"),  real("VY"),  real("VZ"),
+    real("VXR"), real("VYR"), real("VZR"), only("ICID", {0}, global_axes),
+};
+
+constexpr Field generation_card_1[] = {
+    reference("ID"),
+    integer("STYP", 1, within(1, 3, "1 is a part set, 2 a part, 3 a node set")),
+    real("OMEGA"),
+    real("VX"),
+    real("VY"),
+    real("VZ"),
+    only("IVATN", {0, 1}, "1 is for what is tied to the rigid parts as well, 0 is not"),
+    only("ICID", {0}, global_axes),
+};
+
+constexpr Field generation_card_2[] = {
+    real("XC"),
+    real("YC"),
+    real("ZC"),
+    real("NX"),
+    real("NY"),
+    real("NZ"),
+    only("PHASE", {0}, "there is no dynamic relaxation before the run"),
+    only("IRIGID", {0, 1}, "1 goes before the velocities of *PART_INERTIA, 0 does not"),
+};
+
+void read_spc(Cards& cards, RawDeck& deck, bool is_set) {
+  while (cards.more()) {
+    cards.heading();
+    const Card card = cards.next_filled(spc_card);
+    if (!card.good("NID")) continue;
+    RawFixed fixed;
+    fixed.target = card.integer("NID");
+    fixed.is_set = is_set;
+    fixed.translation = {card.integer("DOFX") == 1, card.integer("DOFY") == 1, card.integer("DOFZ") == 1};
+    fixed.rotation = {card.integer("DOFRX") == 1, card.integer("DOFRY") == 1, card.integer("DOFRZ") == 1};
+    fixed.where = card.where();
+    deck.fixed.push_back(fixed);
+  }
+}
+
+/// The rotation axis times OMEGA, from the second card of GENERATION.
+void take_rotation(const Card& card, double omega, RawVelocity& velocity, Report& report) {
+  constexpr double nodes_give_axis = -999;
+  std::array<double, 3> axis = {card.real("NX"), card.real("NY"), card.real("NZ")};
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  if (axis[0] == nodes_give_axis) {
+    report.field_unsupported(card.where(), {"NX", "-999", "the direction of the axis",
+                                            "an axis through two nodes is not supported", "axis"});
+    return;
+  }
+  if (!(length > 0)) {
+    report.field_error(card.where(), {"NX", std::string(card.text("NX")), "the direction of the axis",
+                                      "OMEGA is not zero, so NX, NY, NZ must not all be zero", "axis"});
+    return;
+  }
+  velocity.rotates = true;
+  for (std::size_t i = 0; i < 3; ++i) velocity.spin[i] = omega * axis[i] / length;
+  velocity.axis_point = {card.real("XC"), card.real("YC"), card.real("ZC")};
+}
+
+}  // namespace
+
+void read_boundary_spc_node(Cards& cards, RawDeck& deck) {
+  read_spc(cards, deck, false);
+}
+
+void read_boundary_spc_set(Cards& cards, RawDeck& deck) {
+  read_spc(cards, deck, true);
+}
+
+void read_initial_velocity(Cards& cards, RawDeck& deck) {
+  const Card first = cards.next(velocity_card_1);
+  const Card second = cards.next(velocity_card_2);
+  RawVelocity velocity;
+  velocity.id = first.integer("NSID");
+  velocity.target = velocity.id == 0 ? RawVelocity::Target::All : RawVelocity::Target::NodeSet;
+  velocity.velocity = {second.real("VX"), second.real("VY"), second.real("VZ")};
+  velocity.angular_velocity = {second.real("VXR"), second.real("VYR"), second.real("VZR")};
+  velocity.exempt_set = first.integer("NSIDEX");
+  velocity.replaces_given = first.real("IRIGID") < 0;
+  if (velocity.exempt_set > 0) {
+    const Card third = cards.next(velocity_card_3);
+    velocity.exempt_velocity = {third.real("VXE"), third.real("VYE"), third.real("VZE")};
+    velocity.exempt_angular_velocity = {third.real("VXRE"), third.real("VYRE"), third.real("VZRE")};
+  }
+  velocity.where = first.where();
+  if (first.good("NSID") && first.good("NSIDEX")) deck.velocities.push_back(velocity);
+}
+
+void read_initial_velocity_node(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(velocity_node_card);
+    if (!card.good("NID")) continue;
+    RawVelocity velocity;
+    velocity.target = RawVelocity::Target::Node;
+    velocity.id = card.integer("NID");
+    velocity.velocity = {card.real("VX"), card.real("VY"), card.real("VZ")};
+    velocity.angular_velocity = {card.real("VXR"), card.real("VYR"), card.real("VZR")};
+    velocity.where = card.where();
+    deck.velocities.push_back(velocity);
+  }
+}
+
+void read_initial_velocity_generation(Cards& cards, RawDeck& deck) {
+  do {
+    const Card first = cards.next(generation_card_1);
+    const Card second = cards.next(generation_card_2);
+    RawVelocity velocity;
+    velocity.id = first.integer("ID");
+    constexpr std::array targets = {RawVelocity::Target::PartSet, RawVelocity::Target::Part,
+                                    RawVelocity::Target::NodeSet};
+    if (velocity.id > 0 && first.good("STYP"))
+      velocity.target = targets[static_cast<std::size_t>(first.integer("STYP") - 1)];
+    velocity.velocity = {first.real("VX"), first.real("VY"), first.real("VZ")};
+    velocity.is_generation = true;
+    velocity.replaces_given = second.real("IRIGID") == 1;
+    velocity.of_whole_bodies = first.real("IVATN") == 1;
+    velocity.where = first.where();
+    const double omega = first.real("OMEGA");
+    if (omega != 0) take_rotation(second, omega, velocity, cards.report());
+    if (first.good("ID") && first.good("STYP")) deck.velocities.push_back(velocity);
+  } while (cards.more());
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *TITLE and the *CONTROL keywords of run, time step, energies and hourglass control.
+#include "deck/keywords/families.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Field termination_card[] = {
+    real("ENDTIM", 0, above_zero),
+    integer("ENDCYC", 0, not_negative),
+    real("DTMIN", 0, not_negative),
+    real("ENDENG", 0, not_negative),
+    real("ENDMAS", 0, not_negative),
+    unused("NOSOL"),  // for other solvers in the same run
+};
+
+constexpr Field timestep_card[] = {
+    real("DTINIT", 0, not_negative),
+    real_or_default("TSSFAC", 0.9, within(0, 1, "a factor on the stable time step")),
+    harmless("ISDO", {0}, "the element length is area over the longest side or diagonal (ISDO=0)"),
+    only("TSLIMT", {0}, "use DT2MS for a minimum time step"),
+    real("DT2MS"),
+    only("LCTM", {0}, "the time step is not limited by a curve; TSSFAC scales it"),
+    harmless("ERODE", {0}, "elements are not deleted by their time step"),
+    only("MS1ST", {0}, "mass is added whenever an element's time step needs it"),
+};
+
+constexpr Field timestep_card_2[] = {
+    only("DT2MSF", {0}, "give the step itself in DT2MS"),
+    only("DT2MSLC", {0}, "DT2MS is constant"),
+    only("IMSCL", {0}, "selective mass scaling is not supported; DT2MS alone adds mass to the nodes"),
+    unused("-"),
+    unused("--"),
+    only("RMSCL", {0}, "added mass takes part in everything"),
+};
+
+// Every energy is always computed here.
+constexpr Field energy_card[] = {unused("HGEN"),  unused("RWEN"),  unused("SLNTEN"), unused("RYLEN"),
+                                 unused("IRGEN"), unused("MATEN"), unused("DRLEN"),  unused("DISEN")};
+
+constexpr Field hourglass_card[] = {
+    only("IHQ", {0, 1, 2, 3, 4, 5, 6}, hourglass_forms),
+    real_or_default("QH", 0.1, not_negative),
+};
+
+constexpr Field bulk_viscosity_card[] = {
+    real_or_default("Q1", 1.5, not_negative),
+    real_or_default("Q2", 0.06, not_negative),
+    only("TYPE", {1, 0},
+         "solids always have bulk viscosity, and its energy is counted; shells have none (-1, -2)"),
+    unused("BTYPE"),
+    unused("TSTYPE"),
+};
+
+constexpr Field accuracy_card[] = {
+    unused("OSU"),  // strains are always taken at the middle of the step
+    harmless("INN", {1, 0}, "the local axes of a shell follow its first side"),
+    unused("PIDOSU"),
+    unused("IACC"),
+    unused("EXACC"),
+};
+
+}  // namespace
+
+void read_title(Cards& cards, RawDeck& deck) {
+  // Included files have titles of their own; the run's is the first one.
+  std::string title = cards.text_line("the title of the run");
+  if (deck.title.empty()) deck.title = std::move(title);
+  cards.skip_rest();
+}
+
+void read_control_termination(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(termination_card);
+  deck.control.end_time = card.real("ENDTIM");
+  deck.control.end_cycle = card.integer("ENDCYC");
+  deck.control.minimum_step_factor = card.real("DTMIN");
+  deck.control.end_energy_ratio = card.real("ENDENG");
+  deck.control.end_mass_increase = card.real("ENDMAS");
+  deck.termination = card.where();
+}
+
+void read_control_timestep(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(timestep_card);
+  deck.control.initial_step = card.real("DTINIT");
+  deck.control.step_scale = card.real("TSSFAC");
+  constexpr double usual = 0.9;
+  if (card.good("TSSFAC") && card.real("TSSFAC") > usual)
+    cards.report().field_warning(
+        card.where(), {"TSSFAC", std::string(card.text("TSSFAC")), "a factor up to 0.9",
+                       "it is used, but leaves little of the stable step to contact, friction and damping",
+                       "factor on the step"});
+  deck.control.mass_scaling_step = card.real("DT2MS");
+  if (cards.has_line()) cards.next(timestep_card_2);
+}
+
+void read_control_energy(Cards& cards, RawDeck&) {
+  cards.next(energy_card);
+}
+
+void read_control_hourglass(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(hourglass_card);
+  deck.control_hourglass = card.where();
+  model::HourglassControl& control = deck.control.hourglass;
+  control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+  control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+  warn_of_hourglass_coefficient(card, "QH", cards.report());
+  control.coefficient = control.bending = control.warping = card.real("QH");
+}
+
+void read_control_bulk_viscosity(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(bulk_viscosity_card);
+  deck.control.bulk_quadratic = card.real("Q1");
+  deck.control.bulk_linear = card.real("Q2");
+}
+
+void read_control_accuracy(Cards& cards, RawDeck&) {
+  cards.next(accuracy_card);
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "deck/format/cards.hpp"
+#include "deck/format/raw_deck.hpp"
+
+namespace crumple::deck {
+
+/// The readers of the keywords, one file per family (read_*.cpp). Each takes the cards of one keyword and
+/// adds what they say to the raw deck.
+using KeywordReader = void (*)(Cards& cards, RawDeck& deck);
+
+// read_mesh.cpp
+void read_node(Cards& cards, RawDeck& deck);
+void read_element_shell(Cards& cards, RawDeck& deck);
+void read_element_shell_thickness(Cards& cards, RawDeck& deck);
+void read_element_mass(Cards& cards, RawDeck& deck);
+void read_element_mass_node_set(Cards& cards, RawDeck& deck);
+
+// read_solids.cpp
+void read_element_solid(Cards& cards, RawDeck& deck);
+void read_section_solid(Cards& cards, RawDeck& deck);
+
+// read_beams.cpp
+void read_element_beam(Cards& cards, RawDeck& deck);
+void read_element_beam_orientation(Cards& cards, RawDeck& deck);
+void read_section_beam(Cards& cards, RawDeck& deck);
+void read_mat_resultant_plasticity(Cards& cards, RawDeck& deck);
+
+// read_discretes.cpp
+void read_element_discrete(Cards& cards, RawDeck& deck);
+void read_element_inertia(Cards& cards, RawDeck& deck);
+void read_section_discrete(Cards& cards, RawDeck& deck);
+void read_define_sd_orientation(Cards& cards, RawDeck& deck);
+void read_mat_spring_elastic(Cards& cards, RawDeck& deck);
+void read_mat_damper_viscous(Cards& cards, RawDeck& deck);
+void read_mat_spring_elastoplastic(Cards& cards, RawDeck& deck);
+void read_mat_spring_nonlinear_elastic(Cards& cards, RawDeck& deck);
+void read_mat_damper_nonlinear_viscous(Cards& cards, RawDeck& deck);
+
+// read_parts.cpp
+void read_part(Cards& cards, RawDeck& deck);
+void read_part_inertia(Cards& cards, RawDeck& deck);
+void read_section_shell(Cards& cards, RawDeck& deck);
+void read_hourglass(Cards& cards, RawDeck& deck);
+
+// read_materials.cpp
+void read_mat_elastic(Cards& cards, RawDeck& deck);
+void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck);
+void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
+// read_rate_materials.cpp
+void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck);
+void read_mat_johnson_cook(Cards& cards, RawDeck& deck);
+void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck);
+// read_elastic_materials.cpp
+void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck);
+void read_mat_null(Cards& cards, RawDeck& deck);
+
+// read_solid_materials.cpp
+void read_mat_blatz_ko_rubber(Cards& cards, RawDeck& deck);
+void read_mat_mooney_rivlin_rubber(Cards& cards, RawDeck& deck);
+void read_mat_crushable_foam(Cards& cards, RawDeck& deck);
+// read_equations_of_state.cpp
+void read_eos_linear_polynomial(Cards& cards, RawDeck& deck);
+void read_eos_gruneisen(Cards& cards, RawDeck& deck);
+
+// read_curves.cpp
+void read_define_curve(Cards& cards, RawDeck& deck);
+void read_define_table(Cards& cards, RawDeck& deck);
+void read_define_table_2d(Cards& cards, RawDeck& deck);
+
+// coordinates.cpp
+void read_define_coordinate_system(Cards& cards, RawDeck& deck);
+void read_define_coordinate_nodes(Cards& cards, RawDeck& deck);
+void read_define_coordinate_vector(Cards& cards, RawDeck& deck);
+
+// read_sets.cpp
+void read_define_box(Cards& cards, RawDeck& deck);
+void read_set_node_list(Cards& cards, RawDeck& deck);
+void read_set_node_list_generate(Cards& cards, RawDeck& deck);
+void read_set_node_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_node_general(Cards& cards, RawDeck& deck);
+void read_set_node_add(Cards& cards, RawDeck& deck);
+void read_set_part_list(Cards& cards, RawDeck& deck);
+void read_set_part_list_generate(Cards& cards, RawDeck& deck);
+void read_set_part_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_part_general(Cards& cards, RawDeck& deck);
+void read_set_part_add(Cards& cards, RawDeck& deck);
+void read_set_shell_list(Cards& cards, RawDeck& deck);
+void read_set_shell_list_generate(Cards& cards, RawDeck& deck);
+void read_set_shell_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_shell_general(Cards& cards, RawDeck& deck);
+void read_set_shell_add(Cards& cards, RawDeck& deck);
+void read_set_solid_list(Cards& cards, RawDeck& deck);
+void read_set_solid_list_generate(Cards& cards, RawDeck& deck);
+void read_set_solid_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_solid_general(Cards& cards, RawDeck& deck);
+void read_set_solid_add(Cards& cards, RawDeck& deck);
+void read_set_beam_list(Cards& cards, RawDeck& deck);
+void read_set_beam_list_generate(Cards& cards, RawDeck& deck);
+void read_set_beam_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_beam_general(Cards& cards, RawDeck& deck);
+void read_set_beam_add(Cards& cards, RawDeck& deck);
+void read_set_discrete_list(Cards& cards, RawDeck& deck);
+void read_set_discrete_list_generate(Cards& cards, RawDeck& deck);
+void read_set_discrete_list_generate_increment(Cards& cards, RawDeck& deck);
+void read_set_discrete_general(Cards& cards, RawDeck& deck);
+void read_set_discrete_add(Cards& cards, RawDeck& deck);
+void read_set_segment(Cards& cards, RawDeck& deck);
+void read_set_segment_general(Cards& cards, RawDeck& deck);
+void read_set_segment_add(Cards& cards, RawDeck& deck);
+
+// read_control.cpp
+void read_title(Cards& cards, RawDeck& deck);
+void read_control_termination(Cards& cards, RawDeck& deck);
+void read_control_timestep(Cards& cards, RawDeck& deck);
+void read_control_energy(Cards& cards, RawDeck& deck);
+void read_control_hourglass(Cards& cards, RawDeck& deck);
+void read_control_bulk_viscosity(Cards& cards, RawDeck& deck);
+void read_control_accuracy(Cards& cards, RawDeck& deck);
+
+// read_control_shell.cpp
+void read_control_shell(Cards& cards, RawDeck& deck);
+
+// read_control_contact.cpp
+void read_control_contact(Cards& cards, RawDeck& deck);
+
+// read_database.cpp
+void read_database_history_file(Cards& cards, RawDeck& deck, model::HistoryFile file);
+template <model::HistoryFile WhichFile>
+void read_database(Cards& cards, RawDeck& deck) {
+  read_database_history_file(cards, deck, WhichFile);
+}
+void read_database_history_ids(Cards& cards, RawDeck& deck, HistoryItem item);
+void read_database_history_named(Cards& cards, RawDeck& deck, HistoryItem item);
+void read_database_history_sets(Cards& cards, RawDeck& deck, HistoryItem item);
+template <HistoryItem Kind>
+void read_history(Cards& cards, RawDeck& deck) {
+  read_database_history_ids(cards, deck, Kind);
+}
+template <HistoryItem Kind>
+void read_named_history(Cards& cards, RawDeck& deck) {
+  read_database_history_named(cards, deck, Kind);
+}
+template <HistoryItem Kind>
+void read_history_set(Cards& cards, RawDeck& deck) {
+  read_database_history_sets(cards, deck, Kind);
+}
+void read_database_binary_d3plot(Cards& cards, RawDeck& deck);
+void read_database_binary_d3dump(Cards& cards, RawDeck& deck);
+void read_database_binary_runrsf(Cards& cards, RawDeck& deck);
+void read_database_extent_binary(Cards& cards, RawDeck& deck);
+
+// read_cross_sections.cpp
+void read_database_cross_section_set(Cards& cards, RawDeck& deck);
+void read_database_cross_section_plane(Cards& cards, RawDeck& deck);
+
+// read_conditions.cpp
+void read_boundary_spc_node(Cards& cards, RawDeck& deck);
+void read_boundary_spc_set(Cards& cards, RawDeck& deck);
+void read_initial_velocity(Cards& cards, RawDeck& deck);
+void read_initial_velocity_node(Cards& cards, RawDeck& deck);
+void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
+
+// read_connections.cpp
+void read_constrained_spotweld(Cards& cards, RawDeck& deck);
+void read_constrained_generalized_weld_spot(Cards& cards, RawDeck& deck);
+void read_constrained_rivet(Cards& cards, RawDeck& deck);
+void read_constrained_node_set(Cards& cards, RawDeck& deck);
+// read_rigid_bodies.cpp
+void read_mat_rigid(Cards& cards, RawDeck& deck);
+void read_constrained_rigid_bodies(Cards& cards, RawDeck& deck);
+void read_constrained_extra_nodes_node(Cards& cards, RawDeck& deck);
+void read_constrained_extra_nodes_set(Cards& cards, RawDeck& deck);
+void read_constrained_nodal_rigid_body(Cards& cards, RawDeck& deck);
+void read_constrained_nodal_rigid_body_inertia(Cards& cards, RawDeck& deck);
+void read_constrained_nodal_rigid_body_spc(Cards& cards, RawDeck& deck);
+void read_constrained_nodal_rigid_body_spc_inertia(Cards& cards, RawDeck& deck);
+
+// read_motions.cpp
+void read_boundary_prescribed_motion_node(Cards& cards, RawDeck& deck);
+void read_boundary_prescribed_motion_set(Cards& cards, RawDeck& deck);
+void read_boundary_prescribed_motion_rigid(Cards& cards, RawDeck& deck);
+void read_load_body_x(Cards& cards, RawDeck& deck);
+void read_load_body_y(Cards& cards, RawDeck& deck);
+void read_load_body_z(Cards& cards, RawDeck& deck);
+void read_load_rigid_body(Cards& cards, RawDeck& deck);
+
+// read_loads.cpp
+void read_load_node_point(Cards& cards, RawDeck& deck);
+void read_load_node_set(Cards& cards, RawDeck& deck);
+void read_load_segment(Cards& cards, RawDeck& deck);
+void read_load_segment_set(Cards& cards, RawDeck& deck);
+void read_load_shell_element(Cards& cards, RawDeck& deck);
+void read_load_shell_set(Cards& cards, RawDeck& deck);
+
+// read_contact.cpp
+void read_rigidwall_planar(Cards& cards, RawDeck& deck);
+void read_rigidwall_geometric(Cards& cards, RawDeck& deck);
+void read_contact_single_surface(Cards& cards, RawDeck& deck);
+void read_contact_automatic_general(Cards& cards, RawDeck& deck);
+void read_contact_automatic_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_automatic_nodes_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_nodes_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_eroding_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_eroding_nodes_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_constraint_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_constraint_nodes_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_force_transducer(Cards& cards, RawDeck& deck);
+
+// read_tied_contact.cpp
+void read_contact_tied(Cards& cards, RawDeck& deck);
+void read_contact_tied_offset(Cards& cards, RawDeck& deck);
+void read_contact_tied_shell_edge(Cards& cards, RawDeck& deck);
+void read_contact_tied_shell_edge_beam_offset(Cards& cards, RawDeck& deck);
+void read_contact_automatic_tiebreak(Cards& cards, RawDeck& deck);
+void read_contact_automatic_one_way_tiebreak(Cards& cards, RawDeck& deck);
+void read_contact_tiebreak_nodes(Cards& cards, RawDeck& deck);
+void read_contact_tiebreak_surface(Cards& cards, RawDeck& deck);
+
+/// Which forms of hourglass control there are, and what instead of the others.
+inline constexpr std::string_view hourglass_forms =
+    "1-3 are viscous, 4-5 stiffness, 6 assumed strain of solids, 0 is 1 for shells and 2 for solids; the "
+    "warping stiffness that 8 adds to ELFORM 16 is always there, take 0; 7, 9 and 10 are for solids and not "
+    "supported, take 6";
+/// What HGID's and CONTROL_HOURGLASS' form number means for shells.
+model::HourglassForm hourglass_form(std::int64_t number);
+/// What it means for solids.
+model::SolidHourglassForm solid_hourglass_form(std::int64_t number);
+/// Warns of a hourglass coefficient above what LS-DYNA recommends.
+void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report);
+/// ELFORM of *SECTION_SHELL and THEORY of *CONTROL_SHELL; other numbers are Belytschko-Tsay.
+model::ShellFormulation shell_formulation(std::int64_t number);
+
+}  // namespace crumple::deck

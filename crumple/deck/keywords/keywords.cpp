@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "deck/keywords/keywords.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace crumple::deck {
+
+namespace {
+
+constexpr HeadingKind none = HeadingKind::None;
+constexpr HeadingKind title = HeadingKind::Title;
+constexpr HeadingKind identity = HeadingKind::Identity;
+using File = model::HistoryFile;
+using Traced = HistoryItem;
+
+// KEYWORD, INCLUDE and END are the scanner's, PARAMETER and PARAMETER_EXPRESSION are the reader's.
+constexpr Keyword table[] = {
+    {"TITLE", read_title},
+
+    {"NODE", read_node},
+    {"ELEMENT_SHELL", read_element_shell},
+    {"ELEMENT_SHELL_THICKNESS", read_element_shell_thickness},
+    {"ELEMENT_SHELL_BETA", read_element_shell_thickness},
+    {"ELEMENT_SOLID", read_element_solid},
+    {"ELEMENT_BEAM", read_element_beam},
+    {"ELEMENT_BEAM_ORIENTATION", read_element_beam_orientation},
+    {"ELEMENT_DISCRETE", read_element_discrete},
+    {"ELEMENT_INERTIA", read_element_inertia},
+    {"ELEMENT_MASS", read_element_mass},
+    {"ELEMENT_MASS_NODE_SET", read_element_mass_node_set},
+
+    {"PART", read_part},
+    {"PART_INERTIA", read_part_inertia},
+    {"SECTION_SHELL", read_section_shell, title},
+    {"SECTION_SOLID", read_section_solid, title},
+    {"SECTION_BEAM", read_section_beam, title},
+    {"SECTION_DISCRETE", read_section_discrete, title},
+    {"HOURGLASS", read_hourglass, title},
+
+    {"MAT_ELASTIC", read_mat_elastic, title},
+    {"MAT_001", read_mat_elastic, title},
+    {"MAT_PLASTIC_KINEMATIC", read_mat_plastic_kinematic, title},
+    {"MAT_003", read_mat_plastic_kinematic, title},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY", read_mat_piecewise_linear_plasticity, title},
+    {"MAT_024", read_mat_piecewise_linear_plasticity, title},
+    {"MAT_POWER_LAW_PLASTICITY", read_mat_power_law_plasticity, title},
+    {"MAT_018", read_mat_power_law_plasticity, title},
+    {"MAT_JOHNSON_COOK", read_mat_johnson_cook, title},
+    {"MAT_015", read_mat_johnson_cook, title},
+    {"MAT_SIMPLIFIED_JOHNSON_COOK", read_mat_simplified_johnson_cook, title},
+    {"MAT_098", read_mat_simplified_johnson_cook, title},
+    {"MAT_ORTHOTROPIC_ELASTIC", read_mat_orthotropic_elastic, title},
+    {"MAT_002", read_mat_orthotropic_elastic, title},
+    {"MAT_NULL", read_mat_null, title},
+    {"MAT_009", read_mat_null, title},
+    {"MAT_RIGID", read_mat_rigid, title},
+    {"MAT_020", read_mat_rigid, title},
+    {"MAT_BLATZ-KO_RUBBER", read_mat_blatz_ko_rubber, title},
+    {"MAT_007", read_mat_blatz_ko_rubber, title},
+    {"MAT_MOONEY-RIVLIN_RUBBER", read_mat_mooney_rivlin_rubber, title},
+    {"MAT_027", read_mat_mooney_rivlin_rubber, title},
+    {"MAT_CRUSHABLE_FOAM", read_mat_crushable_foam, title},
+    {"MAT_063", read_mat_crushable_foam, title},
+    {"EOS_LINEAR_POLYNOMIAL", read_eos_linear_polynomial, title},
+    {"EOS_001", read_eos_linear_polynomial, title},
+    {"EOS_GRUNEISEN", read_eos_gruneisen, title},
+    {"EOS_004", read_eos_gruneisen, title},
+
+    {"MAT_RESULTANT_PLASTICITY", read_mat_resultant_plasticity, title},
+    {"MAT_028", read_mat_resultant_plasticity, title},
+    {"MAT_SPRING_ELASTIC", read_mat_spring_elastic, title},
+    {"MAT_S01", read_mat_spring_elastic, title},
+    {"MAT_DAMPER_VISCOUS", read_mat_damper_viscous, title},
+    {"MAT_S02", read_mat_damper_viscous, title},
+    {"MAT_SPRING_ELASTOPLASTIC", read_mat_spring_elastoplastic, title},
+    {"MAT_S03", read_mat_spring_elastoplastic, title},
+    {"MAT_SPRING_NONLINEAR_ELASTIC", read_mat_spring_nonlinear_elastic, title},
+    {"MAT_S04", read_mat_spring_nonlinear_elastic, title},
+    {"MAT_DAMPER_NONLINEAR_VISCOUS", read_mat_damper_nonlinear_viscous, title},
+    {"MAT_S05", read_mat_damper_nonlinear_viscous, title},
+
+    {"DEFINE_SD_ORIENTATION", read_define_sd_orientation, title},
+    {"DEFINE_CURVE", read_define_curve, title},
+    {"DEFINE_TABLE", read_define_table, title},
+    {"DEFINE_TABLE_2D", read_define_table_2d, title},
+    {"DEFINE_BOX", read_define_box, title},
+    {"DEFINE_COORDINATE_SYSTEM", read_define_coordinate_system, title},
+    {"DEFINE_COORDINATE_NODES", read_define_coordinate_nodes, title},
+    {"DEFINE_COORDINATE_VECTOR", read_define_coordinate_vector, title},
+    {"SET_NODE", read_set_node_list, title},
+    {"SET_NODE_LIST", read_set_node_list, title},
+    {"SET_NODE_LIST_GENERATE", read_set_node_list_generate, title},
+    {"SET_NODE_LIST_GENERATE_INCREMENT", read_set_node_list_generate_increment, title},
+    {"SET_NODE_GENERAL", read_set_node_general, title},
+    {"SET_NODE_ADD", read_set_node_add, title},
+    {"SET_PART", read_set_part_list, title},
+    {"SET_PART_LIST", read_set_part_list, title},
+    {"SET_PART_LIST_GENERATE", read_set_part_list_generate, title},
+    {"SET_PART_LIST_GENERATE_INCREMENT", read_set_part_list_generate_increment, title},
+    {"SET_PART_GENERAL", read_set_part_general, title},
+    {"SET_PART_ADD", read_set_part_add, title},
+    {"SET_SHELL", read_set_shell_list, title},
+    {"SET_SHELL_LIST", read_set_shell_list, title},
+    {"SET_SHELL_LIST_GENERATE", read_set_shell_list_generate, title},
+    {"SET_SHELL_LIST_GENERATE_INCREMENT", read_set_shell_list_generate_increment, title},
+    {"SET_SHELL_GENERAL", read_set_shell_general, title},
+    {"SET_SHELL_ADD", read_set_shell_add, title},
+    {"SET_SOLID", read_set_solid_list, title},
+    {"SET_SOLID_LIST", read_set_solid_list, title},
+    {"SET_SOLID_GENERATE", read_set_solid_list_generate, title},
+    {"SET_SOLID_GENERATE_INCREMENT", read_set_solid_list_generate_increment, title},
+    {"SET_SOLID_LIST_GENERATE", read_set_solid_list_generate, title},
+    {"SET_SOLID_LIST_GENERATE_INCREMENT", read_set_solid_list_generate_increment, title},
+    {"SET_SOLID_GENERAL", read_set_solid_general, title},
+    {"SET_SOLID_ADD", read_set_solid_add, title},
+    {"SET_BEAM", read_set_beam_list, title},
+    {"SET_BEAM_LIST", read_set_beam_list, title},
+    {"SET_BEAM_GENERATE", read_set_beam_list_generate, title},
+    {"SET_BEAM_GENERATE_INCREMENT", read_set_beam_list_generate_increment, title},
+    {"SET_BEAM_LIST_GENERATE", read_set_beam_list_generate, title},
+    {"SET_BEAM_LIST_GENERATE_INCREMENT", read_set_beam_list_generate_increment, title},
+    {"SET_BEAM_GENERAL", read_set_beam_general, title},
+    {"SET_BEAM_ADD", read_set_beam_add, title},
+    {"SET_DISCRETE", read_set_discrete_list, title},
+    {"SET_DISCRETE_LIST", read_set_discrete_list, title},
+    {"SET_DISCRETE_GENERATE", read_set_discrete_list_generate, title},
+    {"SET_DISCRETE_GENERATE_INCREMENT", read_set_discrete_list_generate_increment, title},
+    {"SET_DISCRETE_LIST_GENERATE", read_set_discrete_list_generate, title},
+    {"SET_DISCRETE_LIST_GENERATE_INCREMENT", read_set_discrete_list_generate_increment, title},
+    {"SET_DISCRETE_GENERAL", read_set_discrete_general, title},
+    {"SET_DISCRETE_ADD", read_set_discrete_add, title},
+    {"SET_SEGMENT", read_set_segment, title},
+    {"SET_SEGMENT_LIST", read_set_segment, title},
+    {"SET_SEGMENT_GENERAL", read_set_segment_general, title},
+    {"SET_SEGMENT_ADD", read_set_segment_add, title},
+
+    {"BOUNDARY_SPC_NODE", read_boundary_spc_node, identity},
+    {"BOUNDARY_SPC_SET", read_boundary_spc_set, identity},
+    {"BOUNDARY_PRESCRIBED_MOTION_NODE", read_boundary_prescribed_motion_node, identity},
+    {"BOUNDARY_PRESCRIBED_MOTION_SET", read_boundary_prescribed_motion_set, identity},
+    {"BOUNDARY_PRESCRIBED_MOTION_RIGID", read_boundary_prescribed_motion_rigid, identity},
+    {"CONSTRAINED_SPOTWELD", read_constrained_spotweld, identity},
+    {"CONSTRAINED_GENERALIZED_WELD_SPOT", read_constrained_generalized_weld_spot, identity},
+    {"CONSTRAINED_RIVET", read_constrained_rivet, identity},
+    {"CONSTRAINED_NODE_SET", read_constrained_node_set, identity},
+    {"CONSTRAINED_RIGID_BODIES", read_constrained_rigid_bodies},
+    {"CONSTRAINED_EXTRA_NODES_NODE", read_constrained_extra_nodes_node},
+    {"CONSTRAINED_EXTRA_NODES_SET", read_constrained_extra_nodes_set},
+    {"CONSTRAINED_NODAL_RIGID_BODY", read_constrained_nodal_rigid_body, title},
+    {"CONSTRAINED_NODAL_RIGID_BODY_INERTIA", read_constrained_nodal_rigid_body_inertia, title},
+    {"CONSTRAINED_NODAL_RIGID_BODY_SPC", read_constrained_nodal_rigid_body_spc, title},
+    {"CONSTRAINED_NODAL_RIGID_BODY_SPC_INERTIA", read_constrained_nodal_rigid_body_spc_inertia, title},
+    {"INITIAL_VELOCITY", read_initial_velocity},
+    {"INITIAL_VELOCITY_NODE", read_initial_velocity_node},
+    {"INITIAL_VELOCITY_GENERATION", read_initial_velocity_generation},
+    {"LOAD_NODE_POINT", read_load_node_point},
+    {"LOAD_NODE_SET", read_load_node_set},
+    {"LOAD_SEGMENT", read_load_segment, identity},
+    {"LOAD_SEGMENT_SET", read_load_segment_set, identity},
+    {"LOAD_SHELL_ELEMENT", read_load_shell_element, identity},
+    {"LOAD_SHELL_SET", read_load_shell_set, identity},
+    {"LOAD_BODY_X", read_load_body_x},
+    {"LOAD_BODY_Y", read_load_body_y},
+    {"LOAD_BODY_Z", read_load_body_z},
+    {"LOAD_RIGID_BODY", read_load_rigid_body},
+    {"RIGIDWALL_PLANAR", read_rigidwall_planar, identity},
+    {"RIGIDWALL_PLANAR_FINITE", read_rigidwall_planar, identity},
+    {"RIGIDWALL_PLANAR_MOVING", read_rigidwall_planar, identity},
+    {"RIGIDWALL_PLANAR_FINITE_MOVING", read_rigidwall_planar, identity},
+    {"RIGIDWALL_PLANAR_MOVING_FINITE", read_rigidwall_planar, identity},
+    {"RIGIDWALL_GEOMETRIC_FLAT", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_FLAT_MOTION", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_FLAT_DISPLAY", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_FLAT_MOTION_DISPLAY", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_PRISM", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_PRISM_MOTION", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_PRISM_DISPLAY", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_PRISM_MOTION_DISPLAY", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_CYLINDER", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_CYLINDER_MOTION", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_CYLINDER_DISPLAY", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_CYLINDER_MOTION_DISPLAY", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_SPHERE", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_SPHERE_MOTION", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_SPHERE_DISPLAY", read_rigidwall_geometric, identity},
+    {"RIGIDWALL_GEOMETRIC_SPHERE_MOTION_DISPLAY", read_rigidwall_geometric, identity},
+    {"CONTACT_AUTOMATIC_SINGLE_SURFACE", read_contact_single_surface, identity},
+    {"CONTACT_SINGLE_SURFACE", read_contact_single_surface, identity},
+    {"CONTACT_ERODING_SINGLE_SURFACE", read_contact_single_surface, identity},
+    {"CONTACT_AUTOMATIC_GENERAL", read_contact_automatic_general, identity},
+    {"CONTACT_AUTOMATIC_GENERAL_INTERIOR", read_contact_automatic_general, identity},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", read_contact_automatic_surface_to_surface, identity},
+    {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", read_contact_automatic_nodes_to_surface, identity},
+    {"CONTACT_SURFACE_TO_SURFACE", read_contact_surface_to_surface, identity},
+    {"CONTACT_NODES_TO_SURFACE", read_contact_nodes_to_surface, identity},
+    {"CONTACT_ERODING_SURFACE_TO_SURFACE", read_contact_eroding_surface_to_surface, identity},
+    {"CONTACT_ERODING_NODES_TO_SURFACE", read_contact_eroding_nodes_to_surface, identity},
+    {"CONTACT_CONSTRAINT_SURFACE_TO_SURFACE", read_contact_constraint_surface_to_surface, identity},
+    {"CONTACT_CONSTRAINT_NODES_TO_SURFACE", read_contact_constraint_nodes_to_surface, identity},
+    {"CONTACT_FORCE_TRANSDUCER", read_contact_force_transducer, identity},
+    {"CONTACT_FORCE_TRANSDUCER_PENALTY", read_contact_force_transducer, identity},
+    {"CONTACT_TIED_NODES_TO_SURFACE", read_contact_tied, identity},
+    {"CONTACT_TIED_NODES_TO_SURFACE_OFFSET", read_contact_tied_offset, identity},
+    {"CONTACT_TIED_SURFACE_TO_SURFACE", read_contact_tied, identity},
+    {"CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET", read_contact_tied_offset, identity},
+    {"CONTACT_TIED_SHELL_EDGE_TO_SURFACE", read_contact_tied_shell_edge, identity},
+    {"CONTACT_TIED_SHELL_EDGE_TO_SURFACE_OFFSET", read_contact_tied_offset, identity},
+    {"CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET", read_contact_tied_shell_edge_beam_offset, identity},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", read_contact_automatic_tiebreak, identity},
+    {"CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK", read_contact_automatic_one_way_tiebreak,
+     identity},
+    {"CONTACT_TIEBREAK_NODES_TO_SURFACE", read_contact_tiebreak_nodes, identity},
+    {"CONTACT_TIEBREAK_SURFACE_TO_SURFACE", read_contact_tiebreak_surface, identity},
+
+    {"CONTROL_TERMINATION", read_control_termination, none, false},
+    {"CONTROL_TIMESTEP", read_control_timestep, none, false},
+    {"CONTROL_ENERGY", read_control_energy, none, false},
+    {"CONTROL_HOURGLASS", read_control_hourglass, none, false},
+    {"CONTROL_BULK_VISCOSITY", read_control_bulk_viscosity, none, false},
+    {"CONTROL_ACCURACY", read_control_accuracy, none, false},
+    {"CONTROL_SHELL", read_control_shell, none, false},
+    {"CONTROL_CONTACT", read_control_contact, none, false},
+
+    {"DATABASE_GLSTAT", read_database<File::Glstat>, none, false},
+    {"DATABASE_MATSUM", read_database<File::Matsum>, none, false},
+    {"DATABASE_RWFORC", read_database<File::Rwforc>, none, false},
+    {"DATABASE_RCFORC", read_database<File::Rcforc>, none, false},
+    {"DATABASE_NODOUT", read_database<File::Nodout>, none, false},
+    {"DATABASE_RBDOUT", read_database<File::Rbdout>, none, false},
+    {"DATABASE_SLEOUT", read_database<File::Sleout>, none, false},
+    {"DATABASE_SWFORC", read_database<File::Swforc>, none, false},
+    {"DATABASE_DEFORC", read_database<File::Deforc>, none, false},
+    {"DATABASE_ELOUT", read_database<File::Elout>, none, false},
+    {"DATABASE_SPCFORC", read_database<File::Spcforc>, none, false},
+    {"DATABASE_SECFORC", read_database<File::Secforc>, none, false},
+    {"DATABASE_NCFORC", read_database<File::Ncforc>, none, false},
+    {"DATABASE_HISTORY_NODE", read_history<Traced::Node>},
+    {"DATABASE_HISTORY_NODE_ID", read_named_history<Traced::Node>},
+    {"DATABASE_HISTORY_NODE_SET", read_history_set<Traced::Node>},
+    {"DATABASE_HISTORY_SHELL", read_history<Traced::Shell>},
+    {"DATABASE_HISTORY_SHELL_ID", read_named_history<Traced::Shell>},
+    {"DATABASE_HISTORY_SHELL_SET", read_history_set<Traced::Shell>},
+    {"DATABASE_HISTORY_SOLID", read_history<Traced::Solid>},
+    {"DATABASE_HISTORY_SOLID_ID", read_named_history<Traced::Solid>},
+    {"DATABASE_HISTORY_SOLID_SET", read_history_set<Traced::Solid>},
+    {"DATABASE_HISTORY_BEAM", read_history<Traced::Beam>},
+    {"DATABASE_HISTORY_BEAM_ID", read_named_history<Traced::Beam>},
+    {"DATABASE_HISTORY_BEAM_SET", read_history_set<Traced::Beam>},
+    {"DATABASE_HISTORY_DISCRETE", read_history<Traced::Discrete>},
+    {"DATABASE_HISTORY_DISCRETE_ID", read_named_history<Traced::Discrete>},
+    {"DATABASE_HISTORY_DISCRETE_SET", read_history_set<Traced::Discrete>},
+    {"DATABASE_CROSS_SECTION_SET", read_database_cross_section_set, identity},
+    {"DATABASE_CROSS_SECTION_PLANE", read_database_cross_section_plane, identity},
+    {"DATABASE_EXTENT_BINARY", read_database_extent_binary, none, false},
+    {"DATABASE_BINARY_D3PLOT", read_database_binary_d3plot, none, false},
+    {"DATABASE_BINARY_D3DUMP", read_database_binary_d3dump, none, false},
+    {"DATABASE_BINARY_RUNRSF", read_database_binary_runrsf, none, false},
+};
+
+constexpr std::string_view is_output = "an output that is not written";
+constexpr std::string_view is_definition = "a definition that nothing supported uses";
+
+constexpr IgnoredRow ignored[] = {
+    {"COMMENT", false, "a remark"},
+    {"KEYWORD_", true, "it names LS-DYNA's files"},
+    {"DATABASE_", true, is_output},
+    {"CONTROL_OUTPUT", false, "it is about LS-DYNA's listings"},
+    {"CONTROL_PARALLEL", false, "threads are chosen on the command line"},
+    {"CONTROL_MPP_", true, "threads are chosen on the command line"},
+    {"CONTROL_CPU", false, "the run has no limit of computing time"},
+    {"CONTROL_SOLID", false, "it acts on solid elements only"},
+    {"CONTROL_REQUIRE_REVISION", false, "it is about LS-DYNA's versions"},
+    {"DEFINE_BOX_", true, is_definition},
+    {"DEFINE_COORDINATE_", true, is_definition},
+    {"DEFINE_TABLE", true, is_definition},
+    {"DEFINE_VECTOR", true, is_definition},
+    {"SET_BEAM", true, is_definition},
+    {"SET_DISCRETE", true, is_definition},
+    {"SET_SEGMENT", true, is_definition},
+    {"SET_SHELL", true, is_definition},
+    {"SET_SOLID", true, is_definition},
+};
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// `MAT_3` and `MAT_03` are MAT_003, and likewise of EOS.
+std::string with_three_digits(std::string_view name) {
+  constexpr std::string_view prefix = "MAT_";
+  if (!name.starts_with(prefix) && !name.starts_with("EOS_")) return std::string(name);
+  std::string_view rest = name.substr(prefix.size());
+  std::size_t digits = 0;
+  while (digits < rest.size() && is_digit(rest[digits])) ++digits;
+  if (digits == 0 || digits >= 3 || (digits < rest.size() && rest[digits] != '_')) return std::string(name);
+  return fmt::format("{}{:0>3}{}", name.substr(0, prefix.size()), rest.substr(0, digits),
+                     rest.substr(digits));
+}
+
+/// An option that may stand anywhere in the names of a family; its reader looks for it.
+std::string without_option(std::string name, std::string_view family, std::string_view option) {
+  const std::size_t at = name.starts_with(family) ? name.find(option) : std::string::npos;
+  const bool is_option =
+      at != std::string::npos && (at + option.size() == name.size() || name[at + option.size()] == '_');
+  return is_option ? name.erase(at, option.size()) : name;
+}
+
+const Keyword* find_exact(std::string_view name) {
+  const auto found =
+      std::find_if(std::begin(table), std::end(table), [&](const Keyword& k) { return k.name == name; });
+  return found == std::end(table) ? nullptr : found;
+}
+
+}  // namespace
+
+std::span<const Keyword> keyword_table() {
+  return table;
+}
+
+std::span<const IgnoredRow> ignored_table() {
+  return ignored;
+}
+
+std::optional<FoundKeyword> find_keyword(std::string_view name) {
+  const std::string number_form =
+      without_option(without_option(with_three_digits(name), "SET_", "_COLLECT"), "CONTACT_", "_MPP");
+  const std::string_view full = number_form;
+  if (const Keyword* keyword = find_exact(full)) return FoundKeyword{keyword, none};
+  for (const std::string_view suffix : {"_TITLE", "_ID"}) {
+    if (!full.ends_with(suffix)) continue;
+    const Keyword* keyword = find_exact(full.substr(0, full.size() - suffix.size()));
+    const bool has_form =
+        keyword && (keyword->heading == identity || (keyword->heading == title && suffix == "_TITLE"));
+    if (has_form) return FoundKeyword{keyword, keyword->heading};
+  }
+  return std::nullopt;
+}
+
+const IgnoredRow* find_ignored(std::string_view name) {
+  const auto found = std::find_if(std::begin(ignored), std::end(ignored), [&](const IgnoredRow& row) {
+    return row.is_prefix ? name.starts_with(row.name)
+                         : name == row.name || name == fmt::format("{}_TITLE", row.name);
+  });
+  return found == std::end(ignored) ? nullptr : found;
+}
+
+std::string related_keywords(std::string_view name) {
+  // The longest common beginning that ends at an underscore, but not less than the first word.
+  std::string_view stem = name;
+  while (!stem.empty()) {
+    const std::size_t cut = stem.rfind('_');
+    stem = cut == std::string_view::npos ? std::string_view() : stem.substr(0, cut);
+    if (stem.empty()) break;
+    std::string names;
+    for (const Keyword& keyword : table) {
+      const bool related =
+          keyword.name == stem || (keyword.name.starts_with(stem) && keyword.name[stem.size()] == '_');
+      const bool has_number = keyword.name.starts_with("MAT_0") || keyword.name.starts_with("EOS_0") ||
+                              keyword.name.starts_with("MAT_S0");
+      const bool is_spring =
+          keyword.name.starts_with("MAT_SPRING_") || keyword.name.starts_with("MAT_DAMPER_");
+      if (related && !has_number && !(is_spring && stem == "MAT"))
+        names += fmt::format("{}*{}", names.empty() ? "" : ", ", keyword.name);
+    }
+    if (!names.empty()) return names;
+  }
+  return {};
+}
+
+}  // namespace crumple::deck

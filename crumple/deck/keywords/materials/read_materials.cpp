@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_PIECEWISE_LINEAR_PLASTICITY.
+#include <fmt/core.h>
+
+#include "deck/keywords/families.hpp"
+#include "deck/keywords/material_cards.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Field elastic_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("E", 0, above_zero),
+    real("PR", 0, poisson),
+    only("DA", {0}, "damping of beams is not supported"),
+    only("DB", {0}, "damping of beams is not supported"),
+    only("K", {0}, "fluids are not supported"),
+};
+
+constexpr Field plastic_kinematic_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("E", 0, above_zero),
+    real("PR", 0, poisson),
+    real("SIGY", 0, above_zero),
+    real("ETAN", 0, not_negative),
+    real("BETA", 0, within(0, 1, "0 is kinematic, 1 isotropic hardening")),
+};
+
+constexpr Field plastic_kinematic_rate_card[] = {
+    real("SRC", 0, not_negative),
+    real("SRP", 0, not_negative),
+    real("FS", 0, not_negative),
+    viscoplastic_field,
+};
+
+constexpr Field piecewise_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("E", 0, above_zero),
+    real("PR", 0, poisson),
+    real("SIGY", 0, not_negative),  // above zero unless a curve or points are given
+    real("ETAN", 0, not_negative),
+    real("FAIL"),
+    only("TDEL", {0, 1e20, 1e21},
+         "elements are not deleted by their time step; FAIL erodes shells by their plastic strain, and DT2MS "
+         "of "
+         "*CONTROL_TIMESTEP keeps up the step"),
+};
+
+constexpr Field piecewise_rate_card[] = {
+    real("C", 0, not_negative), real("P", 0, not_negative), reference("LCSS"),
+    reference("LCSR"),          viscoplastic_field,
+};
+
+constexpr Field strain_card[] = {real("EPS1", 0, not_negative), real("EPS2", 0, not_negative),
+                                 real("EPS3", 0, not_negative), real("EPS4", 0, not_negative),
+                                 real("EPS5", 0, not_negative), real("EPS6", 0, not_negative),
+                                 real("EPS7", 0, not_negative), real("EPS8", 0, not_negative)};
+
+constexpr Field stress_card[] = {real("ES1", 0, not_negative), real("ES2", 0, not_negative),
+                                 real("ES3", 0, not_negative), real("ES4", 0, not_negative),
+                                 real("ES5", 0, not_negative), real("ES6", 0, not_negative),
+                                 real("ES7", 0, not_negative), real("ES8", 0, not_negative)};
+
+/// FAIL, which calls a subroutine of the user where it is negative.
+double checked_failure_strain(const Card& card, Report& report) {
+  if (card.real("FAIL") >= 0) return failure_strain(card.real("FAIL"));
+  report.field_unsupported(card.where(),
+                           {"FAIL", std::string(card.text("FAIL")), "a failure strain, or 0 for no failure",
+                            "a negative value calls a failure routine of the user", "failure"});
+  return 0;
+}
+
+void check_tangent(const Card& card, Report& report) {
+  if (card.good("ETAN") && card.good("E") && card.real("ETAN") >= card.real("E"))
+    report.field_error(card.where(), {"ETAN", std::string(card.text("ETAN")), "a number below E",
+                                      "it is the slope of stress over total strain behind yield", "tangent"});
+}
+
+/// EPS1-8 and ES1-8 up to the last pair that is not zero.
+void take_points(const Card& strain, const Card& stress, model::PiecewiseLinearPlasticity& law,
+                 Report& report) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < std::size(strain_card); ++i)
+    if (strain.real(strain_card[i].name) != 0 || stress.real(stress_card[i].name) != 0) count = i + 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string_view eps = strain_card[i].name;
+    const std::string_view es = stress_card[i].name;
+    if (!strain.good(eps) || !stress.good(es)) continue;
+    if (i > 0 && strain.real(eps) <= strain.real(strain_card[i - 1].name))
+      report.field_error(strain.where(),
+                         {eps, std::string(strain.text(eps)), "a strain above the one before it",
+                          "plastic strains ascend", "order"});
+    if (!(stress.real(es) > 0))
+      report.field_error(stress.where(), {es, std::string(stress.text(es)), "a yield stress above zero",
+                                          "every EPS needs its ES", "stress"});
+    law.plastic_strain.push_back(strain.real(eps));
+    law.yield_stress.push_back(stress.real(es));
+  }
+  if (count == 1)
+    report.error(strain.where(), "points", "one point of EPS and ES is given, expected none or at least two");
+}
+
+/// SIGY and ETAN as the first point and the plastic modulus behind it.
+void take_line(const Card& card, model::PiecewiseLinearPlasticity& law, Report& report) {
+  const double yield = card.real("SIGY");
+  const double young = card.real("E");
+  const double tangent = card.real("ETAN");
+  if (card.good("SIGY") && !(yield > 0))
+    report.field_error(card.where(), {"SIGY", std::string(card.text("SIGY")), "a number above zero",
+                                      "or give the hardening with LCSS or with EPS1-8 and ES1-8", "yield"});
+  check_tangent(card, report);
+  const double plastic_modulus = tangent < young ? young * tangent / (young - tangent) : 0;
+  constexpr double far_strain = 10;  // no metal gets there
+  law.plastic_strain = {0, far_strain};
+  law.yield_stress = {yield, yield + plastic_modulus * far_strain};
+}
+
+}  // namespace
+
+RawMaterial material_of(const Heading& heading, const Card& card) {
+  RawMaterial raw;
+  raw.material.id = card.integer("MID");
+  raw.material.title = heading.title;
+  raw.material.density = card.real("RO");
+  raw.where = card.where();
+  return raw;
+}
+
+void check_pressure_cut_off(const Card& card, Report& report) {
+  if (card.good("PC") && card.real("PC") > 0)
+    report.field_error(card.where(), {"PC", std::string(card.text("PC")), "a pressure not above zero",
+                                      "it is the lower bound of the pressure, tension is below zero; 0 is no "
+                                      "bound",
+                                      "cut-off"});
+}
+
+double failure_strain(double read) {
+  constexpr double never = 1e5;
+  return read >= never ? 0 : read;
+}
+
+void check_rate(const Card& card, std::string_view rate, std::string_view exponent, Report& report) {
+  if (card.real(rate) > 0 && card.good(exponent) && !(card.real(exponent) > 0))
+    report.field_error(card.where(),
+                       {exponent, std::string(card.text(exponent)), "a number above zero",
+                        fmt::format("{} switches the rate effect on, and it needs both", rate), "rate"});
+}
+
+void read_mat_elastic(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(elastic_card);
+    RawMaterial raw = material_of(heading, card);
+    raw.material.law = model::Elastic{card.real("E"), card.real("PR")};
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
+  }
+}
+
+void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(plastic_kinematic_card);
+    const Card rate = cards.next(plastic_kinematic_rate_card);
+    RawMaterial raw = material_of(heading, card);
+    model::PlasticKinematic law;
+    law.youngs_modulus = card.real("E");
+    law.poissons_ratio = card.real("PR");
+    law.yield_stress = card.real("SIGY");
+    law.tangent_modulus = card.real("ETAN");
+    law.isotropic_fraction = card.real("BETA");
+    law.cowper_symonds_rate = rate.real("SRC");
+    law.cowper_symonds_exponent = rate.real("SRP");
+    law.failure_strain = failure_strain(rate.real("FS"));
+    law.viscoplastic = rate.real("VP") == 1;
+    check_tangent(card, cards.report());
+    check_rate(rate, "SRC", "SRP", cards.report());
+    raw.material.law = law;
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
+  }
+}
+
+void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(piecewise_card);
+    const Card rate = cards.next(piecewise_rate_card);
+    const Card strain = cards.next(strain_card);
+    const Card stress = cards.next(stress_card);
+    RawMaterial raw = material_of(heading, card);
+    model::PiecewiseLinearPlasticity law;
+    law.youngs_modulus = card.real("E");
+    law.poissons_ratio = card.real("PR");
+    law.cowper_symonds_rate = rate.real("C");
+    law.cowper_symonds_exponent = rate.real("P");
+    law.failure_strain = checked_failure_strain(card, cards.report());
+    law.viscoplastic = rate.real("VP") == 1;
+    law.viscoplastic_base = card.real("SIGY");
+    check_rate(rate, "C", "P", cards.report());
+    raw.rate_curve = rate.good("LCSR") ? rate.integer("LCSR") : 0;
+    raw.hardening_curve = rate.good("LCSS") ? rate.integer("LCSS") : 0;
+    if (raw.hardening_curve == 0) take_points(strain, stress, law, cards.report());
+    if (raw.hardening_curve == 0 && law.plastic_strain.empty()) take_line(card, law, cards.report());
+    raw.material.law = law;
+    raw.curve_where = rate.where();
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
+  }
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *DEFINE_COORDINATE_SYSTEM, _NODES, _VECTOR.
+#include "deck/format/vector.hpp"
+#include "deck/keywords/families.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Field points_card[] = {
+    id("CID"),  real("XO"), real("YO"), real("ZO"),
+    real("XL"), real("YL"), real("ZL"), only("CIDL", {0}, "the points are given in global axes"),
+};
+
+constexpr Field plane_card[] = {real("XP"), real("YP"), real("ZP")};
+
+constexpr Field nodes_card[] = {
+    id("CID"),
+    id("N1"),
+    id("N2"),
+    id("N3"),
+    only("FLAG", {0}, "the axes keep the directions that they have at the beginning"),
+    text("DIR", 10),
+};
+
+constexpr Field vector_card[] = {
+    id("CID"),  real("XX"), real("YX"), real("ZX"),
+    real("XV"), real("YV"), real("ZV"), only("NID", {0}, "the axes do not turn with a node"),
+};
+
+}  // namespace
+
+void read_define_coordinate_system(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    cards.heading();
+    const Card card = cards.next_filled(points_card);
+    const Card plane = cards.next(plane_card);
+    const Vector origin = {card.real("XO"), card.real("YO"), card.real("ZO")};
+    RawCoordinateSystem system;
+    system.id = card.integer("CID");
+    system.first = difference({card.real("XL"), card.real("YL"), card.real("ZL")}, origin);
+    system.other = difference({plane.real("XP"), plane.real("YP"), plane.real("ZP")}, origin);
+    system.where = card.where();
+    if (card.good("CID")) deck.coordinate_systems.push_back(system);
+  }
+}
+
+void read_define_coordinate_nodes(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    cards.heading();
+    const Card card = cards.next_filled(nodes_card);
+    RawCoordinateSystem system;
+    system.id = card.integer("CID");
+    system.node = {card.integer("N1"), card.integer("N2"), card.integer("N3")};
+    system.where = card.where();
+    const std::string_view direction = card.text("DIR");
+    if (!direction.empty() && direction != "X" && direction != "x" && direction != "0")
+      cards.report().field_unsupported(
+          card.where(), {"DIR", std::string(direction), "X", "N1 to N2 is the local x axis", "axis"});
+    else if (card.good("CID") && card.good("N1") && card.good("N2") && card.good("N3"))
+      deck.coordinate_systems.push_back(system);
+  }
+}
+
+void read_define_coordinate_vector(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    cards.heading();
+    const Card card = cards.next_filled(vector_card);
+    RawCoordinateSystem system;
+    system.id = card.integer("CID");
+    system.first = {card.real("XX"), card.real("YX"), card.real("ZX")};
+    system.other = {card.real("XV"), card.real("YV"), card.real("ZV")};
+    system.where = card.where();
+    if (card.good("CID")) deck.coordinate_systems.push_back(system);
+  }
+}
+
+}  // namespace crumple::deck

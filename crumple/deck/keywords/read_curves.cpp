@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *DEFINE_CURVE, *DEFINE_TABLE.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "base/counted.hpp"
+#include "deck/keywords/families.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Field curve_card[] = {
+    id("LCID"),
+    harmless("SIDR", {0, 2}, "there is no dynamic relaxation; the curve holds for the run"),
+    real_or_default("SFA", 1.0),
+    real_or_default("SFO", 1.0),
+    real("OFFA"),
+    real("OFFO"),
+    only("DATTYP", {0}, "curves are functions, given by points"),
+    unused("LCINT"),  // the points are used as they are, not resampled
+};
+
+constexpr Field table_card[] = {id("TBID"), real_or_default("SFA", 1.0), real("OFFA")};
+
+constexpr Field value_card[] = {sized(20, real("VALUE"))};
+
+constexpr Field value_curve_card[] = {sized(20, real("VALUE")), sized(20, id("CURVEID"))};
+
+constexpr Field point_card[] = {sized(20, real("A")), sized(20, real("O"))};
+
+}  // namespace
+
+void read_define_curve(Cards& cards, RawDeck& deck) {
+  cards.heading();
+  const Card card = cards.next(curve_card);
+  RawCurve raw;
+  raw.curve.id = card.integer("LCID");
+  raw.where = card.where();
+  while (cards.more()) {
+    const Card point = cards.next_filled(point_card);
+    if (!point.good("A") || !point.good("O")) continue;
+    const double abscissa = card.real("SFA") * (point.real("A") + card.real("OFFA"));
+    const double ordinate = card.real("SFO") * (point.real("O") + card.real("OFFO"));
+    if (!std::isfinite(abscissa) || !std::isfinite(ordinate))
+      cards.report().error(point.where(), "range", "the point is out of the range of numbers once scaled");
+    if (!raw.curve.abscissa.empty() && abscissa <= raw.curve.abscissa.back())
+      cards.report().field_error(
+          point.where(), {"A", std::string(point.text("A")), "a value above that of the point before it",
+                          "the points of a curve ascend", "order"});
+    raw.curve.abscissa.push_back(abscissa);
+    raw.curve.ordinate.push_back(ordinate);
+  }
+  if (raw.curve.abscissa.size() < 2)
+    cards.report().error(
+        card.where(), "points",
+        fmt::format("the curve has {}, expected at least two", counted(raw.curve.abscissa.size(), "point")));
+  if (card.good("LCID")) deck.curves.push_back(std::move(raw));
+}
+
+namespace {
+
+/// The first card of a table.
+RawTable table_of(Cards& cards, const RawDeck& deck, Card& card) {
+  cards.heading();
+  card = cards.next(table_card);
+  RawTable raw;
+  raw.id = card.integer("TBID");
+  raw.where = card.where();
+  raw.first_curve = deck.curves.size();
+  return raw;
+}
+
+void add_value(const Card& card, const Card& point, RawTable& raw, Report& report) {
+  const double value = card.real("SFA") * (point.real("VALUE") + card.real("OFFA"));
+  if (!raw.value.empty() && value <= raw.value.back())
+    report.field_error(point.where(),
+                       {"VALUE", std::string(point.text("VALUE")), "a value above the one before it",
+                        "the values of a table ascend", "order"});
+  raw.value.push_back(value);
+}
+
+}  // namespace
+
+void read_define_table(Cards& cards, RawDeck& deck) {
+  Card card;
+  RawTable raw = table_of(cards, deck, card);
+  while (cards.more()) add_value(card, cards.next_filled(value_card), raw, cards.report());
+  if (card.good("TBID")) deck.tables.push_back(std::move(raw));
+}
+
+void read_define_table_2d(Cards& cards, RawDeck& deck) {
+  Card card;
+  RawTable raw = table_of(cards, deck, card);
+  while (cards.more()) {
+    const Card point = cards.next_filled(value_curve_card);
+    add_value(card, point, raw, cards.report());
+    raw.curve.push_back(point.integer("CURVEID"));
+  }
+  if (card.good("TBID")) deck.tables.push_back(std::move(raw));
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *NODE, *ELEMENT_SHELL, *ELEMENT_MASS.
+#include <fmt/core.h>
+
+#include <numbers>
+
+#include "deck/keywords/families.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Check constraint_code = within(0, 7, "0 is free, 1-3 fix x, y, z, 4 xy, 5 yz, 6 zx, 7 all");
+
+constexpr Field node_card[] = {
+    sized(8, id("NID")),
+    sized(16, real("X")),
+    sized(16, real("Y")),
+    sized(16, real("Z")),
+    sized(8, integer("TC", 0, constraint_code)),
+    sized(8, integer("RC", 0, constraint_code)),
+};
+
+constexpr std::string_view four_nodes = "shells have three or four nodes";
+
+constexpr Field shell_card[] = {
+    sized(8, id("EID")),
+    sized(8, id("PID")),
+    sized(8, id("N1")),
+    sized(8, id("N2")),
+    sized(8, id("N3")),
+    sized(8, reference("N4")),  // zero, or N3 again, is a triangle
+    sized(8, only("N5", {0}, four_nodes)),
+    sized(8, only("N6", {0}, four_nodes)),
+    sized(8, only("N7", {0}, four_nodes)),
+    sized(8, only("N8", {0}, four_nodes)),
+};
+
+constexpr Field thickness_card[] = {
+    sized(16, real("THIC1", 0, not_negative)),
+    sized(16, real("THIC2", 0, not_negative)),
+    sized(16, real("THIC3", 0, not_negative)),
+    sized(16, real("THIC4", 0, not_negative)),
+    sized(16, real("BETA")),
+};
+
+constexpr Field mass_card[] = {
+    sized(8, id("EID")), sized(8, id("NID")), sized(16, real("MASS", 0, not_negative)),
+    sized(8, unused("PID")),  // for LS-DYNA's listings only
+};
+
+constexpr Field mass_set_card[] = {
+    sized(8, id("EID")),
+    sized(8, id("NSID")),
+    sized(16, real("MASS", 0, not_negative)),
+    sized(8, unused("PID")),
+};
+
+RawShell shell_of(const Card& card) {
+  RawShell shell;
+  shell.id = card.integer("EID");
+  shell.part = card.integer("PID");
+  shell.node = {card.integer("N1"), card.integer("N2"), card.integer("N3"), card.integer("N4")};
+  if (shell.node[3] == 0) shell.node[3] = shell.node[2];
+  shell.where = card.where();
+  return shell;
+}
+
+/// A card whose ids could not be read has been reported; its item would only lead to more messages.
+bool has_ids(const Card& card) {
+  for (const std::string_view field : {"EID", "PID", "N1", "N2", "N3", "N4"})
+    if (!card.good(field)) return false;
+  return true;
+}
+
+}  // namespace
+
+void read_node(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(node_card);
+    if (!card.good("NID")) continue;
+    RawNode node;
+    node.id = card.integer("NID");
+    node.position = {card.real("X"), card.real("Y"), card.real("Z")};
+    if (card.good("TC")) node.translation_code = static_cast<int>(card.integer("TC"));
+    if (card.good("RC")) node.rotation_code = static_cast<int>(card.integer("RC"));
+    node.where = card.where();
+    deck.nodes.push_back(node);
+  }
+}
+
+void read_element_shell(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(shell_card);
+    if (has_ids(card)) deck.shells.push_back(shell_of(card));
+  }
+}
+
+void read_element_shell_thickness(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(shell_card);
+    RawShell shell = shell_of(card);
+    const Card second = cards.next(thickness_card);
+    shell.thickness = {second.real("THIC1"), second.real("THIC2"), second.real("THIC3"),
+                       second.real("THIC4")};
+    shell.material_angle = second.real("BETA") * std::numbers::pi / 180;
+    // Two equal nodes make a triangle; its fourth thickness is the third one's.
+    if (shell.node[3] == shell.node[2]) shell.thickness[3] = shell.thickness[2];
+    if (has_ids(card)) deck.shells.push_back(shell);
+  }
+}
+
+void read_element_mass(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(mass_card);
+    if (!card.good("EID") || !card.good("NID")) continue;
+    deck.masses.push_back({card.integer("EID"), card.integer("NID"), false, card.real("MASS"), card.where()});
+  }
+}
+
+void read_element_mass_node_set(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(mass_set_card);
+    if (!card.good("EID") || !card.good("NSID")) continue;
+    deck.masses.push_back({card.integer("EID"), card.integer("NSID"), true, card.real("MASS"), card.where()});
+  }
+}
+
+}  // namespace crumple::deck

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *PART, *SECTION_SHELL, *HOURGLASS.
+#include <cmath>
+
+#include "deck/keywords/families.hpp"
+#include "deck/keywords/rigid_inertia.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Field part_card[] = {
+    id("PID"),
+    id("SECID"),
+    id("MID"),
+    reference("EOSID"),
+    reference("HGID"),
+    only("GRAV", {0}, "initialisation by gravity is not supported"),
+    only("ADPOPT", {0}, "adaptive meshes are not supported"),
+    harmless("TMID", {0}, "there is no thermal solution"),
+};
+
+constexpr Field section_card[] = {
+    id("SECID"),
+    only("ELFORM", {0, 1, 2, 4, 6, 10, 16},
+         "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 6 Hughes-Liu selectively reduced, 10 "
+         "Belytschko-Wong-Chiang, 16 fully integrated, 0 what *CONTROL_SHELL says"),
+    real_or_default("SHRF", 1.0, above_zero),
+    integer_or_default("NIP", 2, within(1, 20, "points through the thickness")),
+    unused("PROPT"),  // what LS-DYNA prints
+    only("QR", {0, 1}, "0 is Gauss, 1 trapezoidal; user rules (negative) are not supported"),
+    only("ICOMP", {0},
+         "layers with angles of their own are not supported; BETA of the material or the element turns all "
+         "of them"),
+    unused("SETYP"),  // for two-dimensional elements
+};
+
+constexpr Field section_thickness_card[] = {
+    real("T1", 0, not_negative),
+    real("T2", 0, not_negative),
+    real("T3", 0, not_negative),
+    real("T4", 0, not_negative),
+    real("NLOC", 0, within(-1, 1, "1 is the upper surface, 0 the mid-surface, -1 the lower one")),
+    only("MAREA", {0}, "use *ELEMENT_MASS for mass that is not structural"),
+    unused("IDOF"),    // for other formulations
+    unused("EDGSET"),  // for two-dimensional seatbelts
+};
+
+constexpr Field hourglass_card[] = {
+    id("HGID"),
+    only("IHQ", {0, 1, 2, 3, 4, 5, 6}, hourglass_forms),
+    real_or_default("QM", 0.1, not_negative),
+    unused("IBQ"),                // LS-DYNA does not use it either: solids always have bulk viscosity
+    real("Q1", 0, not_negative),  // default CONTROL_BULK_VISCOSITY's
+    real("Q2", 0, not_negative),
+    real("QB", 0, not_negative),  // default QM
+    real("QW", 0, not_negative),  // default QB
+};
+
+/// Gauss and Lobatto rules are made for ten points at most.
+void check_points(const Card& card, const model::ShellSection& section, Report& report) {
+  const bool trapezoid = section.thickness_rule == model::ThicknessRule::Trapezoid;
+  if (!card.good("NIP") || !card.good("QR")) return;
+  if (!trapezoid && section.thickness_points > 10)
+    report.field_error(card.where(), {"NIP", std::string(card.text("NIP")), "1 to 10 points",
+                                      "more than ten points take the trapezoidal rule, QR = 1", "points"});
+  if (trapezoid && section.thickness_points < 2)
+    report.field_error(card.where(), {"NIP", std::string(card.text("NIP")), "2 to 20 points",
+                                      "the trapezoidal rule has a point on each surface", "points"});
+}
+
+}  // namespace
+
+model::ShellFormulation shell_formulation(std::int64_t number) {
+  using enum model::ShellFormulation;
+  switch (number) {
+    case 1:
+      return HughesLiu;
+    case 4:
+      return Triangle;
+    case 6:
+      return HughesLiuSelectiveReduced;
+    case 10:
+      return BelytschkoWongChiang;
+    case 16:
+      return FullyIntegrated;
+    default:
+      return BelytschkoTsay;
+  }
+}
+
+void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report) {
+  // LS-DYNA Keyword User's Manual, *HOURGLASS and *CONTROL_HOURGLASS. With IHQ 6 one is the whole stiffness
+  // of the material.
+  const bool assumed_strain = card.good("IHQ") && card.real("IHQ") == 6;
+  const double largest = assumed_strain ? 1 : 0.15;
+  if (card.good(field) && card.real(field) > largest)
+    report.field_warning(card.where(), {field, std::string(card.text(field)),
+                                        assumed_strain ? "a coefficient up to 1" : "a coefficient up to 0.15",
+                                        "it is used, and the run may become unstable", "coefficient"});
+}
+
+model::HourglassForm hourglass_form(std::int64_t number) {
+  return number >= 4 ? model::HourglassForm::Stiffness : model::HourglassForm::Viscous;
+}
+
+model::SolidHourglassForm solid_hourglass_form(std::int64_t number) {
+  using enum model::SolidHourglassForm;
+  switch (number) {
+    case 1:
+      return StandardViscous;
+    case 3:
+      return ExactVolumeViscous;
+    case 4:
+      return FlanaganBelytschkoStiffness;
+    case 5:
+      return ExactVolumeStiffness;
+    case 6:
+      return AssumedStrain;
+    default:
+      return FlanaganBelytschkoViscous;
+  }
+}
+
+namespace {
+
+void read_parts(Cards& cards, RawDeck& deck, bool with_inertia) {
+  while (cards.more()) {
+    RawPart part;
+    part.title = cards.text_line("the title of a part");
+    const Card card = cards.next(part_card);
+    part.id = card.integer("PID");
+    part.section = card.good("SECID") ? card.integer("SECID") : 0;
+    part.material = card.good("MID") ? card.integer("MID") : 0;
+    part.equation_of_state = card.good("EOSID") ? card.integer("EOSID") : 0;
+    part.hourglass = card.good("HGID") ? card.integer("HGID") : 0;
+    part.where = card.where();
+    if (with_inertia) part.inertia = read_inertia(cards);
+    if (card.good("PID")) deck.parts.push_back(std::move(part));
+  }
+}
+
+}  // namespace
+
+void read_part(Cards& cards, RawDeck& deck) {
+  read_parts(cards, deck, false);
+}
+
+void read_part_inertia(Cards& cards, RawDeck& deck) {
+  read_parts(cards, deck, true);
+}
+
+void read_section_shell(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    RawSection raw;
+    raw.section.title = cards.heading().title;
+    const Card card = cards.next(section_card);
+    const Card second = cards.next(section_thickness_card);
+    raw.section.id = card.integer("SECID");
+    raw.formulation_given = card.real("ELFORM") != 0;
+    raw.section.formulation = shell_formulation(static_cast<std::int64_t>(card.real("ELFORM")));
+    raw.section.shear_factor = card.real("SHRF");
+    raw.section.thickness_points = card.good("NIP") ? static_cast<int>(card.integer("NIP")) : 2;
+    raw.section.node_place = second.real("NLOC");
+    if (card.real("QR") == 1) raw.section.thickness_rule = model::ThicknessRule::Trapezoid;
+    check_points(card, raw.section, cards.report());
+    raw.section.thickness = {second.real("T1"), second.real("T2"), second.real("T3"), second.real("T4")};
+    for (std::size_t i = 1; i < 4; ++i)
+      if (raw.section.thickness[i] == 0) raw.section.thickness[i] = raw.section.thickness[0];
+    raw.thickness_good = second.good("T1") && second.good("T2") && second.good("T3") && second.good("T4");
+    raw.where = second.where();
+    raw.order = deck.section_count();
+    if (card.good("SECID")) deck.sections.push_back(std::move(raw));
+  }
+}
+
+void read_hourglass(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    cards.heading();
+    const Card card = cards.next(hourglass_card);
+    RawHourglass raw;
+    raw.id = card.integer("HGID");
+    raw.control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+    raw.control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+    raw.control.coefficient = card.real("QM");
+    raw.control.bulk_quadratic = card.real("Q1");
+    raw.control.bulk_linear = card.real("Q2");
+    raw.control.bending = card.real("QB") != 0 ? card.real("QB") : raw.control.coefficient;
+    raw.control.warping = card.real("QW") != 0 ? card.real("QW") : raw.control.bending;
+    for (const std::string_view field : {"QM", "QB", "QW"})
+      warn_of_hourglass_coefficient(card, field, cards.report());
+    raw.where = card.where();
+    if (card.good("HGID")) deck.hourglasses.push_back(raw);
+  }
+}
+
+}  // namespace crumple::deck

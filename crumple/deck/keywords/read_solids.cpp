@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *ELEMENT_SOLID, *SECTION_SOLID.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "deck/keywords/families.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr std::array<std::string_view, 8> node_names = {"N1", "N2", "N3", "N4", "N5", "N6", "N7", "N8"};
+
+constexpr Field element_card[] = {
+    sized(8, id("EID")),       sized(8, id("PID")),       sized(8, reference("N1")),
+    sized(8, reference("N2")), sized(8, reference("N3")), sized(8, reference("N4")),
+    sized(8, reference("N5")), sized(8, reference("N6")), sized(8, reference("N7")),
+    sized(8, reference("N8")),
+};
+
+constexpr std::string_view no_ten_nodes =
+    "tetrahedra with ten nodes are not supported; take those with four, N1, N2, N3, N4, N4, N4, N4, N4";
+
+constexpr Field node_card[] = {
+    sized(8, reference("N1")),
+    sized(8, reference("N2")),
+    sized(8, reference("N3")),
+    sized(8, reference("N4")),
+    sized(8, reference("N5")),
+    sized(8, reference("N6")),
+    sized(8, reference("N7")),
+    sized(8, reference("N8")),
+    sized(8, only("N9", {0}, no_ten_nodes)),
+    sized(8, only("N10", {0}, no_ten_nodes)),
+};
+
+constexpr Field section_card[] = {
+    id("SECID"),
+    integer_or_default("ELFORM", 1),
+    only("AET", {0}, "ambient elements are not supported"),
+    unused("-"),
+    unused("--"),
+    unused("---"),
+    only("COHOFF", {0}, "cohesive elements are not supported"),
+    only("GASKETT", {0}, "cohesive elements are not supported"),
+};
+
+/// A number of ELFORM; without a formulation it is one that is not there yet.
+struct NamedForm {
+  std::int64_t number;
+  std::optional<model::SolidFormulation> formulation;
+  std::string_view name;
+  std::string_view instead;
+};
+
+constexpr std::string_view take_hexahedron = "take 2, or 1 with hourglass control";
+constexpr std::string_view take_tetrahedron = "take 13, or 10, with four nodes";
+constexpr std::string_view take_wedge = "take 1 or 2, which compute wedges as hexahedra with equal nodes";
+constexpr std::string_view no_substitute = "there is nothing like it here";
+
+constexpr NamedForm forms[] = {
+    {1, model::SolidFormulation::OnePointHexahedron, "the hexahedron with one point", ""},
+    {-2, {}, "the fully integrated hexahedron for poor aspect ratios, accurate form", take_hexahedron},
+    {-1, {}, "the fully integrated hexahedron for poor aspect ratios, efficient form", take_hexahedron},
+    {2, model::SolidFormulation::SelectiveHexahedron, "the selectively reduced hexahedron", ""},
+    {3, {}, "the hexahedron with rotations at its nodes", take_hexahedron},
+    {4, {}, "the tetrahedron with rotations at its nodes", take_tetrahedron},
+    {5, {}, "the ALE hexahedron", "take 1, the mesh then moves with the material"},
+    {6, {}, "the Eulerian hexahedron", no_substitute},
+    {7, {}, "the ambient Eulerian hexahedron", no_substitute},
+    {9, {}, "the one-point hexahedron for crushed foams", take_hexahedron},
+    {10, model::SolidFormulation::Tetrahedron, "the tetrahedron with one point", ""},
+    {11, {}, "the multi-material ALE hexahedron", no_substitute},
+    {12, {}, "the multi-material ALE hexahedron with void", no_substitute},
+    {13, model::SolidFormulation::NodalPressureTetrahedron, "the tetrahedron with averaged nodal pressure",
+     ""},
+    {15, {}, "the wedge with two points", take_wedge},
+    {16, {}, "the ten-node tetrahedron", take_tetrahedron},
+    {17, {}, "the composite ten-node tetrahedron", take_tetrahedron},
+    {18, {}, "the hexahedron for linear statics", take_hexahedron},
+    {19, {}, "the cohesive element", no_substitute},
+    {20, {}, "the cohesive element with offsets for shells", no_substitute},
+    {115, {}, "the wedge with one point", take_wedge},
+};
+
+/// The formulation of ELFORM; another than the supported ones is reported.
+model::SolidFormulation formulation_of(const Card& card, Report& report) {
+  constexpr auto fallback = model::SolidFormulation::OnePointHexahedron;
+  if (!card.good("ELFORM")) return fallback;
+  const std::int64_t number = card.integer("ELFORM");
+  const auto form = std::find_if(std::begin(forms), std::end(forms),
+                                 [&](const NamedForm& f) { return f.number == number; });
+  if (form != std::end(forms) && form->formulation) return *form->formulation;
+  std::string supported;
+  for (const NamedForm& row : forms)
+    if (row.formulation)
+      supported += fmt::format("{}{} ({})", supported.empty() ? "" : ", ", row.number, row.name);
+  const std::string hint = form == std::end(forms)
+                               ? std::string(take_hexahedron)
+                               : fmt::format("{} is {}; {}", number, form->name, form->instead);
+  report.field_unsupported(card.where(),
+                           {"ELFORM", std::string(card.text("ELFORM")), supported, hint, "value"});
+  return fallback;
+}
+
+/// Nodes that are left out at the end repeat the last one: four make a tetrahedron, five a pyramid. False,
+/// with a message, if the rest does not make an element.
+bool complete_nodes(RawSolid& solid, Report& report) {
+  const auto end = std::find(solid.node.begin(), solid.node.end(), 0);
+  const auto given = static_cast<std::size_t>(end - solid.node.begin());
+  if (given == solid.node.size()) return true;
+  const auto later = std::find_if(end, solid.node.end(), [](UserId node) { return node != 0; });
+  FieldFault fault{node_names[given], "0", "the id of a node", {}, "left out"};
+  if (later != solid.node.end())
+    fault.hint = "only the last nodes of tetrahedra (N5 to N8) and pyramids (N6 to N8) may be left out";
+  else if (given < 4)
+    fault.hint = "a solid has at least four nodes";
+  else if (given > 5)
+    fault.hint = "a wedge is N1, N2, N3, N4, N5, N5, N6, N6, a hexahedron has eight nodes";
+  if (!fault.hint.empty()) {
+    report.field_error(solid.nodes_where, fault);
+    return false;
+  }
+  std::fill(end, solid.node.end(), solid.node[given - 1]);
+  return true;
+}
+
+/// True if all of them could be read.
+bool take_nodes(const Card& card, RawSolid& solid) {
+  bool good = true;
+  for (std::size_t i = 0; i < node_names.size(); ++i) {
+    good = good && card.good(node_names[i]);
+    solid.node[i] = card.integer(node_names[i]);
+  }
+  solid.nodes_where = card.where();
+  return good;
+}
+
+}  // namespace
+
+void read_element_solid(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(element_card);
+    RawSolid solid;
+    solid.id = card.integer("EID");
+    solid.part = card.integer("PID");
+    solid.where = card.where();
+    bool good = take_nodes(card, solid);
+    // A first card without nodes has them on the next one.
+    const bool no_nodes =
+        std::all_of(solid.node.begin(), solid.node.end(), [](UserId node) { return node == 0; });
+    if (good && no_nodes) {
+      const Card second = cards.next(node_card);
+      good = take_nodes(second, solid) && second.good("N9") && second.good("N10");
+    }
+    if (!good || !card.good("EID") || !card.good("PID")) continue;
+    if (complete_nodes(solid, cards.report())) deck.solids.push_back(solid);
+  }
+}
+
+void read_section_solid(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    RawSolidSection raw;
+    raw.section.title = cards.heading().title;
+    const Card card = cards.next(section_card);
+    raw.section.id = card.integer("SECID");
+    raw.section.formulation = formulation_of(card, cards.report());
+    raw.where = card.where();
+    raw.order = deck.section_count();
+    if (card.good("SECID")) deck.solid_sections.push_back(std::move(raw));
+  }
+}
+
+}  // namespace crumple::deck
