@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "elements/constants.hpp"
+
 #include <cstddef>
 #include <type_traits>
 

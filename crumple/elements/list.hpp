@@ -3,17 +3,13 @@
 
 #include "elements/belytschko_tsay.hpp"
 #include "elements/belytschko_wong_chiang.hpp"
+#include "elements/formulation_list.hpp"
 #include "elements/fully_integrated.hpp"
 #include "elements/hughes_liu.hpp"
 #include "elements/hughes_liu_selective.hpp"
 #include "elements/triangle.hpp"
 
 namespace crumple::elements {
-
-template <class... Formulations>
-struct FormulationList {
-  static constexpr int count = sizeof...(Formulations);
-};
 
 /// Every shell formulation, one line each. What one must have is written in formulation.hpp.
 using ShellFormulations = FormulationList<  //

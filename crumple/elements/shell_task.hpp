@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "domain/shell_block.hpp"
+#include "elements/constants.hpp"
 #include "elements/element_task.hpp"
 #include "materials/shell_material.hpp"
 
@@ -42,13 +42,6 @@ inline constexpr Index step_scale = 4;  ///< on area / longest side: 2 for trian
 inline constexpr Index hourglass = 5;   ///< five generalised hourglass stresses
 inline constexpr Index energy = 10;     ///< internal and hourglass energy of the element, if it can fail
 }  // namespace element_state
-
-/// ElementBlock::element_constants and back: to_numbers(constants),
-/// from_numbers<ShellConstants<Real>>(numbers).
-template <class Constants>
-std::vector<double> to_numbers(const Constants& constants);
-template <class Constants>
-Constants from_numbers(const std::vector<double>& numbers);
 
 /// One chunk of one block.
 template <class Real>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "elements/list.hpp"
+#include "elements/formulation_list.hpp"
 #include "elements/one_point_hexahedron.hpp"
 #include "elements/selective_hexahedron.hpp"
 #include "elements/tetrahedron.hpp"

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "elements/constants.hpp"
 #include "elements/element_task.hpp"
-#include "elements/shell_task.hpp"
 #include "materials/solid_material.hpp"
 
 namespace crumple::elements {
