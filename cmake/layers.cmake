@@ -36,12 +36,29 @@ set(CRUMPLE_ROOMS
   "deck/keywords/control: deck/keywords deck/format"
   "deck/keywords/materials: deck/keywords deck/format"
   "deck/build: deck/keywords deck/format"
+  "elements/common:"
+  "elements/shell: elements/common"
+  "elements/solid: elements/common"
+  "elements/line: elements/common"
+  "materials/common:"
+  "materials/eos: materials/common"
+  "materials/plasticity: materials/common"
+  "materials/laws: materials/plasticity materials/eos materials/common"
   "output/files:"
   "output/results: output/files"
   "output/histories: output/results output/files"
   "output/lsdyna: output/results output/files"
   "output/paraview: output/results output/files"
-  "output/d3plot: output/results output/files")
+  "output/d3plot: output/results output/files"
+  "compare/curves:"
+  "compare/readers: compare/curves"
+  "compare/measures: compare/curves"
+  "app/console:"
+  "app/arguments: app/console"
+  "app/preparation: app/arguments app/console"
+  "app/session: app/preparation app/arguments app/console"
+  "app/measurement: app/session app/console"
+  "app/commands: app/measurement app/session app/preparation app/arguments app/console")
 
 set(CRUMPLE_NON_CORE deck output report live compare)
 set(CRUMPLE_LAYER_NAMES "")

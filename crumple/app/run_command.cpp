@@ -59,16 +59,6 @@ void move_overlaps_apart(const Options& options, model::Model& model, const Cons
   if (moved.left > 0) print(console.out, "Overlaps of up to {:.4g} are left\n", moved.left);
 }
 
-}  // namespace
-
-std::filesystem::path result_folder(const Options& options) {
-  if (!options.folder.empty()) return options.folder;
-  std::filesystem::path folder = options.deck.stem();
-  return folder += ".out";
-}
-
-namespace {
-
 /// `changes`: the deck of a small restart; empty if there is none.
 ExitCode run_with(const Options& options, const std::filesystem::path& changes, const Restart* restart,
                   const Console& console) {

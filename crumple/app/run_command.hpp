@@ -11,7 +11,4 @@ namespace crumple::app {
 /// the deck is known to be good.
 ExitCode run_deck(const Options& options, const Console& console);
 
-/// Folder of the results: as asked for, else the deck's name with ".out", in the working folder.
-std::filesystem::path result_folder(const Options& options);
-
 }  // namespace crumple::app

@@ -10,7 +10,6 @@
 #include "app/model_summary.hpp"
 #include "app/preparation.hpp"
 #include "app/print.hpp"
-#include "app/run_command.hpp"
 #include "app/run_limits.hpp"
 #include "app/run_summary.hpp"
 #include "base/error.hpp"
@@ -48,6 +47,12 @@ bool positions_are_finite(const domain::NodeFields& nodes) {
 }
 
 }  // namespace
+
+std::filesystem::path result_folder(const Options& options) {
+  if (!options.folder.empty()) return options.folder;
+  std::filesystem::path folder = options.deck.stem();
+  return folder += ".out";
+}
 
 RunSession::RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
                        const Stopwatch& wall, const Restart* restart, live::StatusBoard* board)

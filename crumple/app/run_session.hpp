@@ -25,6 +25,9 @@
 
 namespace crumple::app {
 
+/// Folder of the results: as asked for, else the deck's name with ".out", in the working folder.
+std::filesystem::path result_folder(const Options& options);
+
 /// How a run ended.
 struct Ending {
   std::string termination;  ///< "normal", "error" or "interrupted", as run.json says it
