@@ -10,7 +10,7 @@
 #include "base/counted.hpp"
 #include "elements/beam_kernel_list.hpp"
 #include "elements/registry.hpp"
-#include "materials/shell_material.hpp"
+#include "materials/common/shell_material.hpp"
 #include "output/results/part_masses.hpp"
 
 namespace crumple::app {

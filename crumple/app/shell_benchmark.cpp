@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "elements/registry.hpp"
-#include "materials/shell_material.hpp"
+#include "materials/common/shell_material.hpp"
 
 namespace crumple::app {
 

@@ -18,7 +18,7 @@
 #include "elements/lane_sums.hpp"
 #include "elements/scatter.hpp"
 #include "elements/shell_task.hpp"
-#include "materials/plane_stress.hpp"
+#include "materials/common/plane_stress.hpp"
 
 namespace crumple::elements {
 

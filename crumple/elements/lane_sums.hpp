@@ -5,7 +5,7 @@
 
 #include "base/aligned_array.hpp"
 #include "elements/element_sums.hpp"
-#include "materials/shell_material.hpp"
+#include "materials/common/shell_material.hpp"
 #include "math/small_vectors.hpp"
 
 namespace crumple::elements {

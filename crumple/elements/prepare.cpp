@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "elements/elements.hpp"
-#include "materials/shell_material.hpp"
+#include "materials/common/shell_material.hpp"
 
 namespace crumple::elements {
 

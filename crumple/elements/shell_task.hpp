@@ -6,7 +6,7 @@
 #include "domain/shell_block.hpp"
 #include "elements/constants.hpp"
 #include "elements/element_task.hpp"
-#include "materials/shell_material.hpp"
+#include "materials/common/shell_material.hpp"
 
 namespace crumple::elements {
 

@@ -5,7 +5,7 @@
 
 #include "elements/constants.hpp"
 #include "elements/element_task.hpp"
-#include "materials/solid_material.hpp"
+#include "materials/common/solid_material.hpp"
 
 namespace crumple::elements {
 

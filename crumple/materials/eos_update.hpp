@@ -4,10 +4,10 @@
 // The pressure of solids from an equation of state; only kernels include it. The law brings the deviator,
 // this adds the pressure: docs/theory/equations_of_state.md.
 
-#include "materials/deformation.hpp"
-#include "materials/history_view.hpp"
+#include "materials/common/deformation.hpp"
+#include "materials/common/history_view.hpp"
 #include "materials/list.hpp"
-#include "materials/principal.hpp"
+#include "materials/plasticity/principal.hpp"
 
 namespace crumple::materials {
 

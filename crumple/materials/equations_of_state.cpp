@@ -5,10 +5,10 @@
 #include <cmath>
 #include <variant>
 
-#include "materials/checks.hpp"
-#include "materials/eos_point.hpp"
+#include "materials/common/checks.hpp"
+#include "materials/common/solid_material.hpp"
+#include "materials/eos/eos_point.hpp"
 #include "materials/list.hpp"
-#include "materials/solid_material.hpp"
 
 namespace crumple::materials {
 namespace {

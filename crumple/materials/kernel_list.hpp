@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/isa.hpp"
-#include "materials/shell_material.hpp"
-#include "materials/solid_material.hpp"
+#include "materials/common/shell_material.hpp"
+#include "materials/common/solid_material.hpp"
 
 namespace crumple::materials {
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "materials/blatz_ko.hpp"
-#include "materials/crushable_foam.hpp"
-#include "materials/elastic.hpp"
-#include "materials/gruneisen.hpp"
-#include "materials/johnson_cook.hpp"
-#include "materials/linear_polynomial.hpp"
-#include "materials/mooney_rivlin.hpp"
-#include "materials/null.hpp"
-#include "materials/orthotropic_elastic.hpp"
-#include "materials/piecewise_linear_plasticity.hpp"
-#include "materials/plastic_kinematic.hpp"
-#include "materials/power_law_plasticity.hpp"
+#include "materials/eos/gruneisen.hpp"
+#include "materials/eos/linear_polynomial.hpp"
+#include "materials/laws/blatz_ko.hpp"
+#include "materials/laws/crushable_foam.hpp"
+#include "materials/laws/elastic.hpp"
+#include "materials/laws/johnson_cook.hpp"
+#include "materials/laws/mooney_rivlin.hpp"
+#include "materials/laws/null.hpp"
+#include "materials/laws/orthotropic_elastic.hpp"
+#include "materials/laws/piecewise_linear_plasticity.hpp"
+#include "materials/laws/plastic_kinematic.hpp"
+#include "materials/laws/power_law_plasticity.hpp"
 
 namespace crumple::materials {
 

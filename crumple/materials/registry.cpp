@@ -4,11 +4,11 @@
 #include <variant>
 
 #include "base/error.hpp"
+#include "materials/common/shell_material.hpp"
+#include "materials/common/solid_material.hpp"
 #include "materials/equations_of_state.hpp"
 #include "materials/kernel_list.hpp"
 #include "materials/list.hpp"
-#include "materials/shell_material.hpp"
-#include "materials/solid_material.hpp"
 
 namespace crumple::materials {
 namespace {

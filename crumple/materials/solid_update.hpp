@@ -12,10 +12,10 @@
 //   static constexpr bool takes_equation_of_state    true: with one, the law brings the deviator alone
 // A law of total deformation has no elasticity; it derives from TotalDeformation.
 
+#include "materials/common/history_view.hpp"
+#include "materials/common/solid_material.hpp"
+#include "materials/common/solid_stress.hpp"
 #include "materials/eos_update.hpp"
-#include "materials/history_view.hpp"
-#include "materials/solid_material.hpp"
-#include "materials/solid_stress.hpp"
 
 namespace crumple::materials {
 

@@ -7,7 +7,7 @@
 #include "contact/tied/tie_search.hpp"
 #include "domain/build.hpp"
 #include "elements/elements.hpp"
-#include "materials/shell_material.hpp"
+#include "materials/common/shell_material.hpp"
 
 namespace crumple::timeloop {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "base/error.hpp"
-#include "materials/gruneisen.hpp"
-#include "materials/linear_polynomial.hpp"
+#include "materials/eos/gruneisen.hpp"
+#include "materials/eos/linear_polynomial.hpp"
 #include "materials/motion_driver.hpp"
 #include "support/copper.hpp"
 #include "support/drawn.hpp"

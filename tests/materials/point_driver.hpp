@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "domain/shell_block.hpp"
-#include "materials/shell_material.hpp"
+#include "materials/common/shell_material.hpp"
 #include "materials/tile_driver.hpp"
 
 namespace crumple::materials::testing {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "domain/solid_block.hpp"
-#include "materials/solid_material.hpp"
+#include "materials/common/solid_material.hpp"
 #include "materials/tile_driver.hpp"
 
 namespace crumple::materials::testing {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "materials/common/shell_material.hpp"
 #include "materials/sample_materials.hpp"
-#include "materials/shell_material.hpp"
 
 namespace crumple::materials::testing {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All laws of the list, for the instruction set that this file is being compiled for.
+#include "materials/common/tile_update.hpp"
 #include "materials/kernel_list.hpp"
 #include "materials/list.hpp"
-#include "materials/tile_update.hpp"
 
 namespace crumple::materials {
 namespace {
