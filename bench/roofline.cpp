@@ -14,9 +14,9 @@
 
 #include "app/shell_benchmark.hpp"
 #include "counting_pack.hpp"
-#include "elements/chunk.hpp"
 #include "elements/kernel_list.hpp"
-#include "elements/list.hpp"
+#include "elements/shell/chunk.hpp"
+#include "elements/shell/list.hpp"
 #include "machine_kernels.hpp"
 #include "materials/list.hpp"
 #include "timeloop/simulation.hpp"

@@ -8,7 +8,7 @@
 
 #include "app/print.hpp"
 #include "base/counted.hpp"
-#include "elements/beam_kernel_list.hpp"
+#include "elements/line/beam_kernel_list.hpp"
 #include "elements/registry.hpp"
 #include "materials/common/shell_material.hpp"
 #include "output/results/part_masses.hpp"

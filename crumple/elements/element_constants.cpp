@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/constants.hpp"
+#include "elements/common/constants.hpp"
 
 #include <cstddef>
 #include <type_traits>
 
-#include "elements/shell_task.hpp"
-#include "elements/solid_task.hpp"
+#include "elements/shell/shell_task.hpp"
+#include "elements/solid/solid_task.hpp"
 
 namespace crumple::elements {
 namespace {

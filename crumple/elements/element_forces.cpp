@@ -3,15 +3,15 @@
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "elements/beam_kernel_list.hpp"
-#include "elements/chunk_task.hpp"
-#include "elements/discrete_elements.hpp"
+#include "elements/common/chunk_task.hpp"
 #include "elements/elements.hpp"
 #include "elements/energy_trace.hpp"
-#include "elements/nodal_average.hpp"
+#include "elements/line/beam_kernel_list.hpp"
+#include "elements/line/discrete_elements.hpp"
 #include "elements/registry.hpp"
-#include "elements/shell_task.hpp"
-#include "elements/solid_task.hpp"
+#include "elements/shell/shell_task.hpp"
+#include "elements/solid/nodal_average.hpp"
+#include "elements/solid/solid_task.hpp"
 
 namespace crumple::elements {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "domain/domain.hpp"
 #include "domain/energy_residual.hpp"
-#include "elements/element_sums.hpp"
+#include "elements/common/element_sums.hpp"
 #include "model/model.hpp"
 
 namespace crumple::elements {

@@ -6,9 +6,9 @@
 //   template ShellKernel<double> formulation_kernel<Formulation, CRUMPLE_ISA, double>();
 // or the same with SolidKernel they are all there is to compile of it for one instruction set.
 
-#include "elements/chunk.hpp"
 #include "elements/kernel_list.hpp"
-#include "elements/solid_chunk.hpp"
+#include "elements/shell/chunk.hpp"
+#include "elements/solid/solid_chunk.hpp"
 
 namespace crumple::elements {
 

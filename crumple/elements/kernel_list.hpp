@@ -4,9 +4,9 @@
 #include <type_traits>
 
 #include "base/isa.hpp"
-#include "elements/element_sums.hpp"
-#include "elements/shell_task.hpp"
-#include "elements/solid_task.hpp"
+#include "elements/common/element_sums.hpp"
+#include "elements/shell/shell_task.hpp"
+#include "elements/solid/solid_task.hpp"
 #include "model/section.hpp"
 
 namespace crumple::elements {

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "base/error.hpp"
-#include "elements/beam_task.hpp"
+#include "elements/line/beam_task.hpp"
 #include "elements/prepare.hpp"
 #include "math/to_vec3.hpp"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "elements/body_response.hpp"
-#include "elements/discrete_elements.hpp"
+#include "elements/line/body_response.hpp"
+#include "elements/line/discrete_elements.hpp"
 #include "elements/prepare.hpp"
 #include "math/to_vec3.hpp"
 

@@ -6,9 +6,9 @@
 #include "base/error.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
-#include "elements/shell_geometry.hpp"
-#include "elements/shell_setup.hpp"
-#include "elements/shell_task.hpp"
+#include "elements/shell/shell_geometry.hpp"
+#include "elements/shell/shell_setup.hpp"
+#include "elements/shell/shell_task.hpp"
 #include "math/quadrature.hpp"
 
 namespace crumple::elements {

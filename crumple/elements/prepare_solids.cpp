@@ -4,11 +4,11 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "elements/nodal_average.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
-#include "elements/solid_setup.hpp"
-#include "elements/solid_task.hpp"
+#include "elements/solid/nodal_average.hpp"
+#include "elements/solid/solid_setup.hpp"
+#include "elements/solid/solid_task.hpp"
 
 namespace crumple::elements {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "elements/list.hpp"
-#include "elements/solid_list.hpp"
+#include "elements/shell/list.hpp"
+#include "elements/solid/solid_list.hpp"
 
 namespace crumple::elements {
 namespace {

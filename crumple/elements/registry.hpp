@@ -2,7 +2,7 @@
 #pragma once
 
 #include "elements/kernel_list.hpp"
-#include "elements/solid_task.hpp"
+#include "elements/solid/solid_task.hpp"
 #include "model/section.hpp"
 
 namespace crumple::elements {

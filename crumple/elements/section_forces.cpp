@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "elements/elements.hpp"
-#include "elements/nodal_average.hpp"
+#include "elements/solid/nodal_average.hpp"
 
 namespace crumple::elements {
 namespace {

@@ -2,14 +2,14 @@
 // Stable steps outside of the cycle, for reports.
 #include <algorithm>
 
-#include "elements/beam_task.hpp"
-#include "elements/discrete_elements.hpp"
 #include "elements/elements.hpp"
-#include "elements/shell_geometry.hpp"
-#include "elements/shell_setup.hpp"
-#include "elements/shell_task.hpp"
-#include "elements/solid_setup.hpp"
-#include "elements/solid_task.hpp"
+#include "elements/line/beam_task.hpp"
+#include "elements/line/discrete_elements.hpp"
+#include "elements/shell/shell_geometry.hpp"
+#include "elements/shell/shell_setup.hpp"
+#include "elements/shell/shell_task.hpp"
+#include "elements/solid/solid_setup.hpp"
+#include "elements/solid/solid_task.hpp"
 
 namespace crumple::elements {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "elements/solid_geometry.hpp"
-#include "elements/solid_setup.hpp"
+#include "elements/solid/solid_geometry.hpp"
+#include "elements/solid/solid_setup.hpp"
 #include "solid_harness.hpp"
 #include "support/largest.hpp"
 

@@ -8,7 +8,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 THEORY = ROOT / "docs" / "theory"
 CONTENTS = (THEORY / "README.md").read_text()
-LISTS = ("materials/list.hpp", "elements/list.hpp", "elements/solid_list.hpp")
+LISTS = ("materials/list.hpp", "elements/shell/list.hpp", "elements/solid/solid_list.hpp")
 # Pages that have their limits in the text, or describe what has none.
 WITHOUT_LIMITS = {"README.md", "energy.md", "hourglass.md", "thickness_integration.md", "time_integration.md"}
 

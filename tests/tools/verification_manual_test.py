@@ -76,7 +76,7 @@ class VerificationManualTest(unittest.TestCase):
 
     def test_contents_lead_to_every_heading(self):
         cases = []
-        for file in ("elements/erosion", "verification/erosion", "materials/solid_paths"):
+        for file in ("elements/shell/erosion", "verification/erosion", "materials/solid_paths"):
             noted = results("a | b | near | 1 | 1 | 0.1")
             noted["testsuites"][0]["testsuite"][0]["file"] = f"/somewhere/tests/{file}_test.cpp"
             cases += manual.cases_of(noted)

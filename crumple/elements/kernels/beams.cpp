@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/beam_chunk.hpp"
-#include "elements/beam_kernel_list.hpp"
-#include "elements/belytschko_schwer.hpp"
-#include "elements/truss.hpp"
+#include "elements/line/beam_chunk.hpp"
+#include "elements/line/beam_kernel_list.hpp"
+#include "elements/line/belytschko_schwer.hpp"
+#include "elements/line/truss.hpp"
 
 namespace crumple::elements {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/belytschko_tsay.hpp"
+#include "elements/shell/belytschko_tsay.hpp"
 
 #include "elements/kernel_definition.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/belytschko_wong_chiang.hpp"
+#include "elements/shell/belytschko_wong_chiang.hpp"
 
 #include "elements/kernel_definition.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/fully_integrated.hpp"
+#include "elements/shell/fully_integrated.hpp"
 
 #include "elements/kernel_definition.hpp"
 

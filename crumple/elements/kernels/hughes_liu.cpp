@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/hughes_liu.hpp"
+#include "elements/shell/hughes_liu.hpp"
 
 #include "elements/kernel_definition.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/one_point_hexahedron.hpp"
+#include "elements/solid/one_point_hexahedron.hpp"
 
 #include "elements/kernel_definition.hpp"
 

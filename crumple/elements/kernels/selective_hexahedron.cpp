@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/selective_hexahedron.hpp"
+#include "elements/solid/selective_hexahedron.hpp"
 
 #include "elements/kernel_definition.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/tetrahedron.hpp"
+#include "elements/solid/tetrahedron.hpp"
 
 #include "elements/kernel_definition.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "elements/triangle.hpp"
+#include "elements/shell/triangle.hpp"
 
 #include "elements/kernel_definition.hpp"
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// A formulation of beams is a type with
+//   static constexpr model::BeamFormulation formulation, const char* name
+//   static constexpr bool turns          its ends have moments
+//   static constexpr bool can_fail       it leaves the row `intact` and keeps its energy
+//   template <class Pack> static BeamForces<Pack> forces(const BeamPlace&)
+// forces() brings state, energy and stable step of a pack up to date. Always in double: see BeamBlock.
+
+#include "elements/common/lane_sums.hpp"
+#include "elements/line/beam_task.hpp"
+#include "math/pack_vec3.hpp"
+
+namespace crumple::elements {
+
+/// Rows of the scratch, [row][materials::tile_lanes].
+namespace beam_row {
+using sum_row::hourglass_energy;
+using sum_row::internal_energy;
+using sum_row::shortest_step;
+inline constexpr int intact = sum_row::count;
+inline constexpr int count = intact + 1;
+}  // namespace beam_row
+
+/// Where one pack of beams finds everything.
+struct BeamPlace {
+  const BeamTask& task;
+  const Index* node;  ///< [2][lanes], from the first element of the pack
+  double* state;      ///< [component][lanes]
+  double* rows;       ///< [row][tile_lanes]
+};
+
+/// Internal forces and moments at the two nodes, global axes.
+template <class Pack>
+struct BeamForces {
+  math::PackVec3<Pack> force;  ///< at the second node; at the first the opposite
+  math::PackVec3<Pack> moment[2];
+};
+
+template <class Pack>
+CRUMPLE_INLINE Pack beam_item(const BeamPlace& place, Index item) {
+  return load<Pack>(place.state + item * lanes);
+}
+template <class Pack>
+CRUMPLE_INLINE void set_beam_item(const BeamPlace& place, Index item, const Pack& value) {
+  store(place.state + item * lanes, value);
+}
+template <class Pack>
+CRUMPLE_INLINE math::PackVec3<Pack> beam_vector(const BeamPlace& place, Index item) {
+  return {beam_item<Pack>(place, item), beam_item<Pack>(place, item + 1), beam_item<Pack>(place, item + 2)};
+}
+template <class Pack>
+CRUMPLE_INLINE void set_beam_vector(const BeamPlace& place, Index item, const math::PackVec3<Pack>& value) {
+  set_beam_item(place, item, value.x);
+  set_beam_item(place, item + 1, value.y);
+  set_beam_item(place, item + 2, value.z);
+}
+template <class Pack>
+CRUMPLE_INLINE void keep_beam_row(const BeamPlace& place, int row, const Pack& value) {
+  store(place.rows + row * materials::tile_lanes, value);
+}
+
+/// One vector per lane: `vector_of(lane)` gives that of the lane.
+template <class Pack, class VectorOf>
+CRUMPLE_INLINE math::PackVec3<Pack> lane_vectors(const VectorOf& vector_of) {
+  constexpr int width = width_of<Pack>;
+  alignas(cache_line) double rows[3][width];
+  for (int lane = 0; lane < width; ++lane) {
+    const domain::Vec3 one = vector_of(lane);
+    rows[0][lane] = one.x;
+    rows[1][lane] = one.y;
+    rows[2][lane] = one.z;
+  }
+  return {load<Pack>(rows[0]), load<Pack>(rows[1]), load<Pack>(rows[2])};
+}
+
+/// From the first node to the second at time n.
+template <class Pack>
+CRUMPLE_INLINE math::PackVec3<Pack> beam_span(const BeamPlace& place) {
+  return lane_vectors<Pack>([&](int lane) {
+    return place.task.position[place.node[lanes + lane]] - place.task.position[place.node[lane]];
+  });
+}
+
+/// Stable step: that of time zero, shorter as the beam becomes shorter.
+template <class Pack>
+CRUMPLE_INLINE void keep_stable_step(const BeamPlace& place, const Pack& active, const Pack& length) {
+  const Pack one(1.0);
+  const Pack shorter = smaller(one, Pack(length / beam_item<Pack>(place, beam_state::reference_length)));
+  const Pack limit = beam_item<Pack>(place, beam_state::stable_step) * shorter;
+  keep_beam_row(place, beam_row::shortest_step, select<Pack>(active > Pack(0.0), limit, Pack(1e30)));
+}
+
+}  // namespace crumple::elements

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+
+#include "elements/line/beam_kernel_list.hpp"
+#include "elements/line/belytschko_schwer.hpp"
+#include "elements/line/truss.hpp"
+
+namespace crumple::elements {
+namespace {
+
+/// Visits every number in the order in which it is stored.
+template <class Constants, class Visit>
+void for_each_number(Constants& c, const Visit& visit) {
+  for (auto* number :
+       {&c.area, &c.youngs_modulus, &c.bending_s, &c.bending_t, &c.twisting, &c.shear_stiffness, &c.plastic,
+        &c.yield_stress, &c.isotropic, &c.kinematic, &c.rate, &c.rate_exponent, &c.failure_strain,
+        &c.plastic_force, &c.plastic_moment_s, &c.plastic_moment_t})
+    visit(*number);
+}
+
+}  // namespace
+
+std::vector<double> to_numbers(const BeamConstants& constants) {
+  std::vector<double> numbers;
+  for_each_number(constants, [&](double value) { numbers.push_back(value); });
+  return numbers;
+}
+
+BeamConstants beam_constants(const std::vector<double>& numbers) {
+  BeamConstants constants;
+  std::size_t next = 0;
+  for_each_number(constants, [&](double& value) { value = numbers[next++]; });
+  return constants;
+}
+
+BeamKernel beam_kernel(Isa isa, model::BeamFormulation formulation) {
+  switch (isa) {
+#if defined(CRUMPLE_FAST_KERNELS)
+    case Isa::Avx512:
+      return beam_formulation_kernel<Isa::Avx512>(formulation);
+    case Isa::Avx2:
+      return beam_formulation_kernel<Isa::Avx2>(formulation);
+#endif
+    case Isa::Scalar:
+      return beam_formulation_kernel<Isa::Scalar>(formulation);
+    default:
+      return beam_formulation_kernel<Isa::Baseline>(formulation);
+  }
+}
+
+const char* beam_name(model::BeamFormulation formulation) {
+  return formulation == model::BeamFormulation::Truss ? Truss::name : BelytschkoSchwer::name;
+}
+
+}  // namespace crumple::elements

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "domain/beam_block.hpp"
+#include "domain/node_fields.hpp"
+#include "elements/common/element_sums.hpp"
+
+namespace crumple::elements {
+
+/// Numbers of a block of beams that are the same for all its elements.
+struct BeamConstants {
+  double area = 0;              ///< [length^2]
+  double youngs_modulus = 0;    ///< E [stress]
+  double bending_s = 0;         ///< E I about s [force length^2]
+  double bending_t = 0;         ///< E I about t [force length^2]
+  double twisting = 0;          ///< G J [force length^2]
+  double shear_stiffness = 0;   ///< G times the shear area [force]; zero: no transverse shear
+  double plastic = 0;           ///< 1: the law has a yield stress
+  double yield_stress = 0;      ///< [stress]
+  double isotropic = 0;         ///< isotropic part of the plastic modulus [stress]
+  double kinematic = 0;         ///< kinematic part [stress]
+  double rate = 0;              ///< C of Cowper and Symonds [1/time]; 0: no effect
+  double rate_exponent = 1;     ///< 1/p of Cowper and Symonds [-]
+  double failure_strain = 0;    ///< plastic strain at failure [-]; 0: none
+  double plastic_force = 0;     ///< axial force at which the whole section yields [force]
+  double plastic_moment_s = 0;  ///< moment at which it does, about s [force length]
+  double plastic_moment_t = 0;  ///< about t [force length]
+};
+
+/// What every beam's state begins with; the formulation's items follow.
+namespace beam_state {
+inline constexpr Index active = 0;            ///< 1, or 0: no force, no energy, no limit on the step
+inline constexpr Index stable_step = 1;       ///< at the length of time zero, mass scaling included
+inline constexpr Index reference_length = 2;  ///< at time zero
+inline constexpr Index own = 3;
+}  // namespace beam_state
+
+/// Items of a truss.
+namespace truss_state {
+inline constexpr Index length = beam_state::own;  ///< at time n
+inline constexpr Index stress = length + 1;
+inline constexpr Index plastic_strain = stress + 1;
+inline constexpr Index back_stress = plastic_strain + 1;
+inline constexpr Index energy = back_stress + 1;  ///< internal energy of the element and a zero
+inline constexpr Index count = energy + 2;
+}  // namespace truss_state
+
+/// Items of a beam: see belytschko_schwer.hpp.
+namespace resultant_state {
+inline constexpr Index axes = beam_state::own;       ///< of first and second end: r and s of the end, global
+inline constexpr Index deformation = axes + 12;      ///< conjugate to `resultant`
+inline constexpr Index resultant = deformation + 6;  ///< axial force, torsion, moments about s, t at each end
+inline constexpr Index plastic =
+    resultant + 6;  ///< if the law is plastic: stretch, turns about s, t at each end
+}  // namespace resultant_state
+
+/// One chunk of one block.
+struct BeamTask {
+  const domain::Vec3* position = nullptr;          ///< x at time n
+  const domain::Vec3* angular_velocity = nullptr;  ///< omega at n - 1/2
+  domain::NodeForce* force = nullptr;
+  const Index* node = nullptr;    ///< of the first group
+  const Index* target = nullptr;  ///< of the first group
+  double* state = nullptr;        ///< of the first group
+  Index components = 0;
+  Index groups = 0;
+  double step = 0;  ///< from n-1 to n [time]
+  BeamConstants constants;
+};
+
+/// ElementBlock::element_constants and back.
+std::vector<double> to_numbers(const BeamConstants& constants);
+BeamConstants beam_constants(const std::vector<double>& numbers);
+
+}  // namespace crumple::elements

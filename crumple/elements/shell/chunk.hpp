@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "elements/common/erode.hpp"
+#include "elements/common/lane_sums.hpp"
+#include "elements/common/prefetch.hpp"
+#include "elements/shell/erosion.hpp"
+#include "elements/shell/formulation.hpp"
+
+// Every template here has the pack among its parameters: one of the number type alone would be the same
+// function for all instruction sets, and the linker would keep any of them.
+namespace crumple::elements {
+
+/// Arrays of one tile, on the stack of whoever works it off.
+template <class Real>
+struct TileScratch {
+  Real* strain;
+  Real* rows;
+  Real* area;
+  Real* nodes;
+};
+
+/// A loop over the packs of one tile.
+template <class Pack, class Visit>
+CRUMPLE_INLINE void for_each_pack(const ShellTask<RealOf<Pack>>& task, Index first_group, Index groups,
+                                  const TileScratch<RealOf<Pack>>& scratch, const Visit& visit) {
+  for (Index group = 0; group < groups; ++group)
+    for (Index lane = 0; lane < lanes; lane += width_of<Pack>) {
+      const std::ptrdiff_t at = first_group + group;
+      visit(ShellPlace<RealOf<Pack>>{task, task.node + at * 4 * lanes + lane,
+                                     task.state + at * static_cast<std::ptrdiff_t>(task.components) * lanes +
+                                         lane,
+                                     scratch.strain + group * lanes + lane,
+                                     scratch.rows + group * lanes + lane, scratch.area + group * lanes + lane,
+                                     scratch.nodes + (group * lanes + lane) * gather_row::count},
+            task.target + at * 4 * lanes + lane);
+    }
+}
+
+/// What is the same for every tile and plane of a chunk.
+template <class Formulation, class Pack>
+materials::MaterialTask<RealOf<Pack>> material_task(const ShellTask<RealOf<Pack>>& task) {
+  using Real = RealOf<Pack>;
+  materials::MaterialTask<Real> material;
+  material.group_stride = static_cast<std::ptrdiff_t>(task.components) * lanes;
+  material.points = task.constants.points;
+  material.all_points = task.constants.points * Formulation::planes;
+  material.history = task.constants.history;
+  material.weight = task.constants.weight;
+  material.constants = task.material_constants;
+  material.step = task.step;
+  return material;
+}
+
+/// Brings the points of a tile up to date, plane by plane.
+template <class Formulation, class Pack>
+void update_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<Pack>>& scratch,
+                   materials::MaterialTask<RealOf<Pack>>& material) {
+  const int points = task.constants.points;
+  for (int plane = 0; plane < Formulation::planes; ++plane) {
+    const auto row = [&](int first) { return scratch.rows + (first + plane) * tile_lanes; };
+    material.first_point = plane * points;
+    material.strain = scratch.strain + material.first_point * materials::components * tile_lanes;
+    material.area = Formulation::own_areas ? scratch.area + material.first_point * tile_lanes : nullptr;
+    material.energy = row(scratch_row::material_energy);
+    material.thickness_strain = row(scratch_row::thickness_strain);
+    // One-point shells alone have hourglass stresses that yield.
+    const bool one_point = Formulation::planes == 1 && !task.constants.viscous;
+    material.yield = one_point ? scratch.rows + scratch_row::yield * tile_lanes : nullptr;
+    material.intact = task.constants.can_fail ? row(scratch_row::intact) : nullptr;
+    task.material(material);
+  }
+}
+
+/// Works off one chunk, tile by tile: strains, material, forces.
+template <class Formulation, class Pack>
+void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
+  using Real = RealOf<Pack>;
+  using materials::tile_groups;
+  constexpr int most_points = Formulation::planes * materials::max_points;
+  alignas(cache_line) Real strain[most_points * materials::components * tile_lanes];
+  alignas(cache_line) Real rows[(scratch_row::own + Formulation::rows) * tile_lanes];
+  alignas(cache_line) Real area[Formulation::own_areas ? most_points * tile_lanes : tile_lanes];
+  alignas(cache_line) Real nodes[gather_row::count * tile_lanes];
+  const TileScratch<Real> scratch{strain, rows, area, nodes};
+  LaneSums<Pack> lane_sums;
+  sums = {};
+  sums.shortest_step = 1e30;
+  materials::MaterialTask<Real> material = material_task<Formulation, Pack>(task);
+  for (Index first = 0; first < task.groups; first += tile_groups) {
+    const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
+    const GroupsAhead<Pack> ahead(task, 4, first + tile_groups, tile_groups);
+    ahead.state();
+    // The whole tile first: what has just been written in small parts is slow to be read as one pack.
+    for_each_pack<Pack>(task, first, groups, scratch,
+                        [](const ShellPlace<Real>& place, const Index* /*target*/) {
+                          gather<Pack>(place.task.nodes, place.node, place.nodes);
+                          if (place.task.constants.can_fail) rest_failed<Pack>(place);
+                        });
+    ahead.nodes();
+    for_each_pack<Pack>(task, first, groups, scratch,
+                        [](const ShellPlace<Real>& place, const Index* /*target*/) {
+                          Formulation::template strains<Pack>(place);
+                        });
+    material.state = task.state + first * material.group_stride;
+    material.groups = groups;
+    update_points<Formulation, Pack>(task, scratch, material);
+    ahead.forces();
+    for_each_pack<Pack>(task, first, groups, scratch,
+                        [&](const ShellPlace<Real>& place, const Index* target) {
+                          scatter(task.force, target, Formulation::template forces<Pack>(place));
+                        });
+    for (Index group = 0; group < groups; ++group) {
+      lane_sums.add_group(rows + group * lanes);
+      if (task.constants.can_fail) {
+        Real* const own = material.state + group * material.group_stride + task.constants.own * lanes;
+        erode<Pack>(
+            {own + element_state::active * lanes, own + element_state::energy * lanes, rows + group * lanes,
+             rows + scratch_row::intact * tile_lanes + group * lanes, task.constants.planes},
+            sums);
+      }
+    }
+  }
+  lane_sums.add_to(sums);
+}
+
+}  // namespace crumple::elements

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "elements/solid/solid_setup.hpp"
+
+#include <algorithm>
+
+#include "elements/solid/selective_hexahedron.hpp"
+#include "elements/solid/tetrahedron_nodes.hpp"
+
+namespace crumple::elements {
+
+SolidPatterns<double> patterns_of(const std::array<math::Vec3, 8>& node) {
+  SolidSides<double> side{};
+  for (std::size_t k = 1; k < 8; ++k) {
+    const math::Vec3 d = node[k] - node[0];
+    side.of[k - 1] = {d.x, d.y, d.z};
+  }
+  return patterns_of_sides(side);
+}
+
+namespace {
+
+SolidSize tetrahedron_size(const std::array<math::Vec3, 8>& corner) {
+  ThreeVectors<double> side;
+  const std::size_t ends[3] = {1, 2, 4};
+  for (std::size_t s = 0; s < 3; ++s) {
+    const math::Vec3 d = corner[ends[s]] - corner[0];
+    side.of[s] = {d.x, d.y, d.z};
+  }
+  const ThreeVectors<double> area = areas_across(side);
+  const double six_volumes = math::dot(side.of[0], area.of[0]);
+  return {six_volumes / 6, tetrahedron_length(area, six_volumes)};
+}
+
+double least_jacobian(const SolidPatterns<double>& x) {
+  double least = 1e300;
+  for_each_point<double>([&](int /*point*/, double xi, double eta, double zeta) {
+    least = std::min(least, geometry_at(tangents_at(x, xi, eta, zeta)).jacobian);
+  });
+  return least;
+}
+
+}  // namespace
+
+SolidSize solid_size(const domain::Domain& domain, const domain::SolidBlock& block, Index place,
+                     const SolidConstants<double>& constants) {
+  const std::array<Index, 8> node = block.nodes_of(place);
+  std::array<math::Vec3, 8> corner;
+  for (std::size_t k = 0; k < 8; ++k) corner[k] = domain.nodes.position[node[k]];
+  if (block.corners == 4) return tetrahedron_size(corner);
+  const SolidPatterns<double> x = patterns_of(corner);
+  const SolidGeometry<double> geometry = solid_geometry(x, constants.exact_volume);
+  const double volume = geometry.volume;
+  double share = constants.shear_share;
+  if (constants.present_wave_speed > 0) {
+    const double speed = block.state(place, constants.present_wave_speed);
+    if (speed > 0)
+      share = std::min(1.0, share * constants.wave_speed * constants.wave_speed / (speed * speed));
+  }
+  const double length = std::min(volume / square_root(largest_face_squared(x)),
+                                 free_length(geometry, patterns_of_gradient(constants.exact_volume), share));
+  if (block.formulation == model::SolidFormulation::SelectiveHexahedron)
+    if (const double least = least_jacobian(x); !(least > 0)) return {least, length};
+  return {volume, length};
+}
+
+}  // namespace crumple::elements
