@@ -10,9 +10,9 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "compare/channel_filter.hpp"
-#include "compare/quantity_names.hpp"
-#include "compare/resample.hpp"
+#include "compare/curves/quantity_names.hpp"
+#include "compare/measures/channel_filter.hpp"
+#include "compare/measures/resample.hpp"
 #include "compare/scatter_bands.hpp"
 
 namespace crumple::compare {

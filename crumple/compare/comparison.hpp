@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "compare/curve.hpp"
-#include "compare/iso_rating.hpp"
-#include "compare/sprague_geers.hpp"
+#include "compare/curves/curve.hpp"
+#include "compare/measures/iso_rating.hpp"
+#include "compare/measures/sprague_geers.hpp"
 
 namespace crumple::compare {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "compare/comparison.hpp"
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

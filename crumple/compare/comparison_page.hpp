@@ -6,7 +6,7 @@
 #include <string>
 
 #include "compare/comparison.hpp"
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "compare/ascii_reader.hpp"
-#include "compare/binout_reader.hpp"
-#include "compare/csv_reader.hpp"
-#include "compare/quantity_names.hpp"
+#include "compare/curves/quantity_names.hpp"
+#include "compare/readers/ascii_reader.hpp"
+#include "compare/readers/binout_reader.hpp"
+#include "compare/readers/csv_reader.hpp"
 #include "compare/scatter_bands.hpp"
 #include "report/scatter_folder.hpp"
 #include "report/text_file.hpp"

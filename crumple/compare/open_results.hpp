@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

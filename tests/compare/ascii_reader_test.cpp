@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/ascii_reader.hpp"
+#include "compare/readers/ascii_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/channel_filter.hpp"
+#include "compare/measures/channel_filter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/csv_reader.hpp"
+#include "compare/readers/csv_reader.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "compare/quantity_names.hpp"
+#include "compare/curves/quantity_names.hpp"
 #include "curve_lookup.hpp"
 
 namespace crumple::compare::csv_reader_test {

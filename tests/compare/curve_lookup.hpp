@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/iso_rating.hpp"
+#include "compare/measures/iso_rating.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/number_scanner.hpp"
+#include "compare/readers/number_scanner.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/resample.hpp"
+#include "compare/measures/resample.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compare/scatter_bands.hpp"
 #include "compare/comparison.hpp"
-#include "compare/quantity_names.hpp"
+#include "compare/curves/quantity_names.hpp"
 
 #include <gtest/gtest.h>
 

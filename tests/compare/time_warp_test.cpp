@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/time_warp.hpp"
+#include "compare/measures/time_warp.hpp"
 
 #include <gtest/gtest.h>
 

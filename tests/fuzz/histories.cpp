@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "compare/ascii_reader.hpp"
-#include "compare/binout_reader.hpp"
-#include "compare/csv_reader.hpp"
+#include "compare/readers/ascii_reader.hpp"
+#include "compare/readers/binout_reader.hpp"
+#include "compare/readers/csv_reader.hpp"
 
 namespace {
 

@@ -12,7 +12,7 @@ export interface History {
   rows: number;
 }
 
-/** What bands and `crumple compare` call a column (name_of in crumple/compare/curve.hpp): `rwforc.normal[3]`. */
+/** What bands and `crumple compare` call a column (name_of in crumple/compare/curves/curve.hpp): `rwforc.normal[3]`. */
 export function curveName(history: History, quantity: string): string {
   const item = history.item === "" ? "" : `[${history.item}]`;
   return `${history.group}.${quantity}${item}`;

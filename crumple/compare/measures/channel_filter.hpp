@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

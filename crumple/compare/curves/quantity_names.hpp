@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

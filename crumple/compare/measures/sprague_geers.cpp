@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/sprague_geers.hpp"
+#include "compare/measures/sprague_geers.hpp"
 
 #include <algorithm>
 #include <cmath>

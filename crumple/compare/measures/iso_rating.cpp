@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/iso_rating.hpp"
+#include "compare/measures/iso_rating.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "compare/time_warp.hpp"
+#include "compare/measures/time_warp.hpp"
 
 namespace crumple::compare {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/curve_collector.hpp"
+#include "compare/readers/curve_collector.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/ascii_reader.hpp"
+#include "compare/readers/ascii_reader.hpp"
 
 #include <array>
 #include <cctype>
@@ -11,9 +11,9 @@
 #include <set>
 #include <string>
 
-#include "compare/curve_collector.hpp"
-#include "compare/number_scanner.hpp"
-#include "compare/quantity_names.hpp"
+#include "compare/curves/quantity_names.hpp"
+#include "compare/readers/curve_collector.hpp"
+#include "compare/readers/number_scanner.hpp"
 
 namespace crumple::compare {
 

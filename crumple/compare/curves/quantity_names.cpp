@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/quantity_names.hpp"
+#include "compare/curves/quantity_names.hpp"
 
 #include <algorithm>
 #include <array>

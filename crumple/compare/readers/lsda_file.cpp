@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/lsda_file.hpp"
+#include "compare/readers/lsda_file.hpp"
 
 #include <array>
 #include <bit>

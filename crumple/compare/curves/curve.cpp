@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 #include <algorithm>
 #include <cmath>

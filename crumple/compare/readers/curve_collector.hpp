@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/channel_filter.hpp"
+#include "compare/measures/channel_filter.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "compare/resample.hpp"
+#include "compare/measures/resample.hpp"
 
 namespace crumple::compare {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/curve.hpp"
-#include "compare/lsda_file.hpp"
+#include "compare/curves/curve.hpp"
+#include "compare/readers/lsda_file.hpp"
 
 namespace crumple::compare {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/csv_reader.hpp"
+#include "compare/readers/csv_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "compare/curve_collector.hpp"
-#include "compare/number_scanner.hpp"
+#include "compare/readers/curve_collector.hpp"
+#include "compare/readers/number_scanner.hpp"
 
 namespace crumple::compare {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "compare/curve.hpp"
+#include "compare/curves/curve.hpp"
 
 namespace crumple::compare {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "compare/binout_reader.hpp"
+#include "compare/readers/binout_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <string_view>
 #include <tuple>
 
-#include "compare/curve_collector.hpp"
-#include "compare/quantity_names.hpp"
+#include "compare/curves/quantity_names.hpp"
+#include "compare/readers/curve_collector.hpp"
 
 namespace crumple::compare {
 
