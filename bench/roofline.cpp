@@ -12,7 +12,7 @@
 #include <ctime>
 #include <vector>
 
-#include "app/shell_benchmark.hpp"
+#include "app/measurement/shell_benchmark.hpp"
 #include "counting_pack.hpp"
 #include "elements/kernel_list.hpp"
 #include "elements/shell/chunk.hpp"

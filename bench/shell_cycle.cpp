@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "app/shell_benchmark.hpp"
+#include "app/measurement/shell_benchmark.hpp"
 
 namespace {
 

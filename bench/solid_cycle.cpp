@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/solid_benchmark.hpp"
+#include "app/measurement/solid_benchmark.hpp"
 
 namespace {
 

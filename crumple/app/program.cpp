@@ -4,15 +4,15 @@
 #include <exception>
 #include <ostream>
 
-#include "app/bench_command.hpp"
-#include "app/check_command.hpp"
-#include "app/command_line.hpp"
-#include "app/compare_command.hpp"
-#include "app/keywords_command.hpp"
-#include "app/print.hpp"
-#include "app/report_command.hpp"
-#include "app/run_command.hpp"
-#include "app/scatter_command.hpp"
+#include "app/arguments/command_line.hpp"
+#include "app/commands/bench_command.hpp"
+#include "app/commands/check_command.hpp"
+#include "app/commands/compare_command.hpp"
+#include "app/commands/keywords_command.hpp"
+#include "app/commands/report_command.hpp"
+#include "app/commands/run_command.hpp"
+#include "app/commands/scatter_command.hpp"
+#include "app/console/print.hpp"
 
 namespace crumple::app {
 

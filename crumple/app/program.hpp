@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/console.hpp"
-#include "app/exit_code.hpp"
+#include "app/console/console.hpp"
+#include "app/console/exit_code.hpp"
 
 namespace crumple::app {
 

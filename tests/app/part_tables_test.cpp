@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/part_tables.hpp"
+#include "app/preparation/part_tables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/preparation.hpp"
+#include "app/preparation/preparation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/bounding_box.hpp"
-#include "app/perturbation.hpp"
+#include "app/preparation/bounding_box.hpp"
+#include "app/preparation/perturbation.hpp"
 #include "base/error.hpp"
 #include "support/larger.hpp"
 #include "support/meshes.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/report_pictures.hpp"
+#include "app/commands/report_pictures.hpp"
 
 #include <gtest/gtest.h>
 

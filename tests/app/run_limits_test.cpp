@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/run_limits.hpp"
+#include "app/session/run_limits.hpp"
 
 #include <gtest/gtest.h>
 

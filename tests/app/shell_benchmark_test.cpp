@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/shell_benchmark.hpp"
+#include "app/measurement/shell_benchmark.hpp"
 
 #include <gtest/gtest.h>
 

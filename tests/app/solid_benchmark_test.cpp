@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/solid_benchmark.hpp"
+#include "app/measurement/solid_benchmark.hpp"
 
 #include <gtest/gtest.h>
 

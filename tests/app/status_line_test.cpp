@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/status_line.hpp"
+#include "app/session/status_line.hpp"
 
 #include <gtest/gtest.h>
 

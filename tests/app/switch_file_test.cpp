@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/switch_file.hpp"
+#include "app/session/switch_file.hpp"
 
 #include <fstream>
 

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/preparation/model_summary.hpp"
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/console/print.hpp"
+#include "app/preparation/bounding_box.hpp"
+#include "app/preparation/part_tables.hpp"
+#include "base/counted.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+std::string describe(const model::ContactSide& side) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + counted(count, what);
+  };
+  add(side.parts.size(), "part");
+  add(side.shells.size(), "shell");
+  add(side.segments.size(), "segment");
+  add(side.nodes.size(), "node");
+  return text;
+}
+
+std::string describe(const model::Contact& contact) {
+  if (contact.kind == model::ContactKind::SingleSurface)
+    return "single surface, " + describe(contact.side[0]);
+  const bool nodes = contact.kind == model::ContactKind::NodesToSurface;
+  return fmt::format("{}{}, {} to {}", nodes ? "nodes to surface" : "surface to surface",
+                     contact.oriented ? " with an outside" : "", describe(contact.side[0]),
+                     describe(contact.side[1]));
+}
+
+double lumped_mass(const model::Model& model) {
+  double sum = 0;
+  for (const model::LumpedMass& mass : model.lumped_masses) sum += mass.mass;
+  return sum;
+}
+
+const char* name_of(model::WallShape shape) {
+  switch (shape) {
+    case model::WallShape::Flat:
+      return "rectangle";
+    case model::WallShape::Prism:
+      return "prism";
+    case model::WallShape::Cylinder:
+      return "cylinder";
+    case model::WallShape::Sphere:
+      return "sphere";
+    default:
+      return "plane";
+  }
+}
+
+std::string describe_motion(const model::RigidWall& wall) {
+  if (wall.mass > 0) return fmt::format(", mass {:g}, velocity {:g}", wall.mass, wall.initial_velocity);
+  return wall.motion.curve == no_index ? "" : ", moves";
+}
+
+/// Directions that are held, as "xyz/yz": along the axes and about them.
+std::string held_words(const domain::RigidBody& body) {
+  const auto axes = [](const std::array<bool, 3>& held) {
+    std::string words;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (held[axis]) words += "xyz"[axis];
+    return words.empty() ? "-" : words;
+  };
+  return axes(body.fixed_translation) + "/" + axes(body.fixed_rotation);
+}
+
+/// The bodies of the model, which stand before those of welds.
+void print_rigid_bodies(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
+  constexpr std::size_t rows = 20;
+  const auto& bodies = domain.rigid_bodies;
+  const std::size_t count = model.rigid_bodies.size();
+  if (count == 0) return;
+  print(out, "  {:>10} {:>8} {:>11}  {:<35} {:<35} held\n", "rigid body", "nodes", "mass", "centre of mass",
+        "principal moments of inertia");
+  const auto three = [](const math::Vec3& v) { return fmt::format("{:.4g} {:.4g} {:.4g}", v.x, v.y, v.z); };
+  for (std::size_t b = 0; b < std::min(rows, count); ++b)
+    print(out, "  {:>10} {:>8} {:>11.4g}  {:<35} {:<35} {}\n", bodies[b].id, bodies[b].nodes.size(),
+          bodies[b].mass, three(bodies[b].centre), three(bodies[b].principal_inertia), held_words(bodies[b]));
+  if (count > rows) print(out, "  ... and {} more\n", count - rows);
+}
+
+/// Nodes that were meant to be tied and are too far away, furthest first.
+void print_untied(std::ostream& out, const domain::Tie& tie) {
+  constexpr std::size_t shown = 5;
+  if (tie.tied_elsewhere > 0)
+    print(out, "    WARNING: {} tied by an earlier contact already, left out here\n",
+          tie.tied_elsewhere == 1 ? "1 node is" : fmt::format("{} nodes are", tie.tied_elsewhere));
+  if (tie.untied.empty()) return;
+  print(out, "    WARNING: {} not tied, too far away:",
+        tie.untied.size() == 1 ? "1 node is" : fmt::format("{} nodes are", tie.untied.size()));
+  for (std::size_t i = 0; i < std::min(shown, tie.untied.size()); ++i)
+    print(out, "{} {} by {:.4g}", i == 0 ? "" : ",", tie.untied[i].node, tie.untied[i].distance);
+  print(out, "{}\n", tie.untied.size() > shown ? ", ..." : "");
+}
+
+/// Nodes that the contact would turn with segments that do not turn.
+void print_hinges(std::ostream& out, const domain::Domain& domain, const domain::Tie& tie) {
+  const auto hinged = [&](const domain::TiedNode& tied) {
+    for (std::size_t k = 0; k < 4; ++k)
+      if (tied.weight[k] != 0 && !(domain.nodes.inertia[tied.corner[k]] > 0))
+        return domain.nodes.inertia[tied.node] > 0;
+    return false;
+  };
+  const auto count = std::count_if(tie.nodes.begin(), tie.nodes.end(), hinged);
+  if (count > 0)
+    print(out, "    WARNING: {} free to turn: the segments, of solids, have no rotations\n",
+          count == 1 ? "1 node is" : fmt::format("{} nodes are", count));
+}
+
+void print_ties(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
+  for (std::size_t i = 0; i < domain.ties.size(); ++i) {
+    const domain::Tie& tie = domain.ties[i];
+    const bool constraint = tie.method == model::TieMethod::Constraint;
+    print(out, "  tied contact {:<8} by {}, {} to {}", tie.id, constraint ? "constraint" : "penalty",
+          counted(tie.nodes.size(), "node"), counted(tie.segments, "segment"));
+    if (tie.largest_move > 0)
+      print(out, ", moved by up to {:.4g} (node {})", tie.largest_move, tie.moved_node);
+    print(out, "\n");
+    print_untied(out, tie);
+    if (model.tied_contacts[i].ties_rotations) print_hinges(out, domain, tie);
+  }
+}
+
+void print_conditions(std::ostream& out, const model::Model& model) {
+  print(out, "  nodes held            {}\n", model.fixed_nodes.size());
+  print(out, "  initial velocities    {}\n", model.initial_velocities.size());
+  if (!model.nodal_loads.empty()) print(out, "  nodal loads           {}\n", model.nodal_loads.size());
+  if (!model.pressure_loads.empty()) print(out, "  pressure loads        {}\n", model.pressure_loads.size());
+  if (!model.body_loads.empty()) print(out, "  body loads            {}\n", model.body_loads.size());
+  if (!model.rigid_body_loads.empty())
+    print(out, "  loads on rigid bodies {}\n", model.rigid_body_loads.size());
+  if (!model.prescribed_motions.empty())
+    print(out, "  prescribed motions    {}\n", model.prescribed_motions.size());
+  if (!model.spot_welds.empty()) print(out, "  spot welds            {}\n", model.spot_welds.size());
+  if (!model.rivets.empty()) print(out, "  rivets                {}\n", model.rivets.size());
+  if (!model.constrained_node_sets.empty())
+    print(out, "  constrained sets      {}\n", model.constrained_node_sets.size());
+  for (const model::RigidWall& wall : model.rigid_walls)
+    print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
+          describe_motion(wall), counted(wall.nodes.size(), "node"), wall.friction);
+  for (const model::Contact& contact : model.contacts)
+    print(out, "  contact {:<13} {}, friction {:g}/{:g}\n", contact.id, describe(contact),
+          contact.static_friction, contact.dynamic_friction);
+  for (const model::ForceTransducer& transducer : model.force_transducers)
+    print(out, "  transducer {:<10} {}{}\n", transducer.id, describe(transducer.side[0]),
+          transducer.side[1].empty() ? "" : ", from " + describe(transducer.side[1]));
+  if (model.contacts.empty()) print(out, "  contact               none\n");
+}
+
+}  // namespace
+
+void print_reading(std::ostream& out, const deck::ReadResult& deck) {
+  for (const auto& file : deck.files) print(out, "Read {}\n", file.string());
+  if (!deck.unit_system.empty()) print(out, "Units seem to be {}\n", deck.unit_system);
+  for (const deck::IgnoredKeyword& keyword : deck.ignored_keywords)
+    print(out, "{} {} ({}, first at {}:{})\n",
+          keyword.changes_physics ? "LEFT OUT, although it changes the result:" : "Ignored:", keyword.keyword,
+          counted(keyword.count, "time"), keyword.file, keyword.line);
+}
+
+void print_model(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
+  const auto triangles =
+      std::count_if(model.shells.begin(), model.shells.end(),
+                    [](const model::ShellElement& shell) { return shell.node[2] == shell.node[3]; });
+  double mass = 0;
+  for (const double nodal : domain.nodes.mass) mass += nodal;
+  const BoundingBox box = bounding_box(model);
+  if (!model.title.empty()) print(out, "\n{}\n", model.title);
+  print(out, "\nModel\n");
+  print(out, "  nodes                 {}\n", model.nodes.count());
+  print(out, "  shells                {} ({} of them {})\n", model.shells.size(), triangles,
+        triangles == 1 ? "a triangle" : "triangles");
+  if (!model.solids.empty()) print(out, "  solids                {}\n", model.solids.size());
+  if (!model.beams.empty()) print(out, "  beams                 {}\n", model.beams.size());
+  if (!model.discretes.empty()) print(out, "  discrete elements     {}\n", model.discretes.size());
+  print(out, "  mass                  {:.6g}, of it lumped {:.6g} at {}, added {:.4g}\n", mass,
+        lumped_mass(model), counted(model.lumped_masses.size(), "node"), domain.added_mass);
+  print(out, "  box                   x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n",
+        box.lowest[0], box.highest[0], box.lowest[1], box.highest[1], box.lowest[2], box.highest[2]);
+  print_conditions(out, model);
+  print_ties(out, model, domain);
+  print_parts(out, model, domain);
+  print_rigid_bodies(out, model, domain);
+}
+
+}  // namespace crumple::app

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/session/run_session.hpp"
+
+#include <sys/resource.h>
+
+#include <numeric>
+#include <ostream>
+
+#include "app/console/print.hpp"
+#include "app/preparation/model_summary.hpp"
+#include "app/preparation/preparation.hpp"
+#include "app/session/live_pages.hpp"
+#include "app/session/run_limits.hpp"
+#include "app/session/run_summary.hpp"
+#include "base/error.hpp"
+#include "deck/build/units.hpp"
+#include "elements/elements.hpp"
+#include "output/earlier_results.hpp"
+#include "output/files/atomic_file.hpp"
+#include "output/files/set_aside.hpp"
+#include "output/files/write_error.hpp"
+#include "output/run_record.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+/// Cycles between looks for runaway nodes, a pass over all nodes.
+constexpr long peak_cycles = 64;
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+bool lies_in(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  std::error_code fault;
+  const std::filesystem::path parent = file.has_parent_path() ? file.parent_path() : ".";
+  return std::filesystem::equivalent(parent, folder, fault) && !fault;
+}
+
+bool positions_are_finite(const domain::NodeFields& nodes) {
+  for (const math::Vec3& x : nodes.position)
+    if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::filesystem::path result_folder(const Options& options) {
+  if (!options.folder.empty()) return options.folder;
+  std::filesystem::path folder = options.deck.stem();
+  return folder += ".out";
+}
+
+RunSession::RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
+                       const Stopwatch& wall, const Restart* restart, live::StatusBoard* board)
+    : options_(options),
+      deck_(deck),
+      console_(console),
+      wall_(wall),
+      board_(board),
+      folder_(result_folder(options)),
+      simulation_(*deck.model, choose_execution(options, *deck.model)),
+      switches_({std::filesystem::path("."), folder_}) {
+  simulation_.verify_search_every(options.verify_search);
+  if (options.d3plot) simulation_.keep_accelerations();
+  if (options.trace_energy > 0) simulation_.trace_energy();
+  if (options.allow_negative_contact_energy) simulation_.allow_negative_contact_energy();
+  if (restart == nullptr)
+    begin();
+  else
+    take_up(*restart);
+  const domain::Domain& domain = simulation_.domain();
+  if (!options.quiet) {
+    print_model(console.out, *deck.model, domain);
+    print_run_settings(console.out, simulation_, folder_);
+  }
+  restart_settings_.options = options;
+  restart_settings_.texts = deck.texts;
+  // Other instruction sets round otherwise.
+  restart_settings_.options.isa = std::string(isa_name(domain.execution.isa));
+  output::make_folder(folder_);
+  open_files(restart);
+  restart_writer_ = std::make_unique<RestartWriter>(folder_ / restart_folder, deck.model->output.restart,
+                                                    options.restart_every, domain.clock);
+  if (restart != nullptr && lies_in(restart->file, folder_ / restart_folder))
+    restart_writer_->goes_on_from(restart->file, domain.clock);
+  monitor_ = std::make_unique<Monitor>(simulation_, console, options.quiet, loop_seconds_);
+  if (board_ != nullptr)
+    monitor_->tell([this](const Progress& progress) {
+      board_->post(live_status(simulation_.domain(), progress, recorder_->frames()));
+    });
+}
+
+void RunSession::begin() {
+  simulation_.start();
+  first_step_ = simulation_.next_step();
+  const domain::Domain& domain = simulation_.domain();
+  total_mass_ = std::accumulate(domain.nodes.mass.begin(), domain.nodes.mass.end(), 0.0) - domain.added_mass;
+}
+
+void RunSession::take_up(const Restart& restart) {
+  restart.content.simulation.put_back(simulation_.state());
+  simulation_.resume();
+  restart.content.files.put_back_known(own_state());
+  warnings_ = restart.settings.warnings;
+  if (options_.quiet) return;
+  print(console_.out, "Taken up from {}: cycle {}, time {:.6g}\n", restart.file.string(),
+        simulation_.domain().clock.cycle, simulation_.domain().clock.time);
+}
+
+/// A run that is taken up goes on in the files of its folder, and begins new ones in another.
+void RunSession::open_files(const Restart* restart) {
+  const bool goes_on = restart != nullptr && lies_in(restart->file, folder_ / restart_folder);
+  output::ExtraFiles extra{.d3plot = options_.d3plot};
+  if (goes_on) extra.opening = output::Opening::Continued;
+  // Whoever finds run.json knows that it belongs to the results beside it.
+  if (goes_on) {
+    output::remove_ending(folder_);
+    set_restart_files_aside(folder_, *restart);
+  } else {
+    output::remove_earlier_results(folder_);
+    remove_restart_files(folder_);
+  }
+  recorder_ = std::make_unique<output::Recorder>(folder_, restart_settings_.options.deck.stem().string(),
+                                                 view(), extra);
+  if (!goes_on) return;
+  domain::StateList list;
+  recorder_->declare(list);
+  restart->content.files.put_back_known(list);
+  for (std::string& note : output::set_short_files_aside(folder_, list)) warn(std::move(note));
+  for (std::string& note : recorder_->resume(simulation_.domain().clock)) warn(std::move(note));
+}
+
+void RunSession::warn(std::string text) {
+  print(console_.err, "warning: {}\n", text);
+  warnings_.push_back(std::move(text));
+}
+
+/// What the session remembers of the run so far, beside the simulation.
+domain::StateList RunSession::own_state() {
+  domain::StateList list;
+  peaks_.declare(list);
+  list.keep("first_step", "time", domain::Entity::Run, first_step_);
+  list.keep("total_mass", "mass", domain::Entity::Run, total_mass_);
+  list.keep("loop_seconds", "s", domain::Entity::Run, loop_seconds_);
+  simulation_.declare_reports(list);
+  return list;
+}
+
+void RunSession::write_restart(RestartKind kind) {
+  loop_seconds_ = monitor_->seconds();
+  restart_settings_.warnings = warnings_;
+  domain::StateList files = own_state();
+  recorder_->declare(files);
+  const domain::StateList state = simulation_.state();
+  const RestartSource source{state, files, restart_settings_};
+  restart_writer_->write(kind, simulation_.domain().clock, source);
+}
+
+/// What ends before its time can be taken up again; what ends in time too, if there are restart files at all.
+void RunSession::save_for_restart(Ending& ending) {
+  const bool wanted = ending.code == ExitCode::Normal && restart_writer_->wanted();
+  if (!wanted && ending.termination != "interrupted") return;
+  try {
+    const StageTimer timer(simulation_.domain().times.output);
+    write_restart(RestartKind::Newest);
+  } catch (const output::WriteError& fault) {
+    ending = {"error", fault.what(), ExitCode::Output};
+  }
+}
+
+output::View RunSession::view() const {
+  output::View view{simulation_.model(), simulation_.domain(), simulation_.next_step()};
+  view.controlling = [this] {
+    return elements::controlling_element(simulation_.model(), simulation_.domain());
+  };
+  if (options_.trace_energy > 0) view.energy_trace = [this] { return simulation_.energy_trace(); };
+  view.contact_node_forces = [this] { return simulation_.contact_node_forces(); };
+  view.sections = simulation_.sections();
+  return view;
+}
+
+void RunSession::observe() {
+  {
+    const StageTimer timer(simulation_.domain().times.output);
+    peaks_.observe(simulation_.domain().energy);
+    if (simulation_.domain().clock.cycle % peak_cycles == 0) peaks_.observe(view());
+    recorder_->write_due(view());
+    if (restart_writer_->due(simulation_.domain().clock)) write_restart(RestartKind::Due);
+  }
+  good_state_.observe(simulation_);
+  monitor_->observe();
+}
+
+std::optional<Ending> RunSession::asked_to_stop() {
+  if (const int signal = signals_.received(); signal != 0)
+    return Ending{"interrupted", signal == SIGINT ? "Ctrl-C (SIGINT)." : "SIGTERM.",
+                  signal == SIGINT ? ExitCode::Interrupt : ExitCode::Terminate};
+  const std::optional<Switch> thrown = signals_.asked_for_restart() ? Switch::Restart : switches_.poll();
+  if (!thrown) return std::nullopt;
+  monitor_->clear_bar();
+  switch (*thrown) {
+    case Switch::Stop:
+      return Ending{"interrupted", "sw1 in d3kil.", ExitCode::Stopped};
+    case Switch::Status:
+      monitor_->print_line();
+      break;
+    case Switch::Restart:
+      write_restart(RestartKind::Newest);
+      print(console_.out, "Restart file {}\n", restart_writer_->newest().string());
+      break;
+    case Switch::Frame:
+      recorder_->write_frame(view());
+      break;
+    case Switch::Unknown:
+      print(console_.err, "note: d3kil holds none of sw1, sw2, sw3, sw4; the run goes on.\n");
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<Ending> RunSession::limit_passed() const {
+  const auto reason = passed_limit(simulation_.model().control, simulation_.domain(), simulation_.next_step(),
+                                   {first_step_, total_mass_});
+  if (!reason) return std::nullopt;
+  return Ending{"error", *reason, ExitCode::Numerical};
+}
+
+Ending RunSession::follow() {
+  for (;;) {
+    observe();
+    if (simulation_.finished()) return {"normal", "termination time reached", ExitCode::Normal};
+    if (const auto ending = asked_to_stop()) return *ending;
+    if (const auto ending = limit_passed()) return *ending;
+    simulation_.step();
+  }
+}
+
+/// The loop, with everything that can end it turned into an ending.
+Ending RunSession::follow_guarded() {
+  try {
+    return follow();
+  } catch (const output::WriteError& fault) {
+    return {"error", fault.what(), ExitCode::Output};
+  } catch (const Error& fault) {
+    return gone_wrong(fault.what());
+  }
+}
+
+/// Goes back to the last state before the error, for the frames and histories, and for whoever wants to look
+/// at the step that failed.
+Ending RunSession::gone_wrong(const std::string& reason) {
+  Ending ending{"error", reason, ExitCode::Numerical};
+  if (!good_state_.return_before(simulation_.domain().clock.cycle, simulation_)) return ending;
+  ending.reason += fmt::format(" The last state before it, of cycle {}, is the last frame.",
+                               simulation_.domain().clock.cycle);
+  try {
+    write_restart(RestartKind::LastGood);
+  } catch (const output::WriteError& fault) {
+    return {"error", reason + " " + fault.what(), ExitCode::Output};
+  }
+  return ending;
+}
+
+void RunSession::write_record(const Ending& ending) {
+  output::RunRecord record;
+  record.version = program_version();
+  record.deck = restart_settings_.options.deck.string();
+  record.deck_hash = deck_.text_hash;
+  record.perturbation = restart_settings_.options.perturbation;
+  record.seed = restart_settings_.options.seed;
+  record.units = deck::guess_units(simulation_.model());
+  record.termination = ending.termination;
+  record.reason = ending.reason;
+  record.wall_seconds = wall_.seconds();
+  record.loop_seconds = loop_seconds_;
+  record.peak_memory_bytes = peak_memory_bytes();
+  record.state_hash = simulation_.state_hash();
+  record.checks = output::acceptance_checks(view(), peaks_);
+  record.warnings = warnings_;
+  for (const auto& file : written_files()) record.files.push_back(file.lexically_relative(folder_));
+  output::write_run_record(folder_, record, view());
+}
+
+std::vector<std::filesystem::path> RunSession::written_files() const {
+  std::vector<std::filesystem::path> files = recorder_->files();
+  for (std::filesystem::path& file : restart_writer_->files()) files.push_back(std::move(file));
+  return files;
+}
+
+/// Writes what is still to be written. If that fails where all else went well, the ending becomes an error.
+void RunSession::finish(Ending& ending) {
+  try {
+    {
+      const StageTimer timer(simulation_.domain().times.output);
+      if (positions_are_finite(simulation_.domain().nodes)) simulation_.inspect_contacts();
+      // After a numerical error the frames before are the last good state, unless the nodes still are
+      // somewhere.
+      if (positions_are_finite(simulation_.domain().nodes) && ending.code != ExitCode::Output)
+        recorder_->write_last(view());
+    }
+    // What is written last is output of the run, too.
+    loop_seconds_ = monitor_->seconds();
+    write_record(ending);
+  } catch (const output::WriteError& fault) {
+    if (ending.code != ExitCode::Output) ending = {"error", fault.what(), ExitCode::Output};
+  }
+}
+
+ExitCode RunSession::run() {
+  Ending ending = follow_guarded();
+  loop_seconds_ = monitor_->seconds();
+  save_for_restart(ending);
+  monitor_->clear_bar();
+  if (!options_.quiet && ending.code != ExitCode::Output) monitor_->print_last_line();
+  for (const deck::Diagnostic& diagnostic : deck_.diagnostics)
+    if (diagnostic.severity == deck::Severity::Warning) warnings_.push_back(deck::to_string(diagnostic));
+  peaks_.observe(view());
+  for (std::string& warning : output::energy_warnings(view(), peaks_)) warn(std::move(warning));
+  finish(ending);
+  if (board_ != nullptr) {
+    board_->post(live_status(simulation_.domain(), monitor_->progress(), recorder_->frames()));
+    board_->end(ending.termination);
+  }
+  if (!options_.quiet) {
+    print_summary(console_.out, view(), loop_seconds_);
+    print_checks(console_.out, output::acceptance_checks(view(), peaks_));
+    print_files(console_.out, folder_, written_files());
+  }
+  if (ending.code == ExitCode::Normal)
+    print(console_.out, "\n *** termination time reached ***\n");
+  else
+    print(console_.err, "\ncrumple: {}: {}\n", ending.termination, ending.reason);
+  return ending.code;
+}
+
+}  // namespace crumple::app

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/arguments/command_line.hpp"
+#include "app/console/console.hpp"
+#include "app/console/exit_code.hpp"
+#include "app/session/good_state.hpp"
+#include "app/session/monitor.hpp"
+#include "app/session/restart_settings.hpp"
+#include "app/session/restart_writer.hpp"
+#include "app/session/stop_signals.hpp"
+#include "app/session/switch_file.hpp"
+#include "base/stopwatch.hpp"
+#include "deck/reader.hpp"
+#include "live/run_status.hpp"
+#include "output/checks.hpp"
+#include "output/recorder.hpp"
+#include "timeloop/simulation.hpp"
+
+namespace crumple::app {
+
+/// Folder of the results: as asked for, else the deck's name with ".out", in the working folder.
+std::filesystem::path result_folder(const Options& options);
+
+/// How a run ended.
+struct Ending {
+  std::string termination;  ///< "normal", "error" or "interrupted", as run.json says it
+  std::string reason;       ///< a sentence
+  ExitCode code = ExitCode::Normal;
+};
+
+/// One run of a model, from time zero or a restart file to its end, with all that is printed and written on
+/// the way. It owns the loop.
+class RunSession {
+ public:
+  /// Builds the simulation, prints what it holds and makes the folder of the results. The deck, whose model
+  /// must be there, the console and the watch must outlive the session; `restart` is null for a new run.
+  /// Others read on the board, which may be null and must outlive the session, too, how far it is. Throws
+  /// Error, WriteError.
+  RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
+             const Stopwatch& wall, const Restart* restart = nullptr, live::StatusBoard* board = nullptr);
+
+  /// Runs to the end, writes the last state and run.json, and prints the summary. Throws nothing of its own:
+  /// what goes wrong is told on the console and by the exit code.
+  ExitCode run();
+
+ private:
+  output::View view() const;
+  void begin();
+  void take_up(const Restart& restart);
+  void open_files(const Restart* restart);
+  void warn(std::string text);
+  domain::StateList own_state();
+  void write_restart(RestartKind kind);
+  void save_for_restart(Ending& ending);
+  Ending gone_wrong(const std::string& reason);
+  Ending follow();
+  Ending follow_guarded();
+  void observe();
+  std::optional<Ending> asked_to_stop();
+  std::optional<Ending> limit_passed() const;
+  void finish(Ending& ending);
+  void write_record(const Ending& ending);
+  std::vector<std::filesystem::path> written_files() const;
+
+  const Options& options_;
+  const deck::ReadResult& deck_;
+  const Console& console_;
+  const Stopwatch& wall_;
+  live::StatusBoard* board_;
+  std::filesystem::path folder_;
+  timeloop::Simulation simulation_;
+  std::unique_ptr<output::Recorder> recorder_;
+  std::unique_ptr<Monitor> monitor_;
+  StopSignals signals_;
+  SwitchFile switches_;
+  std::unique_ptr<RestartWriter> restart_writer_;
+  RestartSettings restart_settings_;
+  GoodState good_state_;
+  output::PeakValues peaks_;
+  std::vector<std::string> warnings_;
+  double first_step_ = 0;    ///< [time]
+  double total_mass_ = 0;    ///< at time zero [mass]
+  double loop_seconds_ = 0;  ///< wall time of the cycles, those before a restart included [s]
+};
+
+}  // namespace crumple::app

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/session/run_summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <string_view>
+
+#include "app/console/print.hpp"
+#include "app/session/status_line.hpp"
+#include "base/counted.hpp"
+#include "base/isa.hpp"
+#include "elements/elements.hpp"
+#include "output/run_record.hpp"
+
+namespace crumple::app {
+
+namespace {
+
+struct Stage {
+  std::string_view name;
+  double seconds;
+};
+
+void print_timings(std::ostream& out, const domain::Domain& domain, double loop_seconds) {
+  const domain::StageTimes& times = domain.times;
+  std::array<Stage, 8> stages{{{"elements", times.elements},
+                               {"contact search (global)", times.contact_search},
+                               {"contact search (local)", times.contact_local},
+                               {"contact forces", times.contact_forces},
+                               {"constraints", times.constraints},
+                               {"integration", times.integrate},
+                               {"output", times.output},
+                               {"other", loop_seconds}}};
+  for (std::size_t i = 0; i + 1 < stages.size(); ++i) stages.back().seconds -= stages[i].seconds;
+  print(out, "\n{:<28} {:>10} {:>8} {:>22}\n", "Timings", "seconds", "share", "ns per element-cycle");
+  const auto row = [&](std::string_view name, double seconds) {
+    print(out, "  {:<26} {:>10.3f} {:>6.1f} % {:>22.2f}\n", name, seconds,
+          loop_seconds > 0 ? 100 * seconds / loop_seconds : 0.0,
+          output::nanoseconds_per_element_cycle(domain, seconds));
+  };
+  for (const Stage& stage : stages) row(stage.name, stage.seconds);
+  row("total", loop_seconds);
+}
+
+void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
+  const domain::ContactInspection& seen = contact.inspection;
+  if (!contact.initial_overlaps.empty())
+    print(out, "  {} overlapped at the start, by up to {:.4g}: the contact distance is reduced there\n",
+          counted(contact.initial_overlaps.size(), "pair"), contact.initial_overlaps.front().depth);
+  const domain::OverlapForces& pushed = contact.overlap_forces;
+  if (pushed.overlap_impulse > 0)
+    print(out,
+          "  pairs with a reduced contact distance carried {:.3g} % of the impulse, at most the force {:.4g} "
+          "(node {})\n",
+          100 * pushed.share(), pushed.largest, pushed.node);
+  if (!seen.made) return;
+  print(out,
+        "  depth over that of the mid-surface: largest {:.3f}, 99th percentile {:.3f}; {} beyond it\n"
+        "  mid-surfaces cut through each other: {} of segments",
+        seen.largest_depth, seen.percentile_99, counted(seen.nodes_beyond, "node"),
+        counted(seen.intersections, "pair"));
+  if (seen.intersections > 0) print(out, ", the first {} and {}", seen.first_segment, seen.second_segment);
+  if (seen.nodes_in_solids > 0)
+    print(out, "\n  in solids without contact: {}, the first {}", counted(seen.nodes_in_solids, "node"),
+          seen.node_in_solid);
+  print(out, "\n");
+}
+
+/// Per element and cycle of the whole model, as in the table of all stages, so that they add up.
+void print_contact_times(std::ostream& out, const domain::Domain& domain, const domain::ContactTimes& times) {
+  const auto cost = [&](double seconds) { return output::nanoseconds_per_element_cycle(domain, seconds); };
+  print(out, "  cost [ns/element-cycle]: global search {:.2f}, local search {:.2f}, forces {:.2f}\n",
+        cost(times.search), cost(times.local), cost(times.forces));
+}
+
+void print_contacts(std::ostream& out, const output::View& view) {
+  const domain::Domain& domain = view.domain;
+  double work = 0;
+  for (std::size_t i = 0; i < domain.contacts.size(); ++i) {
+    const domain::ContactReport& contact = domain.contacts[i];
+    const auto searches = static_cast<double>(std::max(contact.searches, 1L));
+    work += searches * contact.segments;
+    print(out,
+          "\nContact {} ({}): {}, one in {:.1f} cycles; {}, {:.0f} candidates a search\n"
+          "  pairs in contact now {}, worst penetration {:.4g} now, {:.4g} ever (node {})\n",
+          contact.id, contact.method,
+          contact.searches == 1 ? "1 search" : fmt::format("{} searches", contact.searches),
+          static_cast<double>(domain.clock.cycle) / searches, counted(contact.segments, "segment"),
+          static_cast<double>(contact.candidates) / searches, contact.active_pairs, contact.penetration,
+          contact.worst_penetration, contact.worst_node);
+    if (contact.withheld.count > 0)
+      print(out,
+            "  contact forces limited because they would have created energy: {} pair-cycles, the largest "
+            "excess {:.4g} on node {} at element {} in cycle {}\n",
+            contact.withheld.count, contact.withheld.largest, contact.withheld.node, contact.withheld.segment,
+            contact.withheld.cycle);
+    print_inspection(out, contact);
+    print_contact_times(out, domain, contact.times);
+  }
+  if (work > 0)
+    print(out, "  global search: {:.1f} ns per segment and search\n",
+          1e9 * domain.times.contact_search * domain.execution.threads / work);
+}
+
+void print_ties(std::ostream& out, const domain::Domain& domain) {
+  for (const domain::Tie& tie : domain.ties) {
+    print(out, "\nTied contact {}: {} tied", tie.id,
+          counted(static_cast<Index>(tie.nodes.size()) - tie.released, "node"));
+    if (tie.released > 0) print(out, ", {} released, {} of these broken", tie.released, tie.broken);
+    print(out, "; energy {:.6e}\n", tie.energy);
+  }
+}
+
+void print_energies(std::ostream& out, const domain::EnergyLedger& energy) {
+  print(out, "\nEnergies\n");
+  const auto row = [&](std::string_view name, double value) {
+    print(out, "  {:<26} {:>13.6e}\n", name, value);
+  };
+  row("kinetic", energy.kinetic);
+  row("internal", energy.internal);
+  row("hourglass", energy.hourglass);
+  row("contact", energy.contact);
+  row("contact friction", energy.friction);
+  row("rigid walls", energy.rigidwall);
+  row("damping", energy.damping);
+  row("eroded", energy.eroded);
+  row("total", energy.total());
+  row("initial total", energy.initial_total);
+  row("external work", energy.external_work);
+  print(out, "  {:<26} {:>13.8f}\n", "energy ratio", energy.ratio());
+  print(out, "  {:<26} {:>13.4f} %  of what was absorbed\n", "energy error", 100 * energy.error());
+  if (energy.internal > 0)
+    print(out, "  {:<26} {:>13.4f} %  of internal\n", "hourglass", 100 * energy.hourglass / energy.internal);
+}
+
+/// Which parts have lost shells, if any.
+void print_eroded(std::ostream& out, const output::View& view) {
+  bool first = true;
+  for (const domain::ShellBlock& block : view.domain.shells) {
+    if (block.eroded == 0) continue;
+    if (first) print(out, "\nEroded shells\n");
+    first = false;
+    const bool triangles = block.formulation == model::ShellFormulation::Triangle;
+    print(out, "  part {:<21} {:>13} of {}{}, with the energy {:.6e}\n", view.model.parts[block.part].id,
+          block.eroded, block.elements,
+          !triangles            ? ""
+          : block.elements == 1 ? " triangle"
+                                : " triangles",
+          block.eroded_energy);
+  }
+}
+
+}  // namespace
+
+void print_run_settings(std::ostream& out, const timeloop::Simulation& simulation,
+                        const std::filesystem::path& folder) {
+  const model::Model& model = simulation.model();
+  const domain::Execution& execution = simulation.domain().execution;
+  const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
+  print(out, "\nRun\n");
+  print(out, "  end time              {:.6g}\n", model.control.end_time);
+  print(out, "  first step            {:.4e}, controlled by {} {} of part {}\n", simulation.next_step(),
+        controlling.kind, controlling.element, controlling.part);
+  print(out, "  arithmetic            {}, {}, {}\n",
+        execution.precision == Precision::Mixed ? "mixed precision" : "double precision",
+        isa_name(execution.isa), counted(execution.threads, "thread"));
+  if (!model.contacts.empty()) print(out, "  contact search        {}\n", model.search.method);
+  print(out, "  results in            {}\n", folder.string());
+  out.flush();
+}
+
+void print_summary(std::ostream& out, const output::View& view, double loop_seconds) {
+  const domain::Domain& domain = view.domain;
+  print(out, "\n{} to time {:.6g} in {}, {:.1f} ns per element-cycle\n", counted(domain.clock.cycle, "cycle"),
+        domain.clock.time, format_duration(loop_seconds),
+        output::nanoseconds_per_element_cycle(domain, loop_seconds));
+  print_timings(out, domain, loop_seconds);
+  print_contacts(out, view);
+  print_ties(out, domain);
+  print_energies(out, domain.energy);
+  print_eroded(out, view);
+}
+
+void print_checks(std::ostream& out, const std::vector<output::Check>& checks) {
+  print(out, "\n{:<52} {:>11} {:>9} {:>9}         source\n", "Checks", "value", "limit", "source's");
+  for (const output::Check& check : checks)
+    print(out, "  {:<50} {:>11.4g} {:>9.4g} {:>9}  {}   {}\n", check.name, check.value, check.limit,
+          check.source_limit ? fmt::format("{:.4g}", *check.source_limit) : "-", check.pass ? "PASS" : "FAIL",
+          check.source);
+}
+
+void print_files(std::ostream& out, const std::filesystem::path& folder,
+                 const std::vector<std::filesystem::path>& files) {
+  print(out, "\nFiles\n");
+  if (!files.empty()) print(out, "  {}   open in ParaView\n", files.front().string());
+  for (std::size_t i = 1; i < files.size(); ++i) print(out, "  {}\n", files[i].string());
+  print(out, "  {}\n", (folder / "run.json").string());
+}
+
+}  // namespace crumple::app
