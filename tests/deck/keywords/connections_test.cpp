@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spot welds, rivets and constrained sets of nodes.
+#include "deck/small_deck.hpp"
+
+namespace crumple::deck::test::connections_test {
+namespace {
+
+TEST(Connections, SpotWeldsOfPairsAndSets) {
+  const model::Model model = read_with(
+      "*CONSTRAINED_SPOTWELD_ID\n        31\n         1         4       2.0       3.0       1.5       2.5"
+      "       9.0       0.2\n"
+      "*CONSTRAINED_GENERALIZED_WELD_SPOT\n         8\n\n         9\n       7.0       0.1\n"
+      "*SET_NODE_LIST\n         8\n         6         5         6\n*SET_NODE_LIST\n         9\n         2    "
+      "     3\n");
+  ASSERT_EQ(model.spot_welds.size(), 3U);
+  const model::SpotWeld& pair = model.spot_welds[0];
+  EXPECT_EQ(pair.id, 31);
+  EXPECT_EQ(pair.nodes, (std::vector<Index>{0, 3}));
+  EXPECT_EQ(pair.normal_strength, 2);
+  EXPECT_EQ(pair.shear_strength, 3);
+  EXPECT_EQ(pair.normal_exponent, 1.5);
+  EXPECT_EQ(pair.shear_exponent, 2.5);
+  EXPECT_EQ(pair.failure_time, 9);
+  EXPECT_EQ(pair.failure_strain, 0.2);
+  const model::SpotWeld& set = model.spot_welds[1];
+  EXPECT_EQ(set.nodes, (std::vector<Index>{4, 5}));
+  EXPECT_EQ(set.normal_strength, 0);
+  EXPECT_EQ(set.failure_strain, 0) << "never";
+  EXPECT_EQ(set.failure_time, 1e20);
+  EXPECT_EQ(model.spot_welds[2].failure_time, 7);
+  EXPECT_EQ(model.spot_welds[2].failure_strain, 0.1);
+}
+
+TEST(Connections, RivetsAndNodeSets) {
+  const model::Model model = read_with(
+      "*CONSTRAINED_RIVET\n         1         6       4.0\n"
+      "*CONSTRAINED_NODE_SET\n         8         5\n*SET_NODE_LIST\n         8\n         2         3\n");
+  ASSERT_EQ(model.rivets.size(), 1U);
+  EXPECT_EQ(model.rivets[0].node, (std::array<Index, 2>{0, 5}));
+  EXPECT_EQ(model.rivets[0].failure_time, 4);
+  ASSERT_EQ(model.constrained_node_sets.size(), 1U);
+  EXPECT_EQ(model.constrained_node_sets[0].nodes, (std::vector<Index>{1, 2}));
+  EXPECT_EQ(model.constrained_node_sets[0].direction, (std::array<bool, 3>{false, true, true}));
+}
+
+TEST(Connections, NodeSetsMayHaveANumber) {
+  const model::Model model = read_with(
+      "*CONSTRAINED_NODE_SET_ID\n        31\n         8         5\n*SET_NODE_LIST\n         8\n         2"
+      "         3\n");
+  ASSERT_EQ(model.constrained_node_sets.size(), 1U);
+  EXPECT_EQ(model.constrained_node_sets[0].nodes, (std::vector<Index>{1, 2}));
+}
+
+void expect_one(const std::string& cards, const std::string& text) {
+  const auto messages = messages_with(cards);
+  ASSERT_EQ(messages.size(), 1U) << cards;
+  EXPECT_NE(messages[0].find(text), std::string::npos) << messages[0];
+}
+
+TEST(Connections, WhatDoesNotGoTogetherIsNamed) {
+  expect_one("*CONSTRAINED_RIVET\n         1         6\n*CONSTRAINED_SPOTWELD\n         6         2\n",
+             "node 6 belongs to spot weld 1 and rivet 1 (deck.k");
+  expect_one("*CONSTRAINED_SPOTWELD\n         6         6\n", "another node than N1");
+  expect_one("*CONSTRAINED_SPOTWELD\n         6        99\n", "the deck has no node 99");
+  expect_one(
+      "*CONSTRAINED_NODE_SET\n         8         1\n*SET_NODE_LIST\n         8\n         2         2\n",
+      "a set of at least two nodes");
+  expect_one(
+      "*CONSTRAINED_GENERALIZED_WELD_SPOT\n         8\n                           3.0\n"
+      "*SET_NODE_LIST\n         8\n         2         3         4\n",
+      "failure by forces needs two nodes at different places");
+}
+
+TEST(Connections, NodesAreNotMovedBySomethingElseToo) {
+  const std::string weld = "*CONSTRAINED_SPOTWELD\n         6         2\n";
+  const std::string rivet = "*CONSTRAINED_RIVET\n         6         2\n";
+  const std::string set =
+      "*CONSTRAINED_NODE_SET\n         8         1\n*SET_NODE_LIST\n         8\n         6         2\n";
+  const std::string held = "*BOUNDARY_SPC_NODE\n         6         0         1\n";
+  const std::string curve =
+      "*DEFINE_CURVE\n         1\n                 0.0                 1.0\n"
+      "                 1.0                 1.0\n";
+  const std::string along_x =
+      curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n         6         1         0         1\n";
+  const std::string along_y =
+      curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n         6         2         0         1\n";
+  const std::string about_x =
+      curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n         6         5         0         1\n";
+  expect_one(weld + held,
+             "node 6 belongs to spot weld 1, and degrees of freedom of its nodes cannot be held");
+  EXPECT_EQ(read_with(rivet + held).fixed_nodes.size(), 1U);
+  expect_one(weld + about_x, "node 6 belongs to spot weld 1, which moves it as well");
+  expect_one(rivet + along_y, "node 6 belongs to rivet 1, which moves it as well");
+  EXPECT_EQ(read_with(rivet + about_x).prescribed_motions.size(), 1U);
+  expect_one(set + along_x, "node 6 belongs to a constrained node set, which moves it as well");
+  EXPECT_EQ(read_with(set + along_y).prescribed_motions.size(), 1U);
+}
+
+}  // namespace
+}  // namespace crumple::deck::test::connections_test

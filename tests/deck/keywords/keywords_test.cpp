@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What each keyword puts into the model.
+#include <algorithm>
+
+#include "deck/small_deck.hpp"
+
+namespace crumple::deck::test::keywords_test {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+TEST(Control, EveryValue) {
+  SmallDeck deck;
+  deck.termination = "*CONTROL_TERMINATION\n       2.5       900       0.1       5.0      10.0\n";
+  deck.more =
+      "*TITLE\nA plate\n"
+      "*CONTROL_TIMESTEP\n    1.0E-5       0.8         0       0.0   -1.0E-4\n"
+      "*CONTROL_ENERGY\n         2         2         2         2\n"
+      "*CONTROL_HOURGLASS\n         4      0.03\n"
+      "*CONTROL_SHELL\n      20.0         0        -1         1         1         2\n       1.0         1\n"
+      "*CONTROL_ACCURACY\n         1\n"
+      "*CONTROL_BULK_VISCOSITY\n       1.5      0.06\n"
+      "*CONTROL_CONTACT\n       0.2\n";
+  deck.section = "*SECTION_SHELL\n         1         0     0.833         5\n       0.1\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_EQ(model.title, "A plate");
+  EXPECT_EQ(model.control.end_time, 2.5);
+  EXPECT_EQ(model.control.end_cycle, 900);
+  EXPECT_EQ(model.control.minimum_step_factor, 0.1);
+  EXPECT_EQ(model.control.end_energy_ratio, 5.0);
+  EXPECT_EQ(model.control.end_mass_increase, 10.0);
+  EXPECT_EQ(model.control.initial_step, 1e-5);
+  EXPECT_EQ(model.control.step_scale, 0.8);
+  EXPECT_EQ(model.control.mass_scaling_step, -1e-4);
+  EXPECT_EQ(model.control.hourglass.form, model::HourglassForm::Stiffness);
+  EXPECT_EQ(model.control.hourglass.bending, 0.03);
+  EXPECT_TRUE(model.control.thickness_change);
+  EXPECT_EQ(model.control.contact_stiffness_scale, 0.2);
+  // ELFORM=0 takes THEORY; INTGRD=1 is Lobatto's rule.
+  EXPECT_EQ(model.shell_sections[0].formulation, model::ShellFormulation::HughesLiu);
+  EXPECT_EQ(model.shell_sections[0].thickness_rule, model::ThicknessRule::Lobatto);
+  EXPECT_EQ(model.shell_sections[0].shear_factor, 0.833);
+}
+
+TEST(Section, TrapezoidalRuleAndPlaceOfTheNodes) {
+  SmallDeck deck;
+  deck.section =
+      "*SECTION_SHELL\n         1         2       1.0        15         0         1\n"
+      "       0.1       0.1       0.1       0.1       1.0\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_EQ(model.shell_sections[0].thickness_points, 15);
+  EXPECT_EQ(model.shell_sections[0].thickness_rule, model::ThicknessRule::Trapezoid);
+  EXPECT_EQ(model.shell_sections[0].node_place, 1.0);
+}
+
+TEST(Control, DefaultsOfLsDyna) {
+  const model::Model model = read_with("$crumple defaults=ls-dyna\n");
+  EXPECT_EQ(model.control.step_scale, 0.9);
+  EXPECT_EQ(model.control.hourglass.form, model::HourglassForm::Viscous);
+  EXPECT_EQ(model.control.hourglass.coefficient, 0.1);
+  EXPECT_EQ(model.control.contact_stiffness_scale, 0.1);
+  EXPECT_FALSE(model.control.thickness_change);
+  EXPECT_EQ(model.shell_sections[0].shear_factor, 1.0);
+  EXPECT_EQ(model.shell_sections[0].thickness_points, 2);
+  EXPECT_EQ(model.shell_sections[0].thickness_rule, model::ThicknessRule::Gauss);
+  EXPECT_EQ(model.search.method, "production");
+  EXPECT_TRUE(model.run.precision.empty());
+}
+
+/// With LS-DYNA's meaning of what is blank on a card that is there.
+TEST(Control, ShellsThatTheDeckLeavesOpen) {
+  const model::Model open = read_with("");
+  EXPECT_TRUE(open.control.thickness_change);
+  EXPECT_EQ(open.control.hourglass.form, model::HourglassForm::Material);
+  const model::Model with_shell = read_with("*CONTROL_SHELL\n\n");
+  EXPECT_FALSE(with_shell.control.thickness_change);
+  EXPECT_EQ(with_shell.control.hourglass.form, model::HourglassForm::Material);
+  const model::Model with_hourglass = read_with("*CONTROL_HOURGLASS\n\n");
+  EXPECT_TRUE(with_hourglass.control.thickness_change);
+  EXPECT_EQ(with_hourglass.control.hourglass.form, model::HourglassForm::Viscous);
+  EXPECT_EQ(with_hourglass.control.hourglass.coefficient, 0.1);
+  ReadOptions options;
+  options.ls_dyna_defaults = true;
+  const model::Model asked = read_clean(SmallDeck().text(), options);
+  EXPECT_FALSE(asked.control.thickness_change);
+  EXPECT_EQ(asked.control.hourglass.form, model::HourglassForm::Viscous);
+}
+
+TEST(Control, SecondOneReplacesTheFirstWithAWarning) {
+  const auto messages = messages_with("*CONTROL_TERMINATION\n3.0,\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0],
+            "deck.k:22: warning: *CONTROL_TERMINATION: replaces what the same keyword says at deck.k:2");
+}
+
+/// Used, with a warning.
+TEST(Control, StepAboveTheUsualShareOfTheStableOne) {
+  const auto messages = messages_with("*CONTROL_TIMESTEP\n0.0,0.95\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(
+      messages[0],
+      "deck.k:23: warning: *CONTROL_TIMESTEP card 1 field TSSFAC: read \"0.95\", expected a factor up to "
+      "0.9; it is used, but leaves little of the stable step to contact, friction and damping");
+  SmallDeck deck;
+  deck.more = "*CONTROL_TIMESTEP\n0.0,0.95\n";
+  EXPECT_EQ(read_deck_text(deck.text()).model.value().control.step_scale, 0.95);
+}
+
+/// Used, with a warning.
+TEST(Hourglass, CoefficientAboveWhatIsRecommended) {
+  EXPECT_EQ(messages_with("*CONTROL_HOURGLASS\n1,0.15\n*HOURGLASS\n1,4,0.15,0,0,0,0.15,0.15\n").size(), 0U);
+  const std::string expected =
+      ", expected a coefficient up to 0.15; it is used, and the run may become unstable";
+  const auto messages = messages_with("*CONTROL_HOURGLASS\n1,0.2\n*HOURGLASS\n1,4,0.3,0,0,0,0.1,0.4\n");
+  ASSERT_EQ(messages.size(), 3U);
+  EXPECT_EQ(messages[0], "deck.k:23: warning: *CONTROL_HOURGLASS card 1 field QH: read \"0.2\"" + expected);
+  EXPECT_EQ(messages[1], "deck.k:25: warning: *HOURGLASS card 1 field QM: read \"0.3\"" + expected);
+  EXPECT_EQ(messages[2], "deck.k:25: warning: *HOURGLASS card 1 field QW: read \"0.4\"" + expected);
+  SmallDeck deck;
+  deck.more = "*CONTROL_HOURGLASS\n1,0.2\n";
+  EXPECT_EQ(read_deck_text(deck.text()).model.value().control.hourglass.coefficient, 0.2);
+}
+
+TEST(Part, HourglassAndTitles) {
+  SmallDeck deck;
+  deck.part = "*PART\nfirst\n1,1,1,0,7\nsecond\n2,1,1\n";
+  deck.shells = "*ELEMENT_SHELL\n11,1,1,2,3,4\n12,2,2,5,6,3\n";
+  deck.more =
+      "*HOURGLASS_TITLE\nstiff\n         7         5      0.05         0         0         0      0.02\n";
+  const model::Model model = read_clean(deck.text());
+  ASSERT_EQ(model.parts.size(), 2U);
+  EXPECT_EQ(model.parts[1].title, "second");
+  EXPECT_EQ(model.parts[0].hourglass, 0);
+  EXPECT_EQ(model.parts[1].hourglass, no_index);
+  EXPECT_EQ(model.hourglass_controls[0].form, model::HourglassForm::Stiffness);
+  EXPECT_EQ(model.hourglass_controls[0].coefficient, 0.05);
+  EXPECT_EQ(model.hourglass_controls[0].bending, 0.02);
+  EXPECT_EQ(model.hourglass_controls[0].warping, 0.02);
+}
+
+TEST(Section, ThicknessOfEveryNode) {
+  SmallDeck deck;
+  deck.section =
+      "*SECTION_SHELL_TITLE\nthin\n         1         1\n       0.1       0.2       0.3       0.4\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_EQ(model.shell_sections[0].title, "thin");
+  EXPECT_EQ(model.shell_sections[0].formulation, model::ShellFormulation::HughesLiu);
+  EXPECT_EQ(model.shell_sections[0].thickness, (std::array<double, 4>{0.1, 0.2, 0.3, 0.4}));
+}
+
+TEST(Element, TrianglesByRepeatedOrMissingFourthNode) {
+  SmallDeck deck;
+  deck.shells = "*ELEMENT_SHELL\n11,1,1,2,3,3\n12,1,2,5,6,0\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_EQ(model.shells[0].node, (std::array<Index, 4>{0, 1, 2, 2}));
+  EXPECT_EQ(model.shells[1].node, (std::array<Index, 4>{1, 4, 5, 5}));
+}
+
+TEST(Element, ThicknessOfItsOwn) {
+  SmallDeck deck;
+  deck.section = "*SECTION_SHELL\n         1         2\n       0.5\n";
+  deck.shells =
+      "*ELEMENT_SHELL_THICKNESS\n"
+      "      11       1       1       2       3       4\n"
+      "             0.1             0.2             0.0             0.4\n"
+      "12,1,2,5,6,3\n"
+      "\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_EQ(model.shells[0].thickness, (std::array<double, 4>{0.1, 0.2, 0.5, 0.4}));
+  EXPECT_EQ(shell_thickness(model, model.shells[1]), (std::array<double, 4>{0.5, 0.5, 0.5, 0.5}));
+}
+
+TEST(Element, MassOfANodeAndOfEveryNodeOfASet) {
+  const model::Model model = read_with(
+      "*ELEMENT_MASS\n       1       4           100.0       1\n"
+      "*ELEMENT_MASS_NODE_SET\n       2       8             5.0\n"
+      "*SET_NODE_LIST\n         8\n         1         6         1\n");
+  ASSERT_EQ(model.lumped_masses.size(), 3U);
+  EXPECT_EQ(model.lumped_masses[0].node, 3);
+  EXPECT_EQ(model.lumped_masses[0].mass, 100.0);
+  EXPECT_EQ(model.lumped_masses[1].node, 0);
+  EXPECT_EQ(model.lumped_masses[2].node, 5);
+  EXPECT_EQ(model.lumped_masses[2].mass, 5.0);
+}
+
+model::Material material_of(const std::string& text) {
+  SmallDeck deck;
+  deck.material = text;
+  return read_clean(deck.text()).materials.at(0);
+}
+
+TEST(Material, NamesNumbersAndTitles) {
+  for (const char* name : {"*MAT_ELASTIC\n", "*MAT_001\n", "*MAT_1\n", "*MAT_ELASTIC_TITLE\nsteel\n",
+                           "*mat_01_title\nsteel\n"}) {
+    const model::Material material = material_of(std::string(name) + "1,7.83E-6,207,0.3\n");
+    EXPECT_EQ(std::get<model::Elastic>(material.law).poissons_ratio, 0.3) << name;
+    EXPECT_EQ(material.title, std::string(name).find("steel") == std::string::npos ? "" : "steel");
+  }
+}
+
+TEST(Material, SeveralUnderOneKeyword) {
+  SmallDeck deck;
+  deck.material = "*MAT_PLASTIC_KINEMATIC\n1,7.83E-6,207,0.3,0.2\n\n2,7.83E-6,70,0.3,0.1\n\n";
+  const model::Model model = read_clean(deck.text());
+  ASSERT_EQ(model.materials.size(), 2U);
+  EXPECT_EQ(std::get<model::PlasticKinematic>(model.materials[1].law).yield_stress, 0.1);
+}
+
+TEST(Material, PlasticKinematic) {
+  const model::Material material = material_of(
+      "*MAT_PLASTIC_KINEMATIC\n"
+      "         1   7.83E-6     207.0       0.3       0.2       2.0       0.5\n"
+      "      40.0       5.0      0.75       0.0\n");
+  const auto& law = std::get<model::PlasticKinematic>(material.law);
+  EXPECT_EQ(law.youngs_modulus, 207.0);
+  EXPECT_EQ(law.yield_stress, 0.2);
+  EXPECT_EQ(law.tangent_modulus, 2.0);
+  EXPECT_EQ(law.isotropic_fraction, 0.5);
+  EXPECT_EQ(law.cowper_symonds_rate, 40.0);
+  EXPECT_EQ(law.cowper_symonds_exponent, 5.0);
+  EXPECT_EQ(law.failure_strain, 0.75);
+}
+
+TEST(Material, PiecewiseFromTangentModulus) {
+  const model::Material material = material_of("*MAT_024\n1,7.83E-6,200,0.3,0.25,2.0,1.0E21\n40,5\n\n\n");
+  const auto& law = std::get<model::PiecewiseLinearPlasticity>(material.law);
+  ASSERT_EQ(law.plastic_strain.size(), 2U);
+  EXPECT_EQ(law.plastic_strain[0], 0.0);
+  EXPECT_EQ(law.yield_stress[0], 0.25);
+  // Plastic modulus E Et / (E - Et).
+  const double slope = (law.yield_stress[1] - law.yield_stress[0]) / law.plastic_strain[1];
+  EXPECT_NEAR(slope, 200.0 * 2.0 / 198.0, 1e-12);
+  EXPECT_EQ(law.failure_strain, 0.0);
+  EXPECT_EQ(law.cowper_symonds_rate, 40.0);
+}
+
+TEST(Material, PiecewiseFromPoints) {
+  const model::Material material =
+      material_of("*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.83E-6,200,0.3\n\n0.0,0.1,0.2\n0.3,0.4,0.45\n");
+  const auto& law = std::get<model::PiecewiseLinearPlasticity>(material.law);
+  // Continued with its last slope, 0.5 per unit strain.
+  EXPECT_EQ(law.plastic_strain, (std::vector<double>{0.0, 0.1, 0.2, 10.0}));
+  ASSERT_EQ(law.yield_stress.size(), 4U);
+  EXPECT_NEAR(law.yield_stress[3], 0.45 + 0.5 * 9.8, 1e-12);
+}
+
+TEST(Material, PiecewiseFromCurveWithScale) {
+  const model::Material material = material_of(
+      "*MAT_024\n1,7.83E-6,200,0.3\n0,0,5\n\n\n"
+      "*DEFINE_CURVE_TITLE\nhardening\n         5         0       0.5       2.0       0.2       0.1\n"
+      "                -0.2                 0.0\n"
+      "0.2,0.2\n");
+  const auto& law = std::get<model::PiecewiseLinearPlasticity>(material.law);
+  // Abscissa 0.5 (a + 0.2), ordinate 2 (o + 0.1).
+  ASSERT_GE(law.plastic_strain.size(), 2U);
+  EXPECT_EQ(law.plastic_strain[0], 0.0);
+  EXPECT_NEAR(law.yield_stress[0], 0.2, 1e-15);
+  EXPECT_NEAR(law.plastic_strain[1], 0.2, 1e-15);
+  EXPECT_NEAR(law.yield_stress[1], 0.6, 1e-15);
+}
+
+TEST(Sets, ListsAndRanges) {
+  const model::Model model = read_with(
+      "*SET_NODE_LIST_TITLE\nsome\n         3       0.0       0.0       0.0       0.0MECH\n         4        "
+      " 2\n         6\n"
+      "*SET_NODE\n4\n1,2,3\n"
+      "*SET_NODE_LIST_GENERATE\n5\n2,4,6,9\n"
+      "*SET_PART_LIST\n         6\n         1\n");
+  ASSERT_EQ(model.node_sets.size(), 3U);
+  EXPECT_EQ(model.node_sets[0].title, "some");
+  EXPECT_EQ(model.node_sets[0].nodes, (std::vector<Index>{3, 1, 5}));
+  EXPECT_EQ(model.node_sets[1].nodes, (std::vector<Index>{0, 1, 2}));
+  EXPECT_EQ(model.node_sets[2].nodes, (std::vector<Index>{1, 2, 3, 5}));
+  ASSERT_EQ(model.part_sets.size(), 1U);
+  EXPECT_EQ(model.part_sets[0].parts, (std::vector<Index>{0}));
+}
+
+TEST(Fixed, CodesOfNodesAndSpcTogether) {
+  SmallDeck deck;
+  deck.nodes = "*NODE\n1,0,0,0,4,6\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,2,0,0\n6,2,1,0\n";
+  deck.more =
+      "*BOUNDARY_SPC_NODE\n         1         0         0         0         1         0         0         0\n"
+      "*BOUNDARY_SPC_SET_ID\n        12symmetry\n         3         0         1         0         0         "
+      "0         1         1\n"
+      "*SET_NODE_LIST\n         3\n         2\n";
+  const model::Model model = read_clean(deck.text());
+  ASSERT_EQ(model.fixed_nodes.size(), 2U);
+  EXPECT_EQ(model.fixed_nodes[0].node, 0);
+  EXPECT_EQ(model.fixed_nodes[0].translation, (std::array<bool, 3>{true, true, true}));
+  EXPECT_EQ(model.fixed_nodes[0].rotation, (std::array<bool, 3>{true, false, true}));
+  EXPECT_EQ(model.fixed_nodes[1].translation, (std::array<bool, 3>{true, false, false}));
+  EXPECT_EQ(model.fixed_nodes[1].rotation, (std::array<bool, 3>{false, true, true}));
+}
+
+TEST(Velocity, AllButTheExemptOnes) {
+  const model::Model model = read_with(
+      "*INITIAL_VELOCITY\n         0         2\n       1.0       2.0       3.0\n       0.0       0.0       "
+      "9.0\n"
+      "*SET_NODE_LIST\n         2\n         6\n");
+  ASSERT_EQ(model.initial_velocities.size(), 6U);
+  EXPECT_EQ(model.initial_velocities[0].velocity, (Vector{1, 2, 3}));
+  EXPECT_EQ(model.initial_velocities[5].velocity, (Vector{0, 0, 9}));
+}
+
+TEST(Velocity, OfNodesCountsLast) {
+  const model::Model model = read_with(
+      "*INITIAL_VELOCITY_NODE\n2,7,0,0,0,0,1.5\n"
+      "*INITIAL_VELOCITY\n         2\n       1.0\n"
+      "*SET_NODE_LIST\n         2\n         2         3\n");
+  ASSERT_EQ(model.initial_velocities.size(), 2U);
+  EXPECT_EQ(model.initial_velocities[0].velocity, (Vector{7, 0, 0}));
+  EXPECT_EQ(model.initial_velocities[0].angular_velocity, (Vector{0, 0, 1.5}));
+  EXPECT_EQ(model.initial_velocities[1].velocity, (Vector{1, 0, 0}));
+}
+
+TEST(Velocity, GenerationTurnsAboutAnAxis) {
+  const model::Model model = read_with(
+      "*INITIAL_VELOCITY_GENERATION\n         1         2       2.0       0.0       0.0       5.0\n"
+      "       1.0       0.0       0.0       0.0       0.0       4.0\n");
+  ASSERT_EQ(model.initial_velocities.size(), 6U);
+  // Node 6 is at (1, 1, 0) from the axis through (1, 0, 0) along z: v = 2 e_z x r + 5 e_z.
+  EXPECT_EQ(model.initial_velocities[5].velocity, (Vector{-2, 2, 5}));
+  EXPECT_EQ(model.initial_velocities[5].angular_velocity, (Vector{0, 0, 2}));
+}
+
+TEST(Wall, PlaneAndNodes) {
+  const model::Model model = read_with(
+      "*RIGIDWALL_PLANAR_ID\n        21front\n         0         4\n"
+      "       3.0       0.0       0.0       1.0       0.0       0.0       0.3\n"
+      "*SET_NODE_LIST\n         4\n         1\n");
+  ASSERT_EQ(model.rigid_walls.size(), 1U);
+  const model::RigidWall& wall = model.rigid_walls[0];
+  EXPECT_EQ(wall.id, 21);
+  EXPECT_EQ(wall.title, "front");
+  EXPECT_EQ(wall.nodes, (std::vector<Index>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(wall.point, (Vector{3, 0, 0}));
+  EXPECT_EQ(wall.normal, (Vector{-1, 0, 0}));
+  EXPECT_EQ(wall.friction, 0.3);
+}
+
+TEST(Wall, BlankFirstCardIsAllNodesAndNumbersFollowTheOrder) {
+  const model::Model model = read_with(
+      "*RIGIDWALL_PLANAR\n\n       3.0       0.0       0.0       2.0       0.0       0.0\n"
+      "         0\n       0.0       0.0      -1.0       0.0       0.0       1.0\n");
+  ASSERT_EQ(model.rigid_walls.size(), 2U);
+  EXPECT_EQ(model.rigid_walls[0].nodes.size(), 6U);
+  EXPECT_EQ(model.rigid_walls[1].id, 2);
+}
+
+TEST(Wall, GeometricShapes) {
+  const model::Model model = read_with(
+      "*RIGIDWALL_GEOMETRIC_FLAT_ID\n         5barrier\n0,0,0,1.0,2.0\n3,0,0,2,0,0,0.2\n3,4,0,6,7\n"
+      "*RIGIDWALL_GEOMETRIC_PRISM\n0\n3,0,0,2,0,0\n5,4,0,6,7,8\n"
+      "*RIGIDWALL_GEOMETRIC_CYLINDER_DISPLAY\n0\n3,0,0,3,0,9\n0.5,2.5\n77,1,2,3\n"
+      "*DEFINE_CURVE\n8\n0,0\n1,1\n"
+      "*RIGIDWALL_GEOMETRIC_SPHERE_MOTION_DISPLAY\n0\n3,0,0\n0.5\n8,1,0,0,-1\n\n"
+      "*RIGIDWALL_PLANAR_FINITE\n0\n3,0,0,2,0,0\n3,4,0,6,7\n");
+  using model::WallShape;
+  ASSERT_EQ(model.rigid_walls.size(), 5U);
+  const auto& walls = model.rigid_walls;
+  EXPECT_EQ(walls[0].id, 5);
+  EXPECT_EQ(walls[0].shape, WallShape::Flat);
+  EXPECT_EQ(walls[0].birth_time, 1);
+  EXPECT_EQ(walls[0].death_time, 2);
+  EXPECT_EQ(walls[0].friction, 0.2);
+  EXPECT_EQ(walls[0].edge, (Vector{0, 1, 0}));
+  EXPECT_EQ(walls[0].lengths, (Vector{6, 7, 0}));
+  EXPECT_EQ(walls[1].shape, WallShape::Prism);
+  EXPECT_EQ(walls[1].edge, (Vector{0, 1, 0})) << "made square to the normal";
+  EXPECT_EQ(walls[1].lengths, (Vector{6, 7, 8}));
+  EXPECT_EQ(walls[2].shape, WallShape::Cylinder);
+  EXPECT_EQ(walls[2].normal, (Vector{0, 0, 1}));
+  EXPECT_EQ(walls[2].radius, 0.5);
+  EXPECT_EQ(walls[2].lengths[0], 2.5);
+  EXPECT_EQ(walls[2].motion.curve, no_index);
+  EXPECT_EQ(walls[3].shape, WallShape::Sphere);
+  EXPECT_EQ(walls[3].motion.curve, 0);
+  EXPECT_TRUE(walls[3].motion.is_displacement);
+  EXPECT_EQ(walls[3].motion.direction, (Vector{0, 0, -1}));
+  EXPECT_EQ(walls[4].shape, WallShape::Flat);
+  EXPECT_EQ(walls[4].lengths, (Vector{6, 7, 0}));
+}
+
+TEST(Wall, MovingOnesHaveAMassAndAVelocity) {
+  const model::Model model = read_with(
+      "*RIGIDWALL_PLANAR_MOVING\n0\n3,0,0,2,0,0,0.2\n0.5,8\n0\n4,0,0,3,0,0\n0.75\n"
+      "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n         7hammer\n0\n3,0,0,2,0,0\n3,4,0,6,7\n100,-2.5\n"
+      "*RIGIDWALL_PLANAR_MOVING_FINITE\n0\n3,0,0,2,0,0\n3,4,0,6,7\n100,-2.5\n"
+      "*RIGIDWALL_PLANAR\n0\n3,0,0,2,0,0\n");
+  ASSERT_EQ(model.rigid_walls.size(), 5U);
+  EXPECT_EQ(model.rigid_walls[0].shape, model::WallShape::Plane);
+  EXPECT_EQ(model.rigid_walls[0].mass, 0.5);
+  EXPECT_EQ(model.rigid_walls[0].initial_velocity, 8);
+  EXPECT_EQ(model.rigid_walls[1].mass, 0.75);
+  EXPECT_EQ(model.rigid_walls[1].initial_velocity, 0);
+  EXPECT_EQ(model.rigid_walls[2].id, 7);
+  for (const std::size_t finite : {2U, 3U}) {
+    EXPECT_EQ(model.rigid_walls[finite].shape, model::WallShape::Flat);
+    EXPECT_EQ(model.rigid_walls[finite].lengths, (Vector{6, 7, 0}));
+    EXPECT_EQ(model.rigid_walls[finite].mass, 100);
+    EXPECT_EQ(model.rigid_walls[finite].initial_velocity, -2.5);
+  }
+  EXPECT_EQ(model.rigid_walls[4].mass, 0) << "it stays where it is";
+}
+
+TEST(Wall, ABoxChoosesAmongItsNodes) {
+  const model::Model model =
+      read_with("*DEFINE_BOX\n3,-1,0.5,-9,9,-9,9\n*RIGIDWALL_PLANAR\n0,0,3\n3,0,0,2,0,0\n");
+  ASSERT_EQ(model.rigid_walls.size(), 1U);
+  EXPECT_EQ(model.rigid_walls[0].nodes.size(), 2U);
+}
+
+TEST(Wall, AnEdgeAlongTheNormalIsAnError) {
+  const auto messages = messages_with("*RIGIDWALL_GEOMETRIC_FLAT\n0\n3,0,0,2,0,0\n1,0,0,6,7\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("the head of the edge vector l"), std::string::npos) << messages[0];
+}
+
+TEST(Wall, WarnsOfNodesBehind) {
+  const auto messages = messages_with(
+      "*RIGIDWALL_PLANAR\n         0\n       1.5       0.0       0.0       1.0       0.0       0.0\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("2 of the wall's 6 nodes are behind it"), std::string::npos) << messages[0];
+}
+
+TEST(Database, IntervalsAndHistories) {
+  const model::Model model = read_with(
+      "*DATABASE_GLSTAT\n      "
+      "0.01\n*DATABASE_MATSUM\n0.02,3\n*DATABASE_RWFORC\n0.03,\n*DATABASE_RCFORC\n0.04,\n"
+      "*DATABASE_NODOUT\n0.05,\n*DATABASE_BINARY_D3PLOT\n0.5,\n"
+      "*DATABASE_HISTORY_NODE\n         3         1\n*DATABASE_HISTORY_NODE_ID\n         6the tip\n"
+      "*DATABASE_HISTORY_NODE_SET\n         2\n*SET_NODE_LIST\n         2\n         1         2\n");
+  EXPECT_EQ(model.output.of(model::HistoryFile::Glstat).interval, 0.01);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Matsum).interval, 0.02);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Rwforc).interval, 0.03);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Rcforc).interval, 0.04);
+  EXPECT_EQ(model.output.of(model::HistoryFile::Nodout).interval, 0.05);
+  EXPECT_EQ(model.output.state_interval, 0.5);
+  EXPECT_EQ(model.output.history_nodes, (std::vector<Index>{2, 0, 5, 1}));
+}
+
+TEST(Database, RigidBodiesAndWeldsAreAskedForInTheFormOfTheCard) {
+  const model::Model model = read_with("*DATABASE_RBDOUT\n0.01,1\n*DATABASE_SWFORC\n0.02,2\n");
+  const model::HistoryRequest& bodies = model.output.of(model::HistoryFile::Rbdout);
+  EXPECT_TRUE(bodies.asked && bodies.ascii && !bodies.binary);
+  EXPECT_EQ(bodies.interval, 0.01);
+  const model::HistoryRequest& welds = model.output.of(model::HistoryFile::Swforc);
+  EXPECT_TRUE(welds.asked && !welds.ascii && welds.binary);
+  EXPECT_EQ(welds.interval, 0.02);
+}
+
+TEST(Database, HistoriesOfElements) {
+  const model::Model model = read_with(
+      "*DATABASE_ELOUT\n0.5,2\n*DATABASE_HISTORY_SHELL_SET\n4\n*SET_SHELL_LIST\n4\n12,11\n"
+      "*DATABASE_HISTORY_SHELL_ID\n11,first\n*DATABASE_HISTORY_NODE\n2\n");
+  const model::HistoryRequest& asked = model.output.of(model::HistoryFile::Elout);
+  EXPECT_TRUE(asked.asked);
+  EXPECT_EQ(asked.interval, 0.5);
+  EXPECT_FALSE(asked.ascii);
+  EXPECT_TRUE(asked.binary);
+  EXPECT_EQ(model.output.history_shells, (std::vector<Index>{1, 0}));
+  EXPECT_EQ(model.output.history_nodes, (std::vector<Index>{1}));
+  EXPECT_TRUE(model.output.history_solids.empty());
+  EXPECT_FALSE(model.output.of(model::HistoryFile::Deforc).asked);
+}
+
+TEST(Database, NumberOfStatesOverTheRun) {
+  EXPECT_EQ(
+      read_with("*DATABASE_BINARY_D3PLOT\n       0.0         0         0        50\n").output.state_interval,
+      0.05);
+}
+
+TEST(Settings, CommentLinesOfOurOwn) {
+  const model::Model model = read_with(
+      "$crumple method=nbs expansion=0.25\n"
+      "$Crumple cells=60,8,8 domain=0,0.3,-1,0.04,0,4e-2\n"
+      "$crumple precision=double\n"
+      "$crumpled is another word\n");
+  EXPECT_EQ(model.search.method, "nbs");
+  EXPECT_EQ(model.search.expansion, 0.25);
+  EXPECT_TRUE(model.search.has_cells);
+  EXPECT_EQ(model.search.cells, (std::array<Index, 3>{60, 8, 8}));
+  EXPECT_EQ(model.search.domain_minimum, (Vector{0, -1, 0}));
+  EXPECT_EQ(model.search.domain_maximum, (Vector{0.3, 0.04, 0.04}));
+  EXPECT_EQ(model.run.precision, "double");
+}
+
+TEST(Settings, MethodMustBeOneOfThose) {
+  ReadOptions options;
+  options.search_methods = {"linked-cell", "brute-force"};
+  const auto messages = messages_with("$crumple method=quick\n", options);
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0],
+            "deck.k:22: error: $crumple method: read \"quick\", expected one of linked-cell, brute-force");
+}
+
+TEST(Unsupported, HarmlessKeywordsAreListed) {
+  SmallDeck deck;
+  deck.more = "*DATABASE_SPHOUT\n0.1\n*CONTROL_OUTPUT\n1,1\n*DATABASE_SPHOUT\n0.2\n";
+  const ReadResult result = read_deck_text(deck.text());
+  EXPECT_TRUE(result.model);
+  ASSERT_EQ(result.ignored_keywords.size(), 2U);
+  EXPECT_EQ(result.ignored_keywords[0].keyword, "*DATABASE_SPHOUT");
+  EXPECT_EQ(result.ignored_keywords[0].line, 22);
+  EXPECT_EQ(result.ignored_keywords[0].count, 2);
+  EXPECT_FALSE(result.ignored_keywords[0].changes_physics);
+}
+
+TEST(Unsupported, CardsBehindTheLastKnownOne) {
+  EXPECT_TRUE(messages_with("*CONTROL_TIMESTEP\n0.0,0.9\n\n0,0.0,0,0.0E+00\n").empty());
+  const auto messages = messages_with("*CONTROL_HOURGLASS\n1,0.1\n2.5,1\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_EQ(messages[0],
+            "deck.k:24: error: *CONTROL_HOURGLASS: read \"2.5,1\" behind the last card that is known; remove "
+            "the line");
+}
+
+}  // namespace
+}  // namespace crumple::deck::test::keywords_test
