@@ -76,36 +76,15 @@ void read_define_coordinate_vector(Cards& cards, RawDeck& deck);
 
 // read_sets.cpp
 void read_define_box(Cards& cards, RawDeck& deck);
-void read_set_node_list(Cards& cards, RawDeck& deck);
-void read_set_node_list_generate(Cards& cards, RawDeck& deck);
-void read_set_node_list_generate_increment(Cards& cards, RawDeck& deck);
-void read_set_node_general(Cards& cards, RawDeck& deck);
-void read_set_node_add(Cards& cards, RawDeck& deck);
-void read_set_part_list(Cards& cards, RawDeck& deck);
-void read_set_part_list_generate(Cards& cards, RawDeck& deck);
-void read_set_part_list_generate_increment(Cards& cards, RawDeck& deck);
-void read_set_part_general(Cards& cards, RawDeck& deck);
-void read_set_part_add(Cards& cards, RawDeck& deck);
-void read_set_shell_list(Cards& cards, RawDeck& deck);
-void read_set_shell_list_generate(Cards& cards, RawDeck& deck);
-void read_set_shell_list_generate_increment(Cards& cards, RawDeck& deck);
-void read_set_shell_general(Cards& cards, RawDeck& deck);
-void read_set_shell_add(Cards& cards, RawDeck& deck);
-void read_set_solid_list(Cards& cards, RawDeck& deck);
-void read_set_solid_list_generate(Cards& cards, RawDeck& deck);
-void read_set_solid_list_generate_increment(Cards& cards, RawDeck& deck);
-void read_set_solid_general(Cards& cards, RawDeck& deck);
-void read_set_solid_add(Cards& cards, RawDeck& deck);
-void read_set_beam_list(Cards& cards, RawDeck& deck);
-void read_set_beam_list_generate(Cards& cards, RawDeck& deck);
-void read_set_beam_list_generate_increment(Cards& cards, RawDeck& deck);
-void read_set_beam_general(Cards& cards, RawDeck& deck);
-void read_set_beam_add(Cards& cards, RawDeck& deck);
-void read_set_discrete_list(Cards& cards, RawDeck& deck);
-void read_set_discrete_list_generate(Cards& cards, RawDeck& deck);
-void read_set_discrete_list_generate_increment(Cards& cards, RawDeck& deck);
-void read_set_discrete_general(Cards& cards, RawDeck& deck);
-void read_set_discrete_add(Cards& cards, RawDeck& deck);
+/// What the members of a set are. Segments, which have no ids, are read apart.
+enum class SetItem { Node, Part, Shell, Solid, Beam, Discrete };
+/// How the cards of a set give its members.
+enum class SetForm { List, Generate, GenerateIncrement, General, Add };
+void read_set_of(Cards& cards, RawDeck& deck, SetItem item, SetForm form);
+template <SetItem Kind, SetForm Form>
+void read_set(Cards& cards, RawDeck& deck) {
+  read_set_of(cards, deck, Kind, Form);
+}
 void read_set_segment(Cards& cards, RawDeck& deck);
 void read_set_segment_general(Cards& cards, RawDeck& deck);
 void read_set_segment_add(Cards& cards, RawDeck& deck);

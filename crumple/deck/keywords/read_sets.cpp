@@ -125,25 +125,23 @@ void add_range(const Card& card, std::string_view field, RawMember member, RawSe
     set.members.push_back(member);
 }
 
-enum class Members { Single, Ranges, Increments };
-
-void read_ids(const Card& card, Members members, RawSet& set, Report& report) {
-  const std::size_t stride = members == Members::Ranges ? 2 : 1;
+void read_ids(const Card& card, SetForm form, RawSet& set, Report& report) {
+  const std::size_t stride = form == SetForm::Generate ? 2 : 1;
   for (std::size_t i = 0; i < std::size(member_card); i += stride) {
     const std::int64_t first = card.good(i) ? card.integer(i) : 0;
     if (first == 0) continue;
     RawMember member = member_of(card, "ID", first);
-    if (members == Members::Ranges && card.good(i + 1)) member.last = card.integer(i + 1);
+    if (form == SetForm::Generate && card.good(i + 1)) member.last = card.integer(i + 1);
     add_range(card, member_card[std::min(i + 1, std::size(member_card) - 1)].name, member, set, report);
   }
 }
 
-void read_list(Cards& cards, std::vector<RawSet>& sets, Members members) {
+void read_list(Cards& cards, std::vector<RawSet>& sets, SetForm form) {
   bool good = false;
   RawSet set = begin_set(cards, good);
   while (cards.more()) {
-    if (members != Members::Increments) {
-      read_ids(cards.next_filled(member_card), members, set, cards.report());
+    if (form != SetForm::GenerateIncrement) {
+      read_ids(cards.next_filled(member_card), form, set, cards.report());
       continue;
     }
     const Card card = cards.next_filled(increment_card);
@@ -240,6 +238,30 @@ void read_general(Cards& cards, std::vector<RawSet>& sets, std::span<const Optio
   if (good) end_set(std::move(set), sets);
 }
 
+std::vector<RawSet>& sets_of(RawDeck& deck, SetItem item) {
+  switch (item) {
+    case SetItem::Node:
+      return deck.node_sets;
+    case SetItem::Part:
+      return deck.part_sets;
+    case SetItem::Shell:
+      return deck.shell_sets;
+    case SetItem::Solid:
+      return deck.solid_sets;
+    case SetItem::Beam:
+      return deck.beam_sets;
+    case SetItem::Discrete:
+      break;
+  }
+  return deck.discrete_sets;
+}
+
+std::span<const Option> options_of(SetItem item) {
+  if (item == SetItem::Node) return node_options;
+  if (item == SetItem::Part) return part_options;
+  return element_options;
+}
+
 }  // namespace
 
 void read_define_box(Cards& cards, RawDeck& deck) {
@@ -286,124 +308,18 @@ void read_set_segment_add(Cards& cards, RawDeck& deck) {
   read_add(cards, deck.segment_sets);
 }
 
-void read_set_node_list(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.node_sets, Members::Single);
-}
-
-void read_set_node_list_generate(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.node_sets, Members::Ranges);
-}
-
-void read_set_node_list_generate_increment(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.node_sets, Members::Increments);
-}
-
-void read_set_node_general(Cards& cards, RawDeck& deck) {
-  read_general(cards, deck.node_sets, node_options);
-}
-
-void read_set_node_add(Cards& cards, RawDeck& deck) {
-  read_add(cards, deck.node_sets);
-}
-
-void read_set_part_list(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.part_sets, Members::Single);
-}
-
-void read_set_part_list_generate(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.part_sets, Members::Ranges);
-}
-
-void read_set_part_list_generate_increment(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.part_sets, Members::Increments);
-}
-
-void read_set_part_general(Cards& cards, RawDeck& deck) {
-  read_general(cards, deck.part_sets, part_options);
-}
-
-void read_set_part_add(Cards& cards, RawDeck& deck) {
-  read_add(cards, deck.part_sets);
-}
-
-void read_set_shell_list(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.shell_sets, Members::Single);
-}
-
-void read_set_shell_list_generate(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.shell_sets, Members::Ranges);
-}
-
-void read_set_shell_list_generate_increment(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.shell_sets, Members::Increments);
-}
-
-void read_set_shell_general(Cards& cards, RawDeck& deck) {
-  read_general(cards, deck.shell_sets, element_options);
-}
-
-void read_set_shell_add(Cards& cards, RawDeck& deck) {
-  read_add(cards, deck.shell_sets);
-}
-
-void read_set_solid_list(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.solid_sets, Members::Single);
-}
-
-void read_set_solid_list_generate(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.solid_sets, Members::Ranges);
-}
-
-void read_set_solid_list_generate_increment(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.solid_sets, Members::Increments);
-}
-
-void read_set_solid_general(Cards& cards, RawDeck& deck) {
-  read_general(cards, deck.solid_sets, element_options);
-}
-
-void read_set_solid_add(Cards& cards, RawDeck& deck) {
-  read_add(cards, deck.solid_sets);
-}
-
-void read_set_beam_list(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.beam_sets, Members::Single);
-}
-
-void read_set_beam_list_generate(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.beam_sets, Members::Ranges);
-}
-
-void read_set_beam_list_generate_increment(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.beam_sets, Members::Increments);
-}
-
-void read_set_beam_general(Cards& cards, RawDeck& deck) {
-  read_general(cards, deck.beam_sets, element_options);
-}
-
-void read_set_beam_add(Cards& cards, RawDeck& deck) {
-  read_add(cards, deck.beam_sets);
-}
-
-void read_set_discrete_list(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.discrete_sets, Members::Single);
-}
-
-void read_set_discrete_list_generate(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.discrete_sets, Members::Ranges);
-}
-
-void read_set_discrete_list_generate_increment(Cards& cards, RawDeck& deck) {
-  read_list(cards, deck.discrete_sets, Members::Increments);
-}
-
-void read_set_discrete_general(Cards& cards, RawDeck& deck) {
-  read_general(cards, deck.discrete_sets, element_options);
-}
-
-void read_set_discrete_add(Cards& cards, RawDeck& deck) {
-  read_add(cards, deck.discrete_sets);
+void read_set_of(Cards& cards, RawDeck& deck, SetItem item, SetForm form) {
+  std::vector<RawSet>& sets = sets_of(deck, item);
+  switch (form) {
+    case SetForm::List:
+    case SetForm::Generate:
+    case SetForm::GenerateIncrement:
+      return read_list(cards, sets, form);
+    case SetForm::General:
+      return read_general(cards, sets, options_of(item));
+    case SetForm::Add:
+      return read_add(cards, sets);
+  }
 }
 
 }  // namespace crumple::deck
