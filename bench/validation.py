@@ -8,7 +8,7 @@ off, and how far its own runs scatter.
     bench/validation.py ... --only square_tube_crush --runs 0    one model, without its scatter
 
 The decks are not part of crumple: `folder` holds double_chamber/main.k and square_tube_crush/generate.py, a script that
-writes the deck for an edge length. Takes about half an hour on one processor.
+writes the deck for an edge length. `--runs 4` is what the page was made with. Takes about half an hour on two processors.
 """
 import argparse
 import csv
@@ -29,9 +29,9 @@ HEAD = """<!-- SPDX-License-Identifier: BSD-3-Clause -->
 Models that were made and run by others, in other codes. The decks are run as they are, and with other choices. What a
 deck leaves open about shells is thickness change and the hourglass stiffness of the material, as in Abaqus/Explicit and
 OpenRadioss; LS-DYNA's defaults are constant thickness and viscous control
-([hourglass control](theory/hourglass.md#which-form-to-take)). A percentage is the deviation from the reference. "3b5ed1e" is crumple before contact, hourglass control and stable steps were
-reworked. "Scatter" is the range of {runs} runs whose nodes differ by 1e-6 of the model's size. Mixed precision;
-`make validation DECKS=folder` writes this page.
+([hourglass control](theory/hourglass.md#which-form-to-take)). A percentage is the deviation from the reference. "3b5ed1e" is
+crumple before contact, hourglass control and stable steps were reworked. "Scatter" is the range of {runs} runs whose nodes
+differ by 1e-6 of the model's size. Mixed precision; `make validation DECKS=folder` writes this page.
 """
 
 
