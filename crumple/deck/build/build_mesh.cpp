@@ -177,6 +177,16 @@ bool find_section(const RawPart& raw, model::Part& part, Build& build) {
   return true;
 }
 
+/// A part that pre-processors write for something that is not in this deck.
+bool is_unused(const RawPart& raw, const RawDeck& deck) {
+  if (raw.section != 0 || raw.material != 0) return false;
+  const auto of_part = [&](const auto& element) { return element.part == raw.id; };
+  return std::none_of(deck.shells.begin(), deck.shells.end(), of_part) &&
+         std::none_of(deck.solids.begin(), deck.solids.end(), of_part) &&
+         std::none_of(deck.beams.begin(), deck.beams.end(), of_part) &&
+         std::none_of(deck.discretes.begin(), deck.discretes.end(), of_part);
+}
+
 /// Shells have no hourglass form 6.
 void warn_of_assumed_strain(const RawPart& raw, const model::Part& part, Build& build) {
   if (part.section == no_index ||
@@ -220,6 +230,13 @@ void build_nodes(Build& build) {
 
 void build_parts(Build& build) {
   for (const RawPart& raw : build.deck.parts) {
+    if (is_unused(raw, build.deck)) {
+      build.drop_part(raw.id);
+      build.report.add(
+          Severity::Note, raw.where, "empty",
+          fmt::format("part {} has no section, no material and no elements, and is left out", raw.id));
+      continue;
+    }
     model::Part part;
     part.id = raw.id;
     part.title = raw.title;

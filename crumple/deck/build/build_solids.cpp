@@ -117,6 +117,23 @@ bool check_formulation(const model::SolidElement& solid, const Where& where, Bui
   return false;
 }
 
+/// ESORT makes wedges and tetrahedra of degenerate hexahedra, each computed by a formulation of its own.
+void check_sorting(const model::SolidElement& solid, const Where& where, Build& build) {
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(solid.part)];
+  const model::SolidSection& section =
+      build.model.solid_sections[static_cast<std::size_t>(part.solid_section)];
+  if (!build.deck.sorts_solids || model::is_tetrahedral(section.formulation)) return;
+  std::array<Index, 8> node = solid.node;
+  std::sort(node.begin(), node.end());
+  if (std::adjacent_find(node.begin(), node.end()) == node.end()) return;
+  build.report.unsupported(
+      where, "sorting",
+      fmt::format(
+          "solid {} repeats nodes, and ESORT ({}) wants it computed as the tetrahedron or wedge that it is, "
+          "not as a hexahedron; put tetrahedra into a part with ELFORM 10, or take ESORT = 0",
+          solid.id, build.report.place(*build.deck.sorts_solids)));
+}
+
 /// Volume that is not above zero, or corners turned inside out.
 void check_shape(const model::SolidElement& solid, const Where& where, Build& build) {
   Corners x;
@@ -170,6 +187,7 @@ void build_solids(Build& build) {
     if (complete) unfold_tetrahedron(solid.node);
     if (complete && check_repetitions(solid, raw.nodes_where, build.report)) {
       if (check_formulation(solid, raw.nodes_where, build)) check_shape(solid, raw.nodes_where, build);
+      check_sorting(solid, raw.nodes_where, build);
       ++build.solids_of_part[static_cast<std::size_t>(solid.part)];
     }
     solids.push_back(solid);

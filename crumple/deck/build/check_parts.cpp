@@ -48,6 +48,12 @@ void check_solids(const RawPart& raw, const RawMaterial& material, Report& repor
                                    "equation"});
   else if (raw.equation_of_state == 0 && use.takes_equation_of_state)
     warn_of_elastic_pressure(raw, material, report);
+  const auto* fluid = std::get_if<model::NullMaterial>(&material.material.law);
+  if (fluid != nullptr && fluid->least_pressure > 0)
+    report.field_error(
+        material.where,
+        {"PC", fmt::format("{:g}", fluid->least_pressure), "a pressure not above zero",
+         "it is the lower bound of the pressure, tension is below zero; 0 is no bound", "cut-off"});
 }
 
 void check_shells(const RawPart& raw, const RawMaterial& material, Report& report) {

@@ -478,6 +478,7 @@ struct RawDeck {
   std::optional<Where> termination;
   std::optional<Where> control_shell;
   std::optional<Where> control_hourglass;
+  std::optional<Where> sorts_solids;    ///< ESORT of *CONTROL_SOLID, where it is not zero
   bool takes_ls_dyna_defaults = false;  ///< `$crumple defaults=ls-dyna`
   std::optional<Where> search_cells;
   std::optional<Where> search_domain;

@@ -217,8 +217,11 @@ void Scanner::read_include(const Block& block, const OpenFile& file) {
     read_file(source_->include(name, file.loaded), where);
     name.clear();
   }
-  if (!found || !name.empty())
-    report_->error(where, "name", "the name of the file is missing, expected it on the next line");
+  if (!name.empty())
+    report_->error(where, "name", "the name of the file goes on behind \" +\", but there is no other line");
+  else if (!found)
+    report_->warning(where, "name",
+                     "the name of the file is missing, expected it on the next line; nothing is included");
 }
 
 }  // namespace crumple::deck

@@ -100,6 +100,8 @@ void read_control_accuracy(Cards& cards, RawDeck& deck);
 
 // read_control_shell.cpp
 void read_control_shell(Cards& cards, RawDeck& deck);
+void read_control_solid(Cards& cards, RawDeck& deck);
+void read_control_solution(Cards& cards, RawDeck& deck);
 
 // read_control_contact.cpp
 void read_control_contact(Cards& cards, RawDeck& deck);

@@ -221,6 +221,8 @@ constexpr Keyword table[] = {
     {"CONTROL_BULK_VISCOSITY", read_control_bulk_viscosity, none, false},
     {"CONTROL_ACCURACY", read_control_accuracy, none, false},
     {"CONTROL_SHELL", read_control_shell, none, false},
+    {"CONTROL_SOLID", read_control_solid, none, false},
+    {"CONTROL_SOLUTION", read_control_solution, none, false},
     {"CONTROL_CONTACT", read_control_contact, none, false},
 
     {"DATABASE_GLSTAT", read_database<File::Glstat>, none, false},
@@ -270,12 +272,14 @@ constexpr IgnoredRow ignored[] = {
     {"CONTROL_PARALLEL", false, "threads are chosen on the command line"},
     {"CONTROL_MPP_", true, "threads are chosen on the command line"},
     {"CONTROL_CPU", false, "the run has no limit of computing time"},
-    {"CONTROL_SOLID", false, "it acts on solid elements only"},
     {"CONTROL_REQUIRE_REVISION", false, "it is about LS-DYNA's versions"},
+    {"CONTROL_STRUCTURED", true, "it is about a file that LS-DYNA writes"},
+    {"CONTROL_UNITS", false, "it names the units, which have to agree in any case"},
     {"DEFINE_BOX_", true, is_definition},
     {"DEFINE_COORDINATE_", true, is_definition},
     {"DEFINE_TABLE", true, is_definition},
     {"DEFINE_VECTOR", true, is_definition},
+    {"SENSOR_DEFINE_", true, is_definition},
     {"SET_BEAM", true, is_definition},
     {"SET_DISCRETE", true, is_definition},
     {"SET_SEGMENT", true, is_definition},
@@ -307,6 +311,12 @@ std::string without_option(std::string name, std::string_view family, std::strin
   return is_option ? name.erase(at, option.size()) : name;
 }
 
+/// An option that may stand anywhere in the names of a family, put to the end.
+std::string with_last_option(const std::string& name, std::string_view family, std::string_view option) {
+  std::string without = without_option(name, family, option);
+  return without.size() == name.size() ? name : without.append(option);
+}
+
 const Keyword* find_exact(std::string_view name) {
   const auto found =
       std::find_if(std::begin(table), std::end(table), [&](const Keyword& k) { return k.name == name; });
@@ -326,11 +336,11 @@ std::span<const IgnoredRow> ignored_table() {
 std::optional<FoundKeyword> find_keyword(std::string_view name) {
   const std::string number_form =
       without_option(without_option(with_three_digits(name), "SET_", "_COLLECT"), "CONTACT_", "_MPP");
-  const std::string_view full = number_form;
+  const std::string full = with_last_option(number_form, "RIGIDWALL_", "_ID");
   if (const Keyword* keyword = find_exact(full)) return FoundKeyword{keyword, none};
   for (const std::string_view suffix : {"_TITLE", "_ID"}) {
     if (!full.ends_with(suffix)) continue;
-    const Keyword* keyword = find_exact(full.substr(0, full.size() - suffix.size()));
+    const Keyword* keyword = find_exact(std::string_view(full).substr(0, full.size() - suffix.size()));
     const bool has_form =
         keyword && (keyword->heading == identity || (keyword->heading == title && suffix == "_TITLE"));
     if (has_form) return FoundKeyword{keyword, keyword->heading};

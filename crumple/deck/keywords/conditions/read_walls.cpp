@@ -203,7 +203,7 @@ void read_rigidwall_geometric(Cards& cards, RawDeck& deck) {
     if (!has_option(cards, "_SPHERE")) raw.wall.normal = direction(second, cards.report());
     take_shape(cards, raw);
     if (has_option(cards, "_MOTION")) take_motion(cards, raw);
-    if (has_option(cards, "_DISPLAY")) cards.next(display_card);
+    if (has_option(cards, "_DISPLAY") && cards.has_line()) cards.next(display_card);
     if (good(first)) deck.walls.push_back(std::move(raw));
   } while (cards.more());
 }

@@ -49,8 +49,8 @@ constexpr Field hourglass_card[] = {
 constexpr Field bulk_viscosity_card[] = {
     real_or_default("Q1", 1.5, not_negative),
     real_or_default("Q2", 0.06, not_negative),
-    only("TYPE", {1, 0},
-         "solids always have bulk viscosity, and its energy is counted; shells have none (-1, -2)"),
+    harmless("TYPE", {1, 0},
+             "solids always have bulk viscosity, and its energy is counted; shells have none (-1, -2)"),
     unused("BTYPE"),
     unused("TSTYPE"),
 };
@@ -61,6 +61,27 @@ constexpr Field accuracy_card[] = {
     unused("PIDOSU"),
     unused("IACC"),
     unused("EXACC"),
+};
+
+constexpr Field solution_card[] = {
+    only("SOLN", {0}, "there is the mechanical solution only"),
+    unused("NLQ"),    // of composites
+    unused("ISNAN"),  // numbers that are none always end the run
+    unused("LCINT"),  // curves are taken as they are
+    unused("LCACC"),
+    unused("NCDCF"),
+    unused("NOCOP"),
+};
+
+constexpr Field solid_card[] = {
+    integer("ESORT"),
+    unused("FMATRX"),   // deformation gradients are exact
+    unused("NIPTETS"),  // of tetrahedra with ten nodes
+    unused("SWLOCL"),   // of listings
+    only("PSFAIL", {0}, "a solid that has turned inside out ends the run"),
+    unused("T10JTOL"),
+    unused("ICOH"),    // of cohesive elements
+    unused("TET13K"),  // of implicit runs
 };
 
 }  // namespace
@@ -118,6 +139,17 @@ void read_control_bulk_viscosity(Cards& cards, RawDeck& deck) {
 
 void read_control_accuracy(Cards& cards, RawDeck&) {
   cards.next(accuracy_card);
+}
+
+void read_control_solution(Cards& cards, RawDeck&) {
+  cards.next(solution_card);
+}
+
+/// The cards behind the first are about the numbering of output.
+void read_control_solid(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next(solid_card);
+  if (card.good("ESORT") && card.integer("ESORT") != 0) deck.sorts_solids = card.where();
+  cards.skip_rest();
 }
 
 }  // namespace crumple::deck

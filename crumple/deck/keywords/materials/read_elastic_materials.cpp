@@ -123,7 +123,6 @@ void read_mat_null(Cards& cards, RawDeck& deck) {
     law.viscosity = card.real("MU");
     law.largest_volume = card.real("TEROD");
     law.smallest_volume = card.real("CEROD");
-    check_pressure_cut_off(card, cards.report());
     raw.material.law = law;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
