@@ -134,10 +134,21 @@ std::string_view words_of(ElementKind kind) {
   return words[static_cast<std::size_t>(kind)];
 }
 
+/// Whether a part has an id in a field; says so if not.
+bool is_given(UserId id, std::string_view field, std::string_view what, const RawPart& raw, Build& build) {
+  if (id != 0) return true;
+  build.report.field_error(
+      raw.where,
+      {field, "0", fmt::format("the id of {}", what),
+       "a part may have none only if it has no elements, and neither section nor material", "missing"});
+  return false;
+}
+
 /// The material of a part by its id: springs and dampers have their own, which are entered behind the others.
 /// False if there is none, or one of the other kind, which has been reported.
 bool find_material(const RawPart& raw, bool has_section, model::Part& part, Build& build) {
-  if (raw.material == 0) return false;
+  if (raw.material == RawPart::unreadable || !is_given(raw.material, "MID", "a material", raw, build))
+    return false;
   const Index index = build.find(Item::Material, {raw.material, "MID", raw.where});
   if (index == no_index) return false;
   const auto others = static_cast<Index>(build.model.materials.size());
@@ -158,7 +169,8 @@ bool find_material(const RawPart& raw, bool has_section, model::Part& part, Buil
 
 /// The section of a part by its id; false if there is none, which has been reported.
 bool find_section(const RawPart& raw, model::Part& part, Build& build) {
-  if (raw.section == 0) return false;
+  if (raw.section == RawPart::unreadable || !is_given(raw.section, "SECID", "a section", raw, build))
+    return false;
   const Index index = build.find(Item::Section, {raw.section, "SECID", raw.where});
   if (index == no_index) return false;
   // Entered behind each other: those of shells, solids, beams, discrete elements.

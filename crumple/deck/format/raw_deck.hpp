@@ -85,10 +85,12 @@ struct RawInertia {
 };
 
 struct RawPart {
+  static constexpr UserId unreadable = -1;  ///< has been reported
+
   UserId id = 0;
   std::string title;
-  UserId section = 0;
-  UserId material = 0;
+  UserId section = 0;   ///< 0 is none
+  UserId material = 0;  ///< 0 is none
   UserId hourglass = 0;
   std::optional<RawInertia> inertia{};
   UserId equation_of_state = 0;

@@ -13,8 +13,8 @@ using namespace row;
 
 constexpr Field part_card[] = {
     id("PID"),
-    id("SECID"),
-    id("MID"),
+    reference("SECID"),
+    reference("MID"),
     reference("EOSID"),
     reference("HGID"),
     only("GRAV", {0}, "initialisation by gravity is not supported"),
@@ -132,8 +132,8 @@ void read_parts(Cards& cards, RawDeck& deck, bool with_inertia) {
     part.title = cards.text_line("the title of a part");
     const Card card = cards.next(part_card);
     part.id = card.integer("PID");
-    part.section = card.good("SECID") ? card.integer("SECID") : 0;
-    part.material = card.good("MID") ? card.integer("MID") : 0;
+    part.section = card.good("SECID") ? card.integer("SECID") : RawPart::unreadable;
+    part.material = card.good("MID") ? card.integer("MID") : RawPart::unreadable;
     part.equation_of_state = card.good("EOSID") ? card.integer("EOSID") : 0;
     part.hourglass = card.good("HGID") ? card.integer("HGID") : 0;
     part.where = card.where();

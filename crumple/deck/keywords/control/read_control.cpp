@@ -142,11 +142,12 @@ void read_control_accuracy(Cards& cards, RawDeck&) {
 }
 
 void read_control_solution(Cards& cards, RawDeck&) {
-  cards.next(solution_card);
+  if (cards.has_line()) cards.next(solution_card);
 }
 
 /// The cards behind the first are about the numbering of output.
 void read_control_solid(Cards& cards, RawDeck& deck) {
+  if (!cards.has_line()) return;
   const Card card = cards.next(solid_card);
   if (card.good("ESORT") && card.integer("ESORT") != 0) deck.sorts_solids = card.where();
   cards.skip_rest();
