@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "deck/build/build.hpp"
 #include "deck/format/vector.hpp"
@@ -189,14 +190,19 @@ bool find_section(const RawPart& raw, model::Part& part, Build& build) {
   return true;
 }
 
-/// A part that pre-processors write for something that is not in this deck.
-bool is_unused(const RawPart& raw, const RawDeck& deck) {
-  if (raw.section != 0 || raw.material != 0) return false;
-  const auto of_part = [&](const auto& element) { return element.part == raw.id; };
-  return std::none_of(deck.shells.begin(), deck.shells.end(), of_part) &&
-         std::none_of(deck.solids.begin(), deck.solids.end(), of_part) &&
-         std::none_of(deck.beams.begin(), deck.beams.end(), of_part) &&
-         std::none_of(deck.discretes.begin(), deck.discretes.end(), of_part);
+/// Ids of the parts that elements name, ascending.
+std::vector<UserId> parts_with_elements(const RawDeck& deck) {
+  std::vector<UserId> parts;
+  const auto add = [&](const auto& elements) {
+    for (const auto& element : elements)
+      if (parts.empty() || parts.back() != element.part) parts.push_back(element.part);
+  };
+  add(deck.shells);
+  add(deck.solids);
+  add(deck.beams);
+  add(deck.discretes);
+  std::sort(parts.begin(), parts.end());
+  return parts;
 }
 
 /// Shells have no hourglass form 6.
@@ -241,8 +247,10 @@ void build_nodes(Build& build) {
 }
 
 void build_parts(Build& build) {
+  const std::vector<UserId> used = parts_with_elements(build.deck);
   for (const RawPart& raw : build.deck.parts) {
-    if (is_unused(raw, build.deck)) {
+    // Pre-processors write such a part for something that is not in this deck.
+    if (raw.section == 0 && raw.material == 0 && !std::binary_search(used.begin(), used.end(), raw.id)) {
       build.drop_part(raw.id);
       build.report.add(
           Severity::Note, raw.where, "empty",

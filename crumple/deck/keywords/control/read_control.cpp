@@ -145,7 +145,7 @@ void read_control_solution(Cards& cards, RawDeck&) {
   if (cards.has_line()) cards.next(solution_card);
 }
 
-/// The cards behind the first are about the numbering of output.
+/// The following cards only renumber output.
 void read_control_solid(Cards& cards, RawDeck& deck) {
   if (!cards.has_line()) return;
   const Card card = cards.next(solid_card);
