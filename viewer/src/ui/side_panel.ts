@@ -41,6 +41,8 @@ export class SidePanel {
   private readonly axis = h("select", { "aria-label": "normal of the section" });
   private readonly cut = h("input", { type: "range", min: 0, max: 1, step: 0.002, value: 0.5, "aria-label": "place of the section" });
   private readonly cutValue = h("output", {});
+  /** Where the section is, as a share of the way through the box; the slider shows the nearest of its steps. */
+  private share = 0.5;
   private readonly wallToggle: HTMLLabelElement | null;
   private source: FringeSource | null = null;
   private frame = 0;
@@ -75,7 +77,10 @@ export class SidePanel {
     this.section = toggle("section", false, () => this.updateSection(), "s");
     options(this.axis, [["x", "x"], ["y", "y"], ["z", "z"], ["-x", "−x"], ["-y", "−y"], ["-z", "−z"], ["view", "view"]]);
     this.axis.addEventListener("change", () => this.updateSection());
-    this.cut.addEventListener("input", () => this.updateSection());
+    this.cut.addEventListener("input", () => {
+      this.share = Number(this.cut.value);
+      this.updateSection();
+    });
     this.element.append(
       labelled("fringe", this.field),
       h("div", { class: "fringe-only" },
@@ -119,7 +124,7 @@ export class SidePanel {
       walls: this.wallToggle && boxOf(this.wallToggle).checked,
       section: boxOf(this.section).checked,
       axis: this.axis.value,
-      cut: this.axis.value === "view" ? Number(this.cut.value) : this.place(Number(this.cut.value)),
+      cut: this.axis.value === "view" ? this.share : this.place(this.share),
     };
   }
 
@@ -135,7 +140,8 @@ export class SidePanel {
     if (this.wallToggle && kept.walls !== null) setBox(this.wallToggle, kept.walls);
     this.axis.value = kept.axis;
     const [start, end] = [this.place(0), this.place(1)];
-    this.cut.value = String(kept.axis === "view" || start === end ? kept.cut : (kept.cut - start) / (end - start));
+    this.share = kept.axis === "view" || start === end ? kept.cut : (kept.cut - start) / (end - start);
+    this.cut.value = String(this.share);
     setBox(this.section, kept.section);
     this.updateSection();
   }
@@ -183,7 +189,7 @@ export class SidePanel {
       return;
     }
     const choice = this.axis.value;
-    const share = Number(this.cut.value);
+    const { share } = this;
     if (choice === "view") {
       this.act(() => this.view.setSection(this.viewDirection(), share - 0.5));
       this.cutValue.textContent = `${Math.round(100 * share)} % of the depth`;

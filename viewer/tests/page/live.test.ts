@@ -61,9 +61,10 @@ describe("the live page", () => {
     browser = await startBrowser();
   });
   afterAll(() => browser.close());
+  // The browser is ready before the run starts: a short run does not wait for one that comes late.
   async function follow(end: number): Promise<void> {
+    ({ page, faults } = await newPage(browser, { viewport: { width: 1100, height: 700 } }, /^(data|blob|http:\/\/127\.0\.0\.1):/));
     run = await startRun(end);
-    ({ page, faults } = await newPage(browser, { viewport: { width: 1100, height: 700 } }, new RegExp(`^(data|blob):|^${run.address}`)));
     await page.goto(run.address);
   }
   afterEach(async () => {
@@ -99,7 +100,7 @@ describe("the live page", () => {
     expect(after.player.time).toBeGreaterThan(before.player.time);
     expect(after.panel.field).toBe("velocity");
     expect(after.panel.section).toBe(true);
-    expect(after.panel.cut).toBeCloseTo(before.panel.cut, 3);
+    expect(after.panel.cut).toBeCloseTo(before.panel.cut, 9);
     expect(after.hiddenParts).toEqual(before.hiddenParts);
     expect(after.hiddenParts.length).toBe(1);
     expect(after.theme).toBe("dark");
