@@ -17,6 +17,7 @@
 #include "contact/enforcement/multipliers.hpp"
 #include "contact/intersections.hpp"
 #include "contact/node_segment/local_search.hpp"
+#include "contact/node_segment/lost_nodes.hpp"
 #include "contact/node_segment/ragged_nodes.hpp"
 #include "contact/node_segment/solid_overlaps.hpp"
 #include "contact/pinball/pinball_contact.hpp"
@@ -226,6 +227,8 @@ struct Interface::Implementation {
       pinballs->find(motion, started == 0);
     } else {
       pairs = local.find(motion, search, remembered, started == 0, deep);
+      count_lost_nodes({&surface, {motion.position.data(), motion.velocity.data(), 0}}, remembered, pairs,
+                       ragged, domain.clock.cycle, domain.contacts[report].lost);
       book_eroded(ragged.lost_energy(remembered, pairs, domain), domain);
       edges.find(motion, started == 0);
       edges.relieve(pairs);

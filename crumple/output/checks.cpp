@@ -178,6 +178,8 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
                                 ratio_of(energy.contact, internal, scale), 0.10, "practice", 0.10));
   }
   for (const domain::ContactReport& contact : view.domain.contacts) {
+    checks.push_back(make_check(fmt::format("nodes lost by contact {}", contact.id),
+                                static_cast<double>(contact.lost.count), 0, "crumple"));
     if (!contact.inspection.made) continue;
     checks.push_back(make_check(fmt::format("mid-surface intersections, contact {}", contact.id),
                                 contact.inspection.intersections, 0, "crumple"));

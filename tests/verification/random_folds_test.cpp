@@ -158,6 +158,7 @@ struct Found {
   double fastest = 0;  ///< over the speed of an end
   double error = 0;
   Index beyond = 0;
+  long lost = 0;
   int most_pairs = 0;
 };
 
@@ -183,6 +184,7 @@ Found fold(unsigned seed) {
   found.turning = kept.turning_drift;
   found.error = domain.energy.error();
   found.beyond = contact.inspection.nodes_beyond;
+  found.lost = contact.lost.count;
   std::printf(
       "seed %u: %s, %.1f x %.1f, edge %.1f, thickness %.1f, speed %.0f, friction %.2f, SOFT %d: %ld cycles, "
       "%d pairs, contact over internal energy %.4f, at its lowest %.1e, withheld %ld, fastest %.1f, beyond "
@@ -206,8 +208,10 @@ void expect_sound(unsigned first, unsigned last) {
     worst.fastest = test::larger_of(worst.fastest, found.fastest);
     worst.error = test::larger_of(worst.error, found.error);
     worst.beyond += found.beyond;
+    worst.lost += found.lost;
     touched += found.most_pairs > 0 ? 1 : 0;
   }
+  EXPECT_EQ(worst.lost, 0);
   EXPECT_GT(touched, 0.5 * (last - first)) << "most profiles must come into self-contact";
   test::verified("contact energy below zero over internal energy, at any time", "conservation")
       .below(worst.contact, 1e-3);

@@ -95,6 +95,12 @@ void print_contacts(std::ostream& out, const output::View& view) {
             "excess {:.4g} on node {} at element {} in cycle {}\n",
             contact.withheld.count, contact.withheld.largest, contact.withheld.node, contact.withheld.segment,
             contact.withheld.cycle);
+    if (contact.lost.count > 0)
+      print(
+          out,
+          "  lost beyond a surface without being released: {}, the first node {} at element {} in cycle {}\n",
+          counted(static_cast<Index>(contact.lost.count), "node"), contact.lost.node, contact.lost.segment,
+          contact.lost.cycle);
     print_inspection(out, contact);
     print_contact_times(out, domain, contact.times);
   }

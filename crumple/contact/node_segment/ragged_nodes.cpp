@@ -14,6 +14,7 @@ void RaggedNodes::follow() {
 }
 
 bool RaggedNodes::has(const RememberedPair& pair) const {
+  if (marked_.empty()) return false;
   const Index* nodes = surface_->segment(pair.segment);
   return marked_[pair.node] != 0 ||
          std::any_of(nodes, nodes + 4, [&](Index node) { return marked_[surface_->place[node]] != 0; });

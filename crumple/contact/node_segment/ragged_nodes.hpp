@@ -24,13 +24,14 @@ class RaggedNodes {
   double lost_energy(std::span<const RememberedPair> remembered, std::span<const ContactPair> pairs,
                      const domain::Domain& domain) const;
 
+  /// Whether the node of a pair or its segment is among them.
+  bool has(const RememberedPair& pair) const;
+
   void declare(domain::StateList& list);
   /// To be called once after a restart, when the surface has followed the erosion.
   void resume() { active_before_ = surface_->active; }
 
  private:
-  bool has(const RememberedPair& pair) const;
-
   const Surface* surface_;
   std::vector<std::uint8_t> active_before_;  ///< Surface::active at the last look
   std::vector<std::uint8_t> marked_;         ///< by place; empty where nothing has eroded

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contacts that end although the node is still where it must not be are counted, and those that end by rule
+// are not.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "contact/bodies.hpp"
+
+namespace crumple::lost_nodes_test {
+namespace {
+
+using test::at;
+using test::Bodies;
+using test::Vec3;
+
+constexpr double step = 1e-4;
+
+/// A sheet of 6 x 4 unit squares in z = 0 and a triangle above it that stands on its tip, which is then shot
+/// through the sheet in one step, to {1.45, 1.3, -0.09}.
+struct ShotTip {
+  ShotTip() : bodies(0.1) {
+    sheet = bodies.sheet(6, 4, [](double u, double v) { return Vec3{6 * u, 4 * v, 0}; });
+    const Vec3 start{1.4, 1.3, 0.3};
+    tip = bodies.node(start);
+    const Index b = bodies.node(start + Vec3{2, 0.3, 3});
+    const Index c = bodies.node(start + Vec3{2, -0.3, 3});
+    bodies.shell(tip, b, c, c);
+    made = bodies.build();
+    touching.emplace_back(bodies.attach(made));
+    test::add_forces(touching[0], made);
+    move({1.45, 1.3, -0.09});
+  }
+  void move(const Vec3& to) {
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    const Vec3 shift = to - x[at(made, tip)];
+    for (Index n = tip; n < tip + 3; ++n) x[at(made, n)] += shift;
+    test::move_to(touching[0], made, x, step);
+  }
+  const domain::LostNodes& lost() const { return made.contacts[0].lost; }
+
+  Bodies bodies;
+  Index sheet = 0;
+  Index tip = 0;
+  domain::Domain made;
+  std::vector<contact::Interface> touching;
+};
+
+TEST(LostNodes, OneThatLeavesItsSegmentBehindTheSurfaceIsCountedAndNamed) {
+  ShotTip scene;
+  ASSERT_EQ(scene.touching[0].statistics().nodes_astray, 1);
+  EXPECT_EQ(scene.lost().count, 0);
+  const Vec3 three_segments_on{4.6, 2.4, -0.09};
+  scene.move(three_segments_on);
+  EXPECT_EQ(scene.touching[0].statistics().nodes_astray, 0);
+  EXPECT_EQ(scene.lost().count, 1);
+  EXPECT_EQ(scene.lost().node, scene.bodies.model.nodes.id[scene.tip]);
+  // Only the first is named, and what is lost is not counted again.
+  scene.move({4.6, 2.4, -0.08});
+  EXPECT_EQ(scene.lost().count, 1);
+}
+
+TEST(LostNodes, OneThatANeighbourTakesOverIsNot) {
+  ShotTip scene;
+  scene.move({2.3, 2.4, -0.09});
+  EXPECT_EQ(scene.touching[0].statistics().nodes_astray, 1);
+  EXPECT_EQ(scene.lost().count, 0);
+}
+
+TEST(LostNodes, OneThatComesBackAndLeavesIsNot) {
+  ShotTip scene;
+  scene.move({1.45, 1.3, 0.5});
+  EXPECT_EQ(scene.touching[0].statistics().nodes_astray, 0);
+  EXPECT_EQ(scene.lost().count, 0);
+}
+
+TEST(LostNodes, OneThatSlidesOverAFreeEdgeIsNot) {
+  ShotTip scene;
+  scene.move({1.5, 0.4, -0.09});
+  ASSERT_EQ(scene.touching[0].statistics().nodes_astray, 1);
+  scene.move({1.5, -0.4, -0.09});
+  EXPECT_EQ(scene.touching[0].statistics().nodes_astray, 0);
+  EXPECT_EQ(scene.lost().count, 0);
+}
+
+}  // namespace
+}  // namespace crumple::lost_nodes_test
