@@ -64,6 +64,14 @@ struct BodyLoad {
   double scale = 1;
 };
 
+/// Damping of all motion in proportion to mass (*DAMPING_GLOBAL).
+struct MassDamping {
+  Index curve = no_index;                      ///< in Model::curves; abscissa [time], ordinate [1/time]
+  double constant = 0;                         ///< without a curve [1/time]
+  std::array<double, 3> translation{1, 1, 1};  ///< factors on it, by global axis
+  std::array<double, 3> rotation{1, 1, 1};
+};
+
 /// Force on the centre of mass of a rigid body, or moment on the body (*LOAD_RIGID_BODY), global axes.
 struct RigidBodyLoad {
   Index body = no_index;           ///< in Model::rigid_bodies

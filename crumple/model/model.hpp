@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,7 @@ struct Model {
   std::vector<PressureLoad> pressure_loads;
   std::vector<BodyLoad> body_loads;
   std::vector<RigidBodyLoad> rigid_body_loads;
+  std::optional<MassDamping> mass_damping;
   std::vector<PrescribedMotion> prescribed_motions;
   std::vector<RigidWall> rigid_walls;
   std::vector<Contact> contacts;

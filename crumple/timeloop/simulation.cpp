@@ -48,7 +48,8 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       nodal_loads_(model, domain_),
       pressure_loads_(model, domain_),
       body_loads_(model),
-      rigid_body_loads_(model) {
+      rigid_body_loads_(model),
+      mass_damping_(model) {
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});
     walls_.emplace_back(model, wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
@@ -92,6 +93,7 @@ domain::StateList Simulation::state() {
   pressure_loads_.declare(list);
   body_loads_.declare(list);
   rigid_body_loads_.declare(list);
+  mass_damping_.declare(list);
   if (energy_trace_) energy_trace_->declare(list);
   return list;
 }

@@ -21,6 +21,7 @@
 #include "elements/energy_trace.hpp"
 #include "elements/section_forces.hpp"
 #include "loads/body_loads.hpp"
+#include "loads/mass_damping.hpp"
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
 #include "model/model.hpp"
@@ -128,6 +129,7 @@ class Simulation {
   loads::PressureLoads pressure_loads_;
   loads::BodyLoads body_loads_;
   loads::RigidBodyLoads rigid_body_loads_;
+  loads::MassDamping mass_damping_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
   KickSums kick_sums_;                          ///< of the last kick, walls included
   bool keeps_accelerations_ = false;

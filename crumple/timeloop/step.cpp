@@ -90,6 +90,7 @@ void Simulation::compute_forces() {
   nodal_loads_.add_forces(domain_);
   body_loads_.add_forces(domain_);
   rigid_body_loads_.add_forces(domain_);
+  mass_damping_.add_forces(domain_);
 }
 
 /// In three stages: how stiff a contact may be depends on what the others do to its nodes.
@@ -105,6 +106,7 @@ void Simulation::choose_step() {
   const model::Control& control = model_->control;
   const bool first = domain_.clock.cycle == 0;
   next_step_ = control.step_scale * domain_.clock.element_limit;
+  next_step_ *= mass_damping_.stable_share(domain_.clock.element_limit);
   if (first) largest_step_ = step_growth_limit * next_step_;
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
   next_step_ = std::min(next_step_, largest_step_);

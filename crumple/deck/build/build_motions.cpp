@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prescribed motions, body loads, and loads on rigid bodies.
+// Prescribed motions, body loads, loads on rigid bodies, and damping.
 #include <fmt/core.h>
 
 #include "deck/build/build.hpp"
@@ -84,6 +84,17 @@ void build_rigid_body_load(const RawRigidBodyLoad& raw, Build& build) {
   build.model.rigid_body_loads.push_back(load);
 }
 
+void build_mass_damping(Build& build) {
+  if (build.deck.mass_dampings.empty()) return;
+  if (build.deck.mass_dampings.size() > 1)
+    build.report.error(build.deck.mass_dampings[1].where, "damping",
+                       "*DAMPING_GLOBAL stands twice; the damping of the whole model is given once");
+  const RawMassDamping& raw = build.deck.mass_dampings.front();
+  model::MassDamping damping = raw.damping;
+  if (raw.curve != 0) damping.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  if (damping.curve != no_index || damping.constant > 0) build.model.mass_damping = damping;
+}
+
 }  // namespace
 
 void build_motions(Build& build) {
@@ -96,6 +107,7 @@ void build_motions(Build& build) {
     if (load.curve != no_index) build.model.body_loads.push_back(load);
   }
   for (const RawRigidBodyLoad& raw : build.deck.rigid_body_loads) build_rigid_body_load(raw, build);
+  build_mass_damping(build);
 }
 
 }  // namespace crumple::deck

@@ -367,6 +367,12 @@ struct RawBodyLoad {
   Where where;
 };
 
+struct RawMassDamping {
+  model::MassDamping damping;
+  UserId curve = 0;  ///< 0 is none
+  Where where;
+};
+
 struct RawRigidBodyLoad {
   UserId body = 0;
   int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
@@ -462,6 +468,7 @@ struct RawDeck {
   std::vector<RawPrescribedMotion> prescribed_motions;
   std::vector<RawBodyLoad> body_loads;
   std::vector<RawRigidBodyLoad> rigid_body_loads;
+  std::vector<RawMassDamping> mass_dampings;
   std::vector<RawWall> walls;
   std::vector<RawContact> contacts;
   int contact_thickness_option = 0;  ///< SHLTHK of *CONTROL_CONTACT

@@ -166,6 +166,7 @@ void read_load_body_x(Cards& cards, RawDeck& deck);
 void read_load_body_y(Cards& cards, RawDeck& deck);
 void read_load_body_z(Cards& cards, RawDeck& deck);
 void read_load_rigid_body(Cards& cards, RawDeck& deck);
+void read_damping_global(Cards& cards, RawDeck& deck);
 
 // read_loads.cpp
 void read_load_node_point(Cards& cards, RawDeck& deck);

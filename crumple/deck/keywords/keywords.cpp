@@ -164,6 +164,7 @@ constexpr Keyword table[] = {
     {"LOAD_BODY_X", read_load_body_x},
     {"LOAD_BODY_Y", read_load_body_y},
     {"LOAD_BODY_Z", read_load_body_z},
+    {"DAMPING_GLOBAL", read_damping_global},
     {"LOAD_RIGID_BODY", read_load_rigid_body},
     {"RIGIDWALL_PLANAR", read_rigidwall_planar, identity},
     {"RIGIDWALL_PLANAR_FINITE", read_rigidwall_planar, identity},
@@ -193,6 +194,9 @@ constexpr Keyword table[] = {
     {"CONTACT_AUTOMATIC_GENERAL_INTERIOR", read_contact_automatic_general, identity},
     {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", read_contact_automatic_surface_to_surface, identity},
     {"CONTACT_AUTOMATIC_NODES_TO_SURFACE", read_contact_automatic_nodes_to_surface, identity},
+    // The nodes of one surface against the segments of the other.
+    {"CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", read_contact_automatic_nodes_to_surface, identity},
+    {"CONTACT_ONE_WAY_SURFACE_TO_SURFACE", read_contact_nodes_to_surface, identity},
     {"CONTACT_SURFACE_TO_SURFACE", read_contact_surface_to_surface, identity},
     {"CONTACT_NODES_TO_SURFACE", read_contact_nodes_to_surface, identity},
     {"CONTACT_ERODING_SURFACE_TO_SURFACE", read_contact_eroding_surface_to_surface, identity},

@@ -128,6 +128,8 @@ TEST(Contact, SidesBySets) {
   EXPECT_EQ(contact.side[0].nodes, (std::vector<Index>{4, 5}));
   using Segments = std::vector<std::array<Index, 4>>;
   EXPECT_EQ(contact.side[1].segments, (Segments{{2, 3, 0, 1}})) << "in the order of the deck";
+  EXPECT_EQ(read_contact("*CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE\n1,8,3,1\n\n\n").contacts.at(0).kind,
+            model::ContactKind::NodesToSurface);
   EXPECT_EQ(read_contact("*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n1,8,3,1\n\n\n").contacts.at(0).side[1].shells,
             (std::vector<Index>{1}));
   EXPECT_EQ(read_contact("*CONTACT_ERODING_NODES_TO_SURFACE\n1,,3,5\n\n\n\n").contacts.at(0).side[1].parts,

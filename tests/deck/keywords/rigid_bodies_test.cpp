@@ -282,6 +282,24 @@ TEST(PrescribedMotions, DirectionsByVectorsAreRefused) {
   EXPECT_TRUE(has(found, "DOF") && has(found, "vectors")) << found;
 }
 
+TEST(MassDamping, IsConstantOrACurveAndOfAllDirectionsUnlessOneIsGiven) {
+  SmallDeck deck = rigid_deck();
+  deck.more = "*DAMPING_GLOBAL\n         0      12.5\n";
+  const model::Model constant = read_clean(deck.text());
+  ASSERT_TRUE(constant.mass_damping.has_value());
+  EXPECT_EQ(constant.mass_damping->constant, 12.5);
+  EXPECT_EQ(constant.mass_damping->curve, no_index);
+  EXPECT_EQ(constant.mass_damping->rotation, (std::array<double, 3>{1, 1, 1}));
+  deck.more = "*DAMPING_GLOBAL\n         1       0.0       0.0       1.0       0.5\n";
+  const model::Model some = read_clean(deck.text());
+  ASSERT_TRUE(some.mass_damping.has_value());
+  EXPECT_EQ(some.mass_damping->curve, 0);
+  EXPECT_EQ(some.mass_damping->translation, (std::array<double, 3>{0, 1, 0.5}));
+  EXPECT_EQ(some.mass_damping->rotation, (std::array<double, 3>{}));
+  deck.more = "*DAMPING_GLOBAL\n\n";
+  EXPECT_FALSE(read_clean(deck.text()).mass_damping.has_value());
+}
+
 TEST(BodyLoads, OnEverythingAndOnBodies) {
   SmallDeck deck = rigid_deck();
   deck.more =

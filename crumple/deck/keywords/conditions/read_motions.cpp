@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *BOUNDARY_PRESCRIBED_MOTION, *LOAD_BODY, *LOAD_RIGID_BODY.
+// *BOUNDARY_PRESCRIBED_MOTION, *LOAD_BODY, *LOAD_RIGID_BODY, *DAMPING_GLOBAL.
 #include "deck/keywords/families.hpp"
 
 namespace crumple::deck {
@@ -42,6 +42,17 @@ constexpr Field rigid_body_load_card[] = {
     unused("M1"),  // for following loads
     unused("M2"),
     unused("M3"),
+};
+
+constexpr Field damping_card[] = {
+    reference("LCID"),
+    real("VALDMP", 0, not_negative),
+    real("STX", 0, not_negative),
+    real("STY", 0, not_negative),
+    real("STZ", 0, not_negative),
+    real("SRX", 0, not_negative),
+    real("SRY", 0, not_negative),
+    real("SRZ", 0, not_negative),
 };
 
 bool check_direction(const Card& card, Report& report) {
@@ -110,6 +121,21 @@ void read_load_body_y(Cards& cards, RawDeck& deck) {
 
 void read_load_body_z(Cards& cards, RawDeck& deck) {
   read_body_loads(cards, deck, 2);
+}
+
+void read_damping_global(Cards& cards, RawDeck& deck) {
+  const Card card = cards.next_filled(damping_card);
+  RawMassDamping raw;
+  raw.damping.constant = card.real("VALDMP");
+  raw.damping.translation = {card.real("STX"), card.real("STY"), card.real("STZ")};
+  raw.damping.rotation = {card.real("SRX"), card.real("SRY"), card.real("SRZ")};
+  // All blank means all of them.
+  const std::array<double, 3> none{};
+  if (raw.damping.translation == none && raw.damping.rotation == none)
+    raw.damping.translation = raw.damping.rotation = {1, 1, 1};
+  raw.curve = card.integer("LCID");
+  raw.where = card.where();
+  deck.mass_dampings.push_back(raw);
 }
 
 void read_load_rigid_body(Cards& cards, RawDeck& deck) {

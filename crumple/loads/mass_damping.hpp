@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "domain/domain.hpp"
+#include "model/model.hpp"
+
+namespace crumple::loads {
+
+/// Damping of all motion in proportion to mass (*DAMPING_GLOBAL): -D(t) S m v on every node, likewise with
+/// its rotary inertia, and on rigid bodies with their mass and momentum. Velocities are those of n-1/2, half
+/// a step late, so the damping lowers the stable step. Source: LS-DYNA Keyword User's Manual,
+/// *DAMPING_GLOBAL; the stability limit is our own derivation (docs/theory/loads.md).
+class MassDamping {
+ public:
+  /// The model must outlive the loads.
+  explicit MassDamping(const model::Model& model) : model_(&model) {}
+
+  /// Adds the forces at time n and, by the trapezoidal rule, what they took since time n-1 to the ledger's
+  /// damping energy. On entry velocities are those of n-1/2 and clock.step is the step between.
+  void add_forces(domain::Domain& domain);
+
+  /// The part of an undamped stable step that is stable at time n: 1 without damping [-].
+  double stable_share(double undamped_step) const;
+
+  /// Declares what is remembered of time n-1.
+  void declare(domain::StateList& list);
+
+ private:
+  /// Damping forces on something that moves and turns.
+  struct Push {
+    math::Vec3 force;
+    math::Vec3 moment;
+  };
+  static_assert(sizeof(Push) == 6 * sizeof(double));
+
+  double damp_nodes(domain::Domain& domain);
+  double damp_bodies(domain::Domain& domain);
+
+  const model::Model* model_;
+  double factor_ = 0;            ///< D(t) at time n [1/time]
+  std::vector<Push> on_nodes_;   ///< at time n; empty without damping
+  std::vector<Push> on_bodies_;  ///< the same
+  std::vector<double> taken_;    ///< by the pieces of nodes; kept for its room alone
+};
+
+}  // namespace crumple::loads
