@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <deque>
 
 #include "deck/build/build.hpp"
 #include "deck/build/units.hpp"
@@ -14,13 +15,24 @@
 #include "deck/format/text_source.hpp"
 #include "deck/keywords/control/settings.hpp"
 #include "deck/keywords/keywords.hpp"
+#include "deck/keywords/read_includes.hpp"
 
 namespace crumple::deck {
 
 namespace {
 
+/// What a keyword that is not supported would define.
+IdKind kind_of_definition(std::string_view keyword) {
+  if (keyword.starts_with("MAT_") || keyword.starts_with("EOS_")) return IdKind::Material;
+  if (keyword.starts_with("SET_")) return IdKind::Set;
+  if (keyword.starts_with("PART_")) return IdKind::Part;
+  for (const std::string_view function : {"DEFINE_CURVE", "DEFINE_TABLE", "DEFINE_FUNCTION"})
+    if (keyword.starts_with(function)) return IdKind::Function;
+  return keyword.starts_with("DEFINE_") ? IdKind::Definition : IdKind::Other;
+}
+
 /// One reading: hands blocks to their readers and keeps account of what was left out.
-class Reading {
+class Reading final : private DeckHandler {
  public:
   /// `changes`: name of the file that may hold cards of a small restart alone; empty if there is none.
   Reading(TextSource& source, const ReadOptions& options, std::string changes = {})
@@ -28,19 +40,20 @@ class Reading {
         changes_(std::move(changes)),
         report_(options.allow_unsupported),
         recorder_(source, texts_),
-        scanner_(
-            options.keep_texts ? recorder_ : source, report_, [this](const Block& block) { take(block); },
-            [this](std::string_view text, const Where& where) {
-              if (!may_set(where)) return;
-              read_settings(text, where, options_.search_methods, deck_, report_);
-            }) {
+        scanner_(options.keep_texts ? static_cast<TextSource&>(recorder_) : source, report_, *this) {
     for (const auto& [name, value] : options.parameters) parameters_.preset(name, value);
   }
 
   ReadResult run();
 
  private:
-  void take(const Block& block);
+  void take_block(const Block& block) override;
+  void take_setting(std::string_view text, const Where& where) override {
+    if (may_set(where)) read_settings(text, where, options_.search_methods, deck_, report_);
+  }
+  std::vector<Inclusion> inclusions_of(const Block& block) override;
+  void begin_file() override {}
+  void end_file() override {}
   void leave_out(const Block& block);
   void note_definition(const Block& block);
   void check_whole(const model::Model& model);
@@ -59,6 +72,7 @@ class Reading {
   Scanner scanner_;
   Parameters parameters_;
   RawDeck deck_;
+  std::deque<Placement> placements_;                      ///< of the files of *INCLUDE_TRANSFORM
   std::vector<std::pair<const Keyword*, Where>> single_;  ///< keywords that count once, with their place
   std::vector<IgnoredKeyword> ignored_;
   bool has_keywords_ = false;
@@ -82,7 +96,7 @@ bool Reading::may_set(const Where& where) {
   return false;
 }
 
-void Reading::take(const Block& block) {
+void Reading::take_block(const Block& block) {
   has_keywords_ = true;
   if (!may_change(block)) return;
   if (block.name == "PARAMETER" || block.name == "PARAMETER_EXPRESSION") {
@@ -108,6 +122,12 @@ void Reading::take(const Block& block) {
   Cards cards(block, found->heading, parameters_, report_);
   found->keyword->read(cards, deck_);
   cards.report_unread();
+}
+
+std::vector<Inclusion> Reading::inclusions_of(const Block& block) {
+  if (!may_change(block)) return {};
+  Cards cards(block, HeadingKind::None, parameters_, report_);
+  return read_include_transform(cards, deck_, placements_);
 }
 
 void Reading::leave_out(const Block& block) {
@@ -151,7 +171,10 @@ void Reading::note_definition(const Block& block) {
   const std::size_t comma = text.find(',');
   const std::size_t columns = block.format == ColumnFormat::Long ? 20 : 10;
   const auto id = parse_integer(trimmed(text.substr(0, std::min(comma, columns))));
-  if (id) deck_.unsupported.push_back({*id, block.where});
+  const std::int64_t placed = id && block.placement != nullptr
+                                  ? block.placement->id(kind_of_definition(block.name), *id)
+                                  : id.value_or(0);
+  if (id) deck_.unsupported.push_back({placed, block.where});
 }
 
 void Reading::check_whole(const model::Model& model) {

@@ -44,6 +44,7 @@ const ItemWords& words(Item item) {
       {"beam set", "*SET_BEAM", "*SET_BEAM_", ""},
       {"discrete set", "*SET_DISCRETE", "*SET_DISCRETE_", ""},
       {"cross-section", "*DATABASE_CROSS_SECTION_PLANE_ID", "*DATABASE_CROSS_SECTION_", ""},
+      {"transformation", "*DEFINE_TRANSFORMATION", "*DEFINE_TRANSFORM", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -119,6 +120,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_properties(build);
   check_materials(build);
   build_nodes(build);
+  move_nodes(build);
   enter_coordinate_systems(build);
   build_parts(build);
   build_shells(build);

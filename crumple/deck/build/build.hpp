@@ -47,6 +47,7 @@ enum class Item {
   BeamSet,
   DiscreteSet,
   CrossSection,
+  Transformation,
   Count,  ///< how many there are
 };
 
@@ -117,6 +118,9 @@ using model::ElementKind;
 /// Index of the part that an element names. Where there is none, or its section is for another kind of
 /// elements, says so and returns no_index.
 Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
+// build_transformations.cpp
+/// Moves the nodes of *NODE_TRANSFORM. Before all else that uses their positions.
+void move_nodes(Build& build);
 // build_coordinates.cpp
 /// Enters the ids of the coordinate systems. The nodes of the model must be there.
 void enter_coordinate_systems(Build& build);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "deck/format/placement.hpp"
 #include "deck/format/report.hpp"
 
 namespace crumple::deck {
@@ -28,6 +29,7 @@ struct Block {
   Where where;       ///< of the keyword's line
   ColumnFormat format = ColumnFormat::Standard;
   std::vector<Line> lines;
+  const Placement* placement = nullptr;  ///< of its file; null is as in the deck
 };
 
 }  // namespace crumple::deck

@@ -28,6 +28,17 @@ std::size_t advance_tab(std::size_t column) {
   return (column / tab_stop + 1) * tab_stop;
 }
 
+/// What the id before an item is the id of: IDPOFF counts rigid walls, cross-sections and constrained node
+/// sets.
+IdKind kind_of_heading(const Card& card) {
+  constexpr std::string_view like_parts[] = {"*RIGIDWALL_", "*DATABASE_CROSS_SECTION_",
+                                             "*CONSTRAINED_NODE_SET"};
+  const bool is_like_part =
+      std::any_of(std::begin(like_parts), std::end(like_parts),
+                  [&](std::string_view family) { return card.where().keyword.starts_with(family); });
+  return is_like_part ? IdKind::Part : IdKind::Other;
+}
+
 }  // namespace
 
 const Card::Value& Card::value(std::string_view name) const {
@@ -35,6 +46,13 @@ const Card::Value& Card::value(std::string_view name) const {
     if (layout_[i].name == name) return values_[i];
   assert(false && "the layout has no field of this name");
   return values_[0];
+}
+
+IdKind kind_of_target(const Card& card) {
+  const std::string_view keyword = card.where().keyword;
+  if (keyword.find("_SET") != std::string_view::npos) return IdKind::Set;
+  return keyword.ends_with("_RIGID") || keyword.find("_RIGID_") != std::string_view::npos ? IdKind::Part
+                                                                                          : IdKind::Node;
 }
 
 Cards::Cards(const Block& block, HeadingKind heading, const Parameters& parameters, Report& report)
@@ -87,7 +105,25 @@ Card Cards::next(Layout layout) {
     if (!absent) parse(i, card);
   }
   if (!rest_.empty() && !absent) report_rest(card);
+  add_offsets(card);
+  if (placement().moves && !absent) place(card);
   return card;
+}
+
+const Placement& Cards::placement() const {
+  static const Placement unmoved;
+  return block_->placement != nullptr ? *block_->placement : unmoved;
+}
+
+void Cards::add_offsets(Card& card) {
+  for (std::size_t i = 0; i < card.layout_.size(); ++i) {
+    const Field& field = card.layout_[i];
+    Card::Value& value = card.values_[i];
+    value.written = value.integer;
+    if (!field.is_id()) continue;
+    const IdKind kind = field.choose != nullptr ? field.choose(card) : field.kind;
+    if (kind != IdKind::None) value.integer = placement().id(kind, value.written);
+  }
 }
 
 bool Cards::is_free(std::string_view line, Layout layout) const {
@@ -261,7 +297,7 @@ Heading Cards::heading() {
     result.title = text_line("a title");
     return result;
   }
-  static constexpr Field identity[] = {row::reference("ID"), row::text("HEADING", 70)};
+  static constexpr Field identity[] = {row::reference("ID", kind_of_heading), row::text("HEADING", 70)};
   const std::int32_t count = card_;
   const Card card = next(identity);
   card_ = count;

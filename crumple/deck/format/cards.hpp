@@ -24,6 +24,8 @@ class Card {
   bool given(std::string_view name) const { return !value(name).text.empty(); }
   /// The field was read and checked without a fault.
   bool good(std::string_view name) const { return value(name).good; }
+  /// An id as the card has it, without the offset of its file.
+  std::int64_t written(std::string_view name) const { return value(name).written; }
   /// By position, for cards that are lists of the same kind of value.
   std::int64_t integer(std::size_t field) const { return values_[field].integer; }
   bool good(std::size_t field) const { return values_[field].good; }
@@ -35,6 +37,7 @@ class Card {
   struct Value {
     double real = 0;
     std::int64_t integer = 0;
+    std::int64_t written = 0;
     std::string_view text;  ///< as written, parameters not replaced
     bool good = true;
   };
@@ -45,6 +48,9 @@ class Card {
   std::array<Value, max_fields> values_{};
   Where where_;
 };
+
+/// The kind of the id in a keyword that acts on a node, on a node set (_SET) or on a rigid part (_RIGID).
+IdKind kind_of_target(const Card& card);
 
 /// What the _TITLE and _ID forms of a keyword put before an item.
 struct Heading {
@@ -93,6 +99,9 @@ class Cards {
   /// Has every card and line of text that is read noted there, headings apart.
   void note_uses(std::vector<CardUse>& uses) { uses_ = &uses; }
 
+  /// What the ids and coordinates of the file become.
+  const Placement& placement() const;
+
   /// The keyword as a whole.
   const Where& where() const { return block_->where; }
   Report& report() const { return *report_; }
@@ -107,6 +116,10 @@ class Cards {
   void parse(std::size_t index, Card& card);
   bool read_number(std::size_t index, Card& card);
   void report_rest(const Card& card);
+  void add_offsets(Card& card);
+  void place(Card& card);
+  void place_vector(Card& card, std::size_t first);
+  void check_placed(const Card& card, std::size_t index);
 
   const Block* block_;
   HeadingKind heading_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "deck/format/id_kind.hpp"
 #include "deck/format/report.hpp"
 
 namespace crumple::deck {
@@ -17,6 +18,23 @@ enum class FieldType {
   Integer,
   Real,
   Text,
+};
+
+class Card;
+
+/// The kind of an id that depends on the keyword or on another field of the card.
+using ChooseKind = IdKind (*)(const Card& card);
+
+/// What the transformation of a file does to a value.
+enum class Geometry {
+  None,
+  Point,      ///< one of three fields that are a point
+  Direction,  ///< likewise a direction, or the difference of two points
+  Velocity,   ///< likewise a velocity: turned, with a warning
+  Spin,       ///< likewise an angular velocity
+  Length,     ///< refused where the transformation changes lengths
+  Axes,       ///< numbers of global axes: they stay, with a warning, where the transformation turns
+  Fixed,      ///< refused where the transformation does more than move
 };
 
 /// What a value must be. A blank field has its default, which is checked as well.
@@ -45,6 +63,11 @@ struct Field {
   bool zero_is_default = false;  ///< a zero means the default as well
   int width = 10;                ///< columns in the standard format
   bool has_effect = true;        ///< false: read, but it makes no difference here
+  IdKind kind = IdKind::None;    ///< of an id; *INCLUDE_TRANSFORM adds the offset of its kind
+  ChooseKind choose = nullptr;   ///< where the kind depends on the keyword or on other fields
+  Geometry geometry = Geometry::None;
+
+  bool is_id() const { return kind != IdKind::None || choose != nullptr; }
 };
 
 /// What a check finds.
@@ -93,6 +116,7 @@ constexpr Field real(std::string_view name, double fallback = 0, Check check = {
   return {name, FieldType::Real, fallback, check};
 }
 
+/// A whole number that is no id.
 constexpr Field integer(std::string_view name, double fallback = 0, Check check = {}) {
   return {name, FieldType::Integer, fallback, check};
 }
@@ -106,14 +130,86 @@ constexpr Field integer_or_default(std::string_view name, double fallback, Check
   return {name, FieldType::Integer, fallback, check, true};
 }
 
+constexpr Field integer_of(std::string_view name, Check::Kind check, IdKind kind, ChooseKind choose) {
+  Field field{name, FieldType::Integer, 0, check_of(check)};
+  field.kind = kind;
+  field.choose = choose;
+  return field;
+}
+
+/// The kind that goes with the name; a name that says nothing does not compile.
+consteval IdKind required_kind(std::string_view name) {
+  const IdKind kind = kind_of_name(name);
+  if (kind == IdKind::None) throw "the name does not say what it is the id of: give its kind";
+  return kind;
+}
+
 /// The number of an item: must be given and above zero.
-constexpr Field id(std::string_view name) {
-  return {name, FieldType::Integer, 0, check_of(Check::Kind::AboveZero)};
+consteval Field id(std::string_view name) {
+  return integer_of(name, Check::Kind::AboveZero, required_kind(name), nullptr);
+}
+
+consteval Field id(std::string_view name, IdKind kind) {
+  return integer_of(name, Check::Kind::AboveZero, kind, nullptr);
+}
+
+consteval Field id(std::string_view name, ChooseKind choose) {
+  return integer_of(name, Check::Kind::AboveZero, IdKind::None, choose);
 }
 
 /// The number of another item, or zero for none.
-constexpr Field reference(std::string_view name) {
-  return {name, FieldType::Integer, 0, check_of(Check::Kind::NotNegative)};
+consteval Field reference(std::string_view name) {
+  return integer_of(name, Check::Kind::NotNegative, required_kind(name), nullptr);
+}
+
+consteval Field reference(std::string_view name, IdKind kind) {
+  return integer_of(name, Check::Kind::NotNegative, kind, nullptr);
+}
+
+consteval Field reference(std::string_view name, ChooseKind choose) {
+  return integer_of(name, Check::Kind::NotNegative, IdKind::None, choose);
+}
+
+/// The number of another item whose sign means something.
+consteval Field signed_id(std::string_view name, IdKind kind) {
+  return integer_of(name, Check::Kind::None, kind, nullptr);
+}
+
+consteval Field signed_id(std::string_view name, ChooseKind choose) {
+  return integer_of(name, Check::Kind::None, IdKind::None, choose);
+}
+
+constexpr Field placed(Geometry geometry, Field field) {
+  field.geometry = geometry;
+  return field;
+}
+
+constexpr Field point(Field field) {
+  return placed(Geometry::Point, field);
+}
+
+constexpr Field direction(Field field) {
+  return placed(Geometry::Direction, field);
+}
+
+constexpr Field velocity(Field field) {
+  return placed(Geometry::Velocity, field);
+}
+
+constexpr Field spin(Field field) {
+  return placed(Geometry::Spin, field);
+}
+
+constexpr Field length(Field field) {
+  return placed(Geometry::Length, field);
+}
+
+constexpr Field axes(Field field) {
+  return placed(Geometry::Axes, field);
+}
+
+constexpr Field fixed(Field field) {
+  return placed(Geometry::Fixed, field);
 }
 
 /// Read as a number, without influence on the result here (docs/deck.md says why).

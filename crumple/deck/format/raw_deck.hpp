@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "deck/format/raw_transformation.hpp"
 #include "deck/format/report.hpp"
 #include "model/model.hpp"
 
@@ -166,7 +167,6 @@ struct RawTable {
   Where where;
 };
 
-/// A box with sides along the global axes.
 /// Axes that are fixed in space, by two vectors or by three nodes.
 struct RawCoordinateSystem {
   UserId id = 0;
@@ -176,6 +176,7 @@ struct RawCoordinateSystem {
   Where where;
 };
 
+/// A box with sides along the global axes.
 struct RawBox {
   UserId id = 0;
   std::array<double, 3> lowest{};
@@ -455,6 +456,8 @@ struct RawDeck {
   std::vector<RawSet> segment_sets;
   std::vector<RawBox> boxes;
   std::vector<RawCoordinateSystem> coordinate_systems;
+  std::vector<RawTransformation> transformations;
+  std::vector<RawNodeTransform> node_transforms;
   std::vector<RawFixed> fixed;
   std::vector<RawVelocity> velocities;
   std::vector<RawNodalLoad> nodal_loads;

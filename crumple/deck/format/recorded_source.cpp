@@ -24,8 +24,9 @@ LoadedText RecordingSource::deck() {
   return found;
 }
 
-LoadedText RecordingSource::include(const std::string& name, const LoadedText& including) {
-  LoadedText found = source_->include(name, including);
+LoadedText RecordingSource::include(const std::string& name, const LoadedText& including,
+                                    SearchFolders folders) {
+  LoadedText found = source_->include(name, including, folders);
   keep(including.identity, name, found);
   return found;
 }
@@ -54,7 +55,7 @@ LoadedText ReplaySource::deck() {
       joint_, joint_, {}, std::string("*INCLUDE\n") + original + "\n*INCLUDE\n" + change + "\n*END\n", {}};
 }
 
-LoadedText ReplaySource::include(const std::string& name, const LoadedText& including) {
+LoadedText ReplaySource::include(const std::string& name, const LoadedText& including, SearchFolders) {
   if (!changes_ || including.identity != joint_) return find(including.identity, name);
   return name == change ? *changes_ : find({}, {});
 }

@@ -24,7 +24,7 @@ class RecordingSource final : public TextSource {
   /// Both must outlive the source.
   RecordingSource(TextSource& source, std::vector<RecordedText>& texts) : source_(&source), texts_(&texts) {}
   LoadedText deck() override;
-  LoadedText include(const std::string& name, const LoadedText& including) override;
+  LoadedText include(const std::string& name, const LoadedText& including, SearchFolders folders) override;
 
  private:
   void keep(const std::string& including, const std::string& asked, const LoadedText& loaded);
@@ -39,7 +39,7 @@ class ReplaySource final : public TextSource {
   /// `texts` must outlive the source. `changes` is read behind the deck.
   ReplaySource(const std::vector<RecordedText>& texts, std::optional<LoadedText> changes);
   LoadedText deck() override;
-  LoadedText include(const std::string& name, const LoadedText& including) override;
+  LoadedText include(const std::string& name, const LoadedText& including, SearchFolders folders) override;
 
  private:
   LoadedText find(const std::string& including, const std::string& name) const;

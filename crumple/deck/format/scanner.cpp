@@ -34,18 +34,12 @@ std::optional<std::string_view> crumple_setting(std::string_view comment) {
 
 }  // namespace
 
-Scanner::Scanner(TextSource& source, Report& report, std::function<void(const Block&)> on_block,
-                 std::function<void(std::string_view, const Where&)> on_setting)
-    : source_(&source),
-      report_(&report),
-      on_block_(std::move(on_block)),
-      on_setting_(std::move(on_setting)) {}
-
 void Scanner::read_deck() {
-  read_file(source_->deck(), {});
+  static const Placement unmoved;
+  read_file(source_->deck(), {}, &unmoved);
 }
 
-void Scanner::read_file(LoadedText loaded, const Where& from) {
+void Scanner::read_file(LoadedText loaded, const Where& from, const Placement* placement) {
   const bool is_deck = open_.empty();
   if (!loaded.text) {
     if (is_deck)
@@ -65,7 +59,7 @@ void Scanner::read_file(LoadedText loaded, const Where& from) {
     report_->error(from, "too many", "too many files are included, or too deep; is there a mistake?");
     return;
   }
-  OpenFile file{std::move(loaded), 0};
+  OpenFile file{std::move(loaded), 0, placement};
   file.number = report_->add_file(file.loaded.name);
   files_.push_back(file.loaded.path.empty() ? std::filesystem::path(file.loaded.name) : file.loaded.path);
   texts_.push_back(std::move(*file.loaded.text));
@@ -75,7 +69,9 @@ void Scanner::read_file(LoadedText loaded, const Where& from) {
 
   open_.push_back(file.loaded.identity);
   const ColumnFormat outer = format_;
+  handler_->begin_file();
   read_lines(text, file);
+  handler_->end_file();
   format_ = outer;
   open_.pop_back();
 }
@@ -117,10 +113,10 @@ void Scanner::read_lines(std::string_view text, OpenFile& file) {
       line.remove_suffix(1);
     ++where.line;
     if (line.starts_with('$')) {
-      if (const auto setting = crumple_setting(line)) on_setting_(*setting, where);
+      if (const auto setting = crumple_setting(line)) handler_->take_setting(*setting, where);
     } else if (line.starts_with('*')) {
       finish_block(file);
-      start_block(line, where);
+      start_block(line, where, file.placement);
       if (block_ && block_->name == "END") break;
     } else if (block_) {
       block_->lines.push_back({line, where.line});
@@ -134,13 +130,14 @@ void Scanner::read_lines(std::string_view text, OpenFile& file) {
   finish_block(file);
 }
 
-void Scanner::start_block(std::string_view line, const Where& where) {
+void Scanner::start_block(std::string_view line, const Where& where, const Placement* placement) {
   Block block;
   const std::size_t blank = line.find_first_of(" \t(,");
   std::string name = upper_case(trimmed(line.substr(1, blank == std::string_view::npos ? blank : blank - 1)));
   std::string_view rest = blank == std::string_view::npos ? std::string_view() : trimmed(line.substr(blank));
   block.where = where;
   block.format = format_;
+  block.placement = placement;
   const auto format_of = [&](char mark) {
     if (mark == '+') block.format = ColumnFormat::Long;
     if (mark == '-') block.format = ColumnFormat::Standard;
@@ -173,8 +170,14 @@ void Scanner::finish_block(OpenFile& file) {
       }
   } else if (block.name == "INCLUDE") {
     read_include(block, file);
+  } else if (block.name == "INCLUDE_PATH" || block.name == "INCLUDE_PATH_RELATIVE") {
+    read_include_path(block, file);
+  } else if (block.name == "INCLUDE_TRANSFORM") {
+    for (const Inclusion& inclusion : handler_->inclusions_of(block))
+      read_file(source_->include(inclusion.name, file.loaded, folders_), inclusion.where,
+                inclusion.placement);
   } else {
-    on_block_(block);
+    handler_->take_block(block);
   }
 }
 
@@ -201,27 +204,57 @@ void Scanner::read_keyword_options(std::string_view options, const Where& where)
   }
 }
 
-void Scanner::read_include(const Block& block, const OpenFile& file) {
-  std::string name;
-  Where where = block.where;
-  bool found = false;
+std::vector<Scanner::Name> Scanner::names_of(const Block& block, std::string_view what) {
+  std::vector<Name> names;
+  Name name{{}, block.where};
   for (const Line& line : block.lines) {
-    std::string_view text = trimmed(line.text);
+    const std::string_view text = trimmed(line.text);
     if (text.empty()) continue;
-    if (name.empty()) where.line = line.number;
+    if (name.text.empty()) name.where.line = line.number;
     // A name that needs more than one line goes on behind " +".
     const bool goes_on = text.ends_with(" +");
-    name += goes_on ? trimmed(text.substr(0, text.size() - 2)) : text;
+    name.text += goes_on ? trimmed(text.substr(0, text.size() - 2)) : text;
     if (goes_on) continue;
-    found = true;
-    read_file(source_->include(name, file.loaded), where);
-    name.clear();
+    names.push_back(name);
+    name.text.clear();
   }
-  if (!name.empty())
-    report_->error(where, "name", "the name of the file goes on behind \" +\", but there is no other line");
-  else if (!found)
-    report_->warning(where, "name",
+  if (!name.text.empty())
+    report_->error(name.where, "name",
+                   fmt::format("the name of the {} goes on behind \" +\", but there is no other line", what));
+  return names;
+}
+
+void Scanner::read_include(const Block& block, const OpenFile& file) {
+  const std::vector<Name> names = names_of(block, "file");
+  for (const Name& name : names)
+    read_file(source_->include(name.text, file.loaded, folders_), name.where, file.placement);
+  if (names.empty() && std::all_of(block.lines.begin(), block.lines.end(),
+                                   [](const Line& line) { return trimmed(line.text).empty(); }))
+    report_->warning(block.where, "name",
                      "the name of the file is missing, expected it on the next line; nothing is included");
+}
+
+void Scanner::read_include_path(const Block& block, const OpenFile& file) {
+  const bool is_relative = block.name == "INCLUDE_PATH_RELATIVE";
+  const std::vector<Name> names = names_of(block, "folder");
+  for (const Name& name : names) {
+    const std::filesystem::path folder(with_slashes(name.text));
+    if (is_relative && folder.is_absolute()) {
+      report_->error(name.where, "absolute",
+                     fmt::format("read \"{}\", expected a folder relative to this file; *INCLUDE_PATH takes "
+                                 "absolute ones",
+                                 name.text));
+      continue;
+    }
+    // LS-DYNA takes *INCLUDE_PATH from where it runs; decks are written to be run in their own folder.
+    folders_.push_back(file.loaded.path.parent_path() / folder);
+    if (!is_relative && folder.is_relative() && !file.loaded.path.parent_path().empty())
+      folders_.push_back(folder);
+  }
+  if (names.empty())
+    report_->warning(
+        block.where, "name",
+        "the name of the folder is missing, expected it on the next line; no folder is searched");
 }
 
 }  // namespace crumple::deck

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/format/text_source.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -41,29 +43,41 @@ LoadedText load(const std::filesystem::path& path) {
 
 }  // namespace
 
+std::string with_slashes(std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  return name;
+}
+
 LoadedText DiskSource::deck() {
   return load(deck_);
 }
 
-LoadedText DiskSource::include(const std::string& name, const LoadedText& including) {
-  std::string portable = name;
-  std::replace(portable.begin(), portable.end(), '\\', '/');
-  const std::filesystem::path path(portable);
+LoadedText DiskSource::include(const std::string& name, const LoadedText& including, SearchFolders folders) {
+  const std::filesystem::path path(with_slashes(name));
   if (path.is_absolute()) return load(path);
   LoadedText beside_including = load(including.path.parent_path() / path);
   if (beside_including.text) return beside_including;
   LoadedText beside_deck = load(deck_.parent_path() / path);
-  return beside_deck.text ? std::move(beside_deck) : std::move(beside_including);
+  if (beside_deck.text) return beside_deck;
+  for (const std::filesystem::path& folder : folders) {
+    LoadedText found = load(folder / path);
+    if (found.text) return found;
+    beside_including.fault +=
+        fmt::format("{}\"{}\"", &folder == folders.data() ? ", nor in " : ", ", folder.generic_string());
+  }
+  return beside_including;
 }
 
 LoadedText MemorySource::deck() {
   return {name_, name_, {}, std::string(text_), {}};
 }
 
-LoadedText MemorySource::include(const std::string& name, const LoadedText&) {
-  const auto found = included_->find(name);
+LoadedText MemorySource::include(const std::string& name, const LoadedText&, SearchFolders folders) {
+  auto found = included_->find(name);
+  for (auto folder = folders.begin(); found == included_->end() && folder != folders.end(); ++folder)
+    found = included_->find((*folder / name).generic_string());
   if (found == included_->end()) return {name, name, {}, std::nullopt, "there is no such file"};
-  return {name, name, {}, found->second, {}};
+  return {found->first, found->first, {}, found->second, {}};
 }
 
 }  // namespace crumple::deck

@@ -17,6 +17,10 @@ void read_element_shell_thickness(Cards& cards, RawDeck& deck);
 void read_element_mass(Cards& cards, RawDeck& deck);
 void read_element_mass_node_set(Cards& cards, RawDeck& deck);
 
+// read_transformations.cpp
+void read_define_transformation(Cards& cards, RawDeck& deck);
+void read_node_transform(Cards& cards, RawDeck& deck);
+
 // read_solids.cpp
 void read_element_solid(Cards& cards, RawDeck& deck);
 void read_section_solid(Cards& cards, RawDeck& deck);

@@ -20,6 +20,7 @@ constexpr Keyword table[] = {
     {"TITLE", read_title},
 
     {"NODE", read_node},
+    {"NODE_TRANSFORM", read_node_transform},
     {"ELEMENT_SHELL", read_element_shell},
     {"ELEMENT_SHELL_THICKNESS", read_element_shell_thickness},
     {"ELEMENT_SHELL_BETA", read_element_shell_thickness},
@@ -86,6 +87,7 @@ constexpr Keyword table[] = {
     {"DEFINE_TABLE", read_define_table, title},
     {"DEFINE_TABLE_2D", read_define_table_2d, title},
     {"DEFINE_BOX", read_define_box, title},
+    {"DEFINE_TRANSFORMATION", read_define_transformation, title},
     {"DEFINE_COORDINATE_SYSTEM", read_define_coordinate_system, title},
     {"DEFINE_COORDINATE_NODES", read_define_coordinate_nodes, title},
     {"DEFINE_COORDINATE_VECTOR", read_define_coordinate_vector, title},

@@ -29,7 +29,7 @@ constexpr Field element_card[] = {
     sized(8, unused("LOCAL")),  // axes of the releases
 };
 
-constexpr Field orientation_card[] = {real("VX"), real("VY"), real("VZ")};
+constexpr Field orientation_card[] = {direction(real("VX")), direction(real("VY")), direction(real("VZ"))};
 
 constexpr Field section_card[] = {
     id("SECID"),

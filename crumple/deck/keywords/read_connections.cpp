@@ -48,7 +48,7 @@ constexpr Field rivet_card[] = {
 
 constexpr Field node_set_card[] = {
     id("NSID"),
-    integer("DOF", 0, within(1, 7, "1, 2, 3 are x, y, z, 4 is xy, 5 yz, 6 zx, 7 all")),
+    axes(integer("DOF", 0, within(1, 7, "1, 2, 3 are x, y, z, 4 is xy, 5 yz, 6 zx, 7 all"))),
     real_or_default("TF", 1e20, above_zero),
 };
 

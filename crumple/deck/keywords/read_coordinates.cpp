@@ -10,11 +10,13 @@ namespace {
 using namespace row;
 
 constexpr Field points_card[] = {
-    id("CID"),  real("XO"), real("YO"), real("ZO"),
-    real("XL"), real("YL"), real("ZL"), only("CIDL", {0}, "the points are given in global axes"),
+    id("CID"),         point(real("XO")),
+    point(real("YO")), point(real("ZO")),
+    point(real("XL")), point(real("YL")),
+    point(real("ZL")), only("CIDL", {0}, "the points are given in global axes"),
 };
 
-constexpr Field plane_card[] = {real("XP"), real("YP"), real("ZP")};
+constexpr Field plane_card[] = {point(real("XP")), point(real("YP")), point(real("ZP"))};
 
 constexpr Field nodes_card[] = {
     id("CID"),
@@ -26,8 +28,14 @@ constexpr Field nodes_card[] = {
 };
 
 constexpr Field vector_card[] = {
-    id("CID"),  real("XX"), real("YX"), real("ZX"),
-    real("XV"), real("YV"), real("ZV"), only("NID", {0}, "the axes do not turn with a node"),
+    id("CID"),
+    direction(real("XX")),
+    direction(real("YX")),
+    direction(real("ZX")),
+    direction(real("XV")),
+    direction(real("YV")),
+    direction(real("ZV")),
+    only("NID", {0}, "the axes do not turn with a node"),
 };
 
 }  // namespace

@@ -23,16 +23,16 @@ constexpr Field set_card[] = {
 };
 
 constexpr Field plane_card_1[] = {
-    reference("PSID"), real("XCT"), real("YCT"), real("ZCT"),
-    real("XCH"),       real("YCH"), real("ZCH"), real("RADIUS", 0, not_negative),
+    reference("PSID"),  point(real("XCT")), point(real("YCT")), point(real("ZCT")),
+    point(real("XCH")), point(real("YCH")), point(real("ZCH")), length(real("RADIUS", 0, not_negative)),
 };
 
 constexpr Field plane_card_2[] = {
-    real("XHEV"),
-    real("YHEV"),
-    real("ZHEV"),
-    real("LENL", 0, not_negative),
-    real("LENM", 0, not_negative),
+    point(real("XHEV")),
+    point(real("YHEV")),
+    point(real("ZHEV")),
+    length(real("LENL", 0, not_negative)),
+    length(real("LENM", 0, not_negative)),
     harmless("ID", {0}, global_axes),
     unused("ITYPE"),
 };

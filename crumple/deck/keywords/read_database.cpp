@@ -56,10 +56,19 @@ constexpr Field extent_card_2[] = {
     unused("IALEMAT"),
 };
 
-constexpr Field history_card[] = {reference("ID1"), reference("ID2"), reference("ID3"), reference("ID4"),
-                                  reference("ID5"), reference("ID6"), reference("ID7"), reference("ID8")};
+/// What a keyword of histories names.
+IdKind kind_of_history(const Card& card) {
+  if (card.where().keyword.find("_SET") != std::string_view::npos) return IdKind::Set;
+  return card.where().keyword.find("_NODE") != std::string_view::npos ? IdKind::Node : IdKind::Element;
+}
 
-constexpr Field named_history_card[] = {id("ID"), text("HEADING", 70)};
+constexpr Field history_card[] = {
+    reference("ID1", kind_of_history), reference("ID2", kind_of_history), reference("ID3", kind_of_history),
+    reference("ID4", kind_of_history), reference("ID5", kind_of_history), reference("ID6", kind_of_history),
+    reference("ID7", kind_of_history), reference("ID8", kind_of_history),
+};
+
+constexpr Field named_history_card[] = {id("ID", kind_of_history), text("HEADING", 70)};
 
 void read_histories(Cards& cards, RawDeck& deck, HistoryItem item, bool is_set) {
   while (cards.more()) {

@@ -52,9 +52,9 @@ constexpr Field section_second_card[] = {only("CDL", {0}, no_limit), only("TDL",
 constexpr Field orientation_card[] = {
     id("VID"),
     only("IOP", {0}, "0 is a fixed vector; those that move with nodes or are projected are not supported"),
-    real("XT"),
-    real("YT"),
-    real("ZT"),
+    direction(real("XT")),
+    direction(real("YT")),
+    direction(real("ZT")),
     unused("NID1"),  // of IOP 2 and 3
     unused("NID2"),
 };

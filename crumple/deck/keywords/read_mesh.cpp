@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "deck/keywords/families.hpp"
+#include "deck/keywords/mirrored.hpp"
 
 namespace crumple::deck {
 
@@ -16,11 +17,11 @@ constexpr Check constraint_code = within(0, 7, "0 is free, 1-3 fix x, y, z, 4 xy
 
 constexpr Field node_card[] = {
     sized(8, id("NID")),
-    sized(16, real("X")),
-    sized(16, real("Y")),
-    sized(16, real("Z")),
-    sized(8, integer("TC", 0, constraint_code)),
-    sized(8, integer("RC", 0, constraint_code)),
+    sized(16, point(real("X"))),
+    sized(16, point(real("Y"))),
+    sized(16, point(real("Z"))),
+    sized(8, axes(integer("TC", 0, constraint_code))),
+    sized(8, axes(integer("RC", 0, constraint_code))),
 };
 
 constexpr std::string_view four_nodes = "shells have three or four nodes";
@@ -58,12 +59,13 @@ constexpr Field mass_set_card[] = {
     sized(8, unused("PID")),
 };
 
-RawShell shell_of(const Card& card) {
+RawShell shell_of(const Card& card, const Affine& map) {
   RawShell shell;
   shell.id = card.integer("EID");
   shell.part = card.integer("PID");
   shell.node = {card.integer("N1"), card.integer("N2"), card.integer("N3"), card.integer("N4")};
   if (shell.node[3] == 0) shell.node[3] = shell.node[2];
+  if (map.mirrors()) mirror_face(shell.node, shell.node[2] == shell.node[3]);
   shell.where = card.where();
   return shell;
 }
@@ -94,18 +96,22 @@ void read_node(Cards& cards, RawDeck& deck) {
 void read_element_shell(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Card card = cards.next_filled(shell_card);
-    if (has_ids(card)) deck.shells.push_back(shell_of(card));
+    if (has_ids(card)) deck.shells.push_back(shell_of(card, cards.placement().map));
   }
 }
 
 void read_element_shell_thickness(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Card card = cards.next_filled(shell_card);
-    RawShell shell = shell_of(card);
+    RawShell shell = shell_of(card, cards.placement().map);
     const Card second = cards.next(thickness_card);
     shell.thickness = {second.real("THIC1"), second.real("THIC2"), second.real("THIC3"),
                        second.real("THIC4")};
     shell.material_angle = second.real("BETA") * std::numbers::pi / 180;
+    if (cards.placement().map.mirrors()) {
+      mirror_face(shell.thickness, shell.node[2] == shell.node[3]);
+      shell.material_angle = -shell.material_angle;
+    }
     // Two equal nodes make a triangle; its fourth thickness is the third one's.
     if (shell.node[3] == shell.node[2]) shell.thickness[3] = shell.thickness[2];
     if (has_ids(card)) deck.shells.push_back(shell);

@@ -25,10 +25,15 @@ constexpr Field rigid_card[] = {
     only("ALIAS", {0}, no_coupling),
 };
 
+/// CON1 is a coordinate system where CMO is -1, else a code.
+IdKind kind_of_constraint(const Card& card) {
+  return card.real("CMO") == -1 ? IdKind::Definition : IdKind::None;
+}
+
 constexpr Field constraint_card[] = {
     only("CMO", {0, 1, -1}, "0 is free, 1 holds global axes, -1 those of a coordinate system"),
-    integer("CON1"),
-    integer("CON2"),
+    signed_id("CON1", kind_of_constraint),
+    axes(integer("CON2")),
 };
 
 constexpr Field output_axes_card[] = {
@@ -44,7 +49,7 @@ constexpr Field merge_card[] = {
 
 constexpr Field extra_nodes_card[] = {
     id("PID"),
-    id("NID"),
+    id("NID", kind_of_target),
     only("IFLAG", {0, 1}, "1 adds the masses of the nodes to those of *PART_INERTIA, 0 does not"),
 };
 
@@ -123,7 +128,9 @@ void read_nodal_bodies(Cards& cards, RawDeck& deck, const NodalBodyOptions& opti
     body.title = cards.heading().title;
     const Card card = cards.next(nodal_body_card);
     body.id = card.integer("PID");
-    body.node_set = card.integer("NSID") != 0 ? card.integer("NSID") : body.id;
+    // Blank, the set has the number of the part: as the file has it, not as its own offset makes it.
+    body.node_set = card.integer("NSID") != 0 ? card.integer("NSID")
+                                              : cards.placement().id(IdKind::Set, card.written("PID"));
     body.where = card.where();
     if (options.constraints) {
       const Held held = held_of(cards.next(constraint_card), cards.report());

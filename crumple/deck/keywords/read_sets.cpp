@@ -7,6 +7,7 @@
 
 #include "deck/format/numbers.hpp"
 #include "deck/keywords/families.hpp"
+#include "deck/keywords/mirrored.hpp"
 
 namespace crumple::deck {
 
@@ -22,23 +23,46 @@ constexpr Field box_card[] = {id("BOXID"), real("XMN"), real("XMX"), real("YMN")
 constexpr Field set_card[] = {id("SID"),     unused("DA1"),      unused("DA2"), unused("DA3"),
                               unused("DA4"), text("SOLVER", 10), unused("ITS")};
 
-constexpr Field member_card[] = {reference("ID1"), reference("ID2"), reference("ID3"), reference("ID4"),
-                                 reference("ID5"), reference("ID6"), reference("ID7"), reference("ID8")};
+/// What the members of a set are.
+IdKind kind_of_members(const Card& card) {
+  if (card.where().keyword.starts_with("*SET_NODE")) return IdKind::Node;
+  return card.where().keyword.starts_with("*SET_PART") ? IdKind::Part : IdKind::Element;
+}
 
-constexpr Field increment_card[] = {reference("BBEG"), reference("BEND"),
+/// What the first field of a card of a GENERAL set says that the others are.
+IdKind kind_of_option(const Card& card);
+
+constexpr Field member_card[] = {
+    reference("ID1", kind_of_members), reference("ID2", kind_of_members), reference("ID3", kind_of_members),
+    reference("ID4", kind_of_members), reference("ID5", kind_of_members), reference("ID6", kind_of_members),
+    reference("ID7", kind_of_members), reference("ID8", kind_of_members),
+};
+
+constexpr Field increment_card[] = {reference("BBEG", kind_of_members), reference("BEND", kind_of_members),
                                     integer_or_default("INCR", 1, above_zero)};
 
 // A set below zero ends a range of sets.
-constexpr Field sets_card[] = {integer("SID1"), integer("SID2"), integer("SID3"), integer("SID4"),
-                               integer("SID5"), integer("SID6"), integer("SID7"), integer("SID8")};
+constexpr Field sets_card[] = {
+    signed_id("SID1", IdKind::Set), signed_id("SID2", IdKind::Set), signed_id("SID3", IdKind::Set),
+    signed_id("SID4", IdKind::Set), signed_id("SID5", IdKind::Set), signed_id("SID6", IdKind::Set),
+    signed_id("SID7", IdKind::Set), signed_id("SID8", IdKind::Set),
+};
 
 constexpr Field segment_card[] = {
     id("N1"),     id("N2"),     id("N3"),     reference("N4"),
     unused("A1"), unused("A2"), unused("A3"), unused("A4"),  // values that other keywords may take
 };
 
-constexpr Field general_card[] = {text("OPTION", 10), integer("E1"), integer("E2"), integer("E3"),
-                                  integer("E4"),      integer("E5"), integer("E6"), integer("E7")};
+constexpr Field general_card[] = {
+    text("OPTION", 10),
+    signed_id("E1", kind_of_option),
+    signed_id("E2", kind_of_option),
+    signed_id("E3", kind_of_option),
+    signed_id("E4", kind_of_option),
+    signed_id("E5", kind_of_option),
+    signed_id("E6", kind_of_option),
+    signed_id("E7", kind_of_option),
+};
 
 /// What the first field of a card of a GENERAL set may say. Behind the ids stand attributes of segments.
 struct Option {
@@ -83,6 +107,15 @@ constexpr Option segment_options[] = {
     {"DSEG", What::Segment, true, 4},
     {"DSET", What::OwnSet, true, 7},
 };
+
+IdKind kind_of_option(const Card& card) {
+  const std::string name = upper_case(card.text("OPTION"));
+  const std::string_view what = name.starts_with('D') ? std::string_view(name).substr(1) : name;
+  if (what.starts_with("BOX")) return IdKind::Definition;
+  if (what.starts_with("SET")) return IdKind::Set;
+  if (what == "PART") return IdKind::Part;
+  return what == "NODE" || what == "SEG" ? IdKind::Node : IdKind::Element;
+}
 
 /// The first card of a set, the members to come. `good` is false if it has no id.
 RawSet begin_set(Cards& cards, bool& good) {
@@ -181,15 +214,16 @@ void read_add(Cards& cards, std::vector<RawSet>& sets) {
 }
 
 /// N4 of zero is a triangle.
-std::array<UserId, 4> nodes_of(const Card& card, std::size_t first) {
+std::array<UserId, 4> nodes_of(const Card& card, std::size_t first, const Affine& map) {
   std::array<UserId, 4> node{};
   for (std::size_t i = 0; i < 4; ++i) node[i] = card.integer(first + i);
   if (node[3] == 0) node[3] = node[2];
+  if (map.mirrors()) mirror_face(node, node[2] == node[3]);
   return node;
 }
 
 /// The nodes of SEG and DSEG, of which only the fourth may be zero.
-void add_segment(const Card& card, RawMember member, RawSet& set, Report& report) {
+void add_segment(const Card& card, const Affine& map, RawMember member, RawSet& set, Report& report) {
   for (std::size_t i = 1; i <= 4; ++i) {
     const UserId id = card.integer(i);
     if (!card.good(i) || id > 0 || (i == 4 && id == 0)) continue;
@@ -197,11 +231,12 @@ void add_segment(const Card& card, RawMember member, RawSet& set, Report& report
                                       "a segment has three or four nodes", "value"});
     return;
   }
-  member.node = nodes_of(card, 1);
+  member.node = nodes_of(card, 1, map);
   set.members.push_back(member);
 }
 
-void add_general(const Card& card, std::span<const Option> options, RawSet& set, Report& report) {
+void add_general(const Card& card, std::span<const Option> options, const Affine& map, RawSet& set,
+                 Report& report) {
   const std::string name = upper_case(card.text("OPTION"));
   const auto option =
       std::find_if(options.begin(), options.end(), [&](const Option& o) { return o.name == name; });
@@ -220,7 +255,7 @@ void add_general(const Card& card, std::span<const Option> options, RawSet& set,
     return;
   }
   if (option->what == What::Segment) {
-    add_segment(card, member, set, report);
+    add_segment(card, map, member, set, report);
     return;
   }
   for (std::size_t i = 1; i <= option->ids; ++i) {
@@ -234,8 +269,28 @@ void add_general(const Card& card, std::span<const Option> options, RawSet& set,
 void read_general(Cards& cards, std::vector<RawSet>& sets, std::span<const Option> options) {
   bool good = false;
   RawSet set = begin_set(cards, good);
-  while (cards.more()) add_general(cards.next_filled(general_card), options, set, cards.report());
+  while (cards.more())
+    add_general(cards.next_filled(general_card), options, cards.placement().map, set, cards.report());
   if (good) end_set(std::move(set), sets);
+}
+
+/// The box in the place to which its file goes; it has its sides along the global axes there, too.
+void place_box(const Card& card, const Affine& map, RawBox& box, Report& report) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (i != j && map.linear[i][j] != 0) {
+        report.error(
+            card.where(), "placed",
+            "*INCLUDE_TRANSFORM turns the file, and boxes have their sides along the global axes; give "
+            "the box outside of the file");
+        return;
+      }
+  const Vector one = map.of_point(box.lowest);
+  const Vector other = map.of_point(box.highest);
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.lowest[i] = std::min(one[i], other[i]);
+    box.highest[i] = std::max(one[i], other[i]);
+  }
 }
 
 std::vector<RawSet>& sets_of(RawDeck& deck, SetItem item) {
@@ -282,6 +337,7 @@ void read_define_box(Cards& cards, RawDeck& deck) {
                                     fmt::format("a number not below {} ({})", lowest[i], box.lowest[i]),
                                     "exchange the two", "order"});
     }
+    place_box(card, cards.placement().map, box, cards.report());
     if (card.good("BOXID")) deck.boxes.push_back(box);
   }
 }
@@ -294,7 +350,7 @@ void read_set_segment(Cards& cards, RawDeck& deck) {
     if (!card.good("N1") || !card.good("N2") || !card.good("N3") || !card.good("N4")) continue;
     RawMember member = member_of(card, "N1", 0);
     member.what = What::Segment;
-    member.node = nodes_of(card, 0);
+    member.node = nodes_of(card, 0, cards.placement().map);
     set.members.push_back(member);
   }
   if (good) end_set(std::move(set), deck.segment_sets);

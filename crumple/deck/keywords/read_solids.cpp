@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "deck/keywords/families.hpp"
+#include "deck/keywords/mirrored.hpp"
 
 namespace crumple::deck {
 
@@ -158,7 +159,9 @@ void read_element_solid(Cards& cards, RawDeck& deck) {
       good = take_nodes(second, solid) && second.good("N9") && second.good("N10");
     }
     if (!good || !card.good("EID") || !card.good("PID")) continue;
-    if (complete_nodes(solid, cards.report())) deck.solids.push_back(solid);
+    if (!complete_nodes(solid, cards.report())) continue;
+    if (cards.placement().map.mirrors()) mirror_solid(solid.node);
+    deck.solids.push_back(solid);
   }
 }
 

@@ -11,27 +11,28 @@ namespace {
 using namespace row;
 
 constexpr Field centre_card[] = {
-    real("XC"),
-    real("YC"),
-    real("ZC"),
+    point(real("XC")),
+    point(real("YC")),
+    point(real("ZC")),
     real("TM", 0, above_zero),
     integer("IRCS", 0, within(0, 1, "0 is global axes, 1 local ones")),
     reference("NODEID"),
 };
 
-constexpr Field tensor_card[] = {real("IXX", 0, above_zero), real("IXY"), real("IXZ"),
-                                 real("IYY", 0, above_zero), real("IYZ"), real("IZZ", 0, above_zero)};
+constexpr Field tensor_card[] = {
+    fixed(real("IXX", 0, above_zero)), fixed(real("IXY")), fixed(real("IXZ")),
+    fixed(real("IYY", 0, above_zero)), fixed(real("IYZ")), fixed(real("IZZ", 0, above_zero))};
 
-constexpr Field velocity_card[] = {real("VTX"), real("VTY"), real("VTZ"),
-                                   real("VRX"), real("VRY"), real("VRZ")};
+constexpr Field velocity_card[] = {velocity(real("VTX")), velocity(real("VTY")), velocity(real("VTZ")),
+                                   spin(real("VRX")),     spin(real("VRY")),     spin(real("VRZ"))};
 
 constexpr Field axes_card[] = {
-    real("XL"),
-    real("YL"),
-    real("ZL"),
-    real("XLIP"),
-    real("YLIP"),
-    real("ZLIP"),
+    direction(real("XL")),
+    direction(real("YL")),
+    direction(real("ZL")),
+    direction(real("XLIP")),
+    direction(real("YLIP")),
+    direction(real("ZLIP")),
     only("CID", {0}, "give the local axes by XL to ZLIP"),
 };
 

@@ -2,6 +2,7 @@
 // *BOUNDARY_SPC and *INITIAL_VELOCITY.
 #include <cmath>
 
+#include "deck/format/numbers.hpp"
 #include "deck/keywords/families.hpp"
 
 namespace crumple::deck {
@@ -15,14 +16,14 @@ constexpr std::string_view global_axes = "only global axes are supported";
 constexpr std::string_view no_boxes = "take *SET_NODE_GENERAL with the option BOX instead";
 
 constexpr Field spc_card[] = {
-    id("NID"),
+    id("NID", kind_of_target),
     only("CID", {0}, global_axes),
-    integer("DOFX", 0, fixed_or_free),
-    integer("DOFY", 0, fixed_or_free),
-    integer("DOFZ", 0, fixed_or_free),
-    integer("DOFRX", 0, fixed_or_free),
-    integer("DOFRY", 0, fixed_or_free),
-    integer("DOFRZ", 0, fixed_or_free),
+    axes(integer("DOFX", 0, fixed_or_free)),
+    axes(integer("DOFY", 0, fixed_or_free)),
+    axes(integer("DOFZ", 0, fixed_or_free)),
+    axes(integer("DOFRX", 0, fixed_or_free)),
+    axes(integer("DOFRY", 0, fixed_or_free)),
+    axes(integer("DOFRZ", 0, fixed_or_free)),
 };
 
 constexpr Field velocity_card_1[] = {
@@ -34,35 +35,40 @@ constexpr Field velocity_card_1[] = {
     only("ICID", {0}, global_axes),
 };
 
-constexpr Field velocity_card_2[] = {real("VX"),  real("VY"),  real("VZ"),
-                                     real("VXR"), real("VYR"), real("VZR")};
+constexpr Field velocity_card_2[] = {velocity(real("VX")), velocity(real("VY")), velocity(real("VZ")),
+                                     spin(real("VXR")),    spin(real("VYR")),    spin(real("VZR"))};
 
-constexpr Field velocity_card_3[] = {real("VXE"),  real("VYE"),  real("VZE"),
-                                     real("VXRE"), real("VYRE"), real("VZRE")};
+constexpr Field velocity_card_3[] = {velocity(real("VXE")), velocity(real("VYE")), velocity(real("VZE")),
+                                     spin(real("VXRE")),    spin(real("VYRE")),    spin(real("VZRE"))};
 
 constexpr Field velocity_node_card[] = {
-    id("NID"),   real("VX"),  real("VY"),  real("VZ"),
-    real("VXR"), real("VYR"), real("VZR"), only("ICID", {0}, global_axes),
+    id("NID"),         velocity(real("VX")), velocity(real("VY")), velocity(real("VZ")),
+    spin(real("VXR")), spin(real("VYR")),    spin(real("VZR")),    only("ICID", {0}, global_axes),
 };
 
+/// STYP 2 is a part, others are sets.
+IdKind kind_of_generation(const Card& card) {
+  return card.integer("STYP") == 2 ? IdKind::Part : IdKind::Set;
+}
+
 constexpr Field generation_card_1[] = {
-    reference("ID"),
+    reference("ID", kind_of_generation),
     integer("STYP", 1, within(1, 3, "1 is a part set, 2 a part, 3 a node set")),
     real("OMEGA"),
-    real("VX"),
-    real("VY"),
-    real("VZ"),
+    velocity(real("VX")),
+    velocity(real("VY")),
+    velocity(real("VZ")),
     only("IVATN", {0, 1}, "1 is for what is tied to the rigid parts as well, 0 is not"),
     only("ICID", {0}, global_axes),
 };
 
 constexpr Field generation_card_2[] = {
-    real("XC"),
-    real("YC"),
-    real("ZC"),
-    real("NX"),
-    real("NY"),
-    real("NZ"),
+    point(real("XC")),
+    point(real("YC")),
+    point(real("ZC")),
+    spin(real("NX")),
+    spin(real("NY")),
+    spin(real("NZ")),
     only("PHASE", {0}, "there is no dynamic relaxation before the run"),
     only("IRIGID", {0, 1}, "1 goes before the velocities of *PART_INERTIA, 0 does not"),
 };
@@ -87,7 +93,7 @@ void take_rotation(const Card& card, double omega, RawVelocity& velocity, Report
   constexpr double nodes_give_axis = -999;
   std::array<double, 3> axis = {card.real("NX"), card.real("NY"), card.real("NZ")};
   const double length = std::hypot(axis[0], axis[1], axis[2]);
-  if (axis[0] == nodes_give_axis) {
+  if (parse_real(card.text("NX")) == nodes_give_axis) {
     report.field_unsupported(card.where(), {"NX", "-999", "the direction of the axis",
                                             "an axis through two nodes is not supported", "axis"});
     return;

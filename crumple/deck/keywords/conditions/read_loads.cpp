@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *LOAD_NODE, *LOAD_SEGMENT and *LOAD_SHELL.
 #include "deck/keywords/families.hpp"
+#include "deck/keywords/mirrored.hpp"
 
 namespace crumple::deck {
 
@@ -9,8 +10,8 @@ namespace {
 using namespace row;
 
 constexpr Field node_card[] = {
-    id("NID"),
-    integer("DOF", 0, within(1, 7, "1, 2, 3 are forces along x, y, z and 5, 6, 7 moments about them")),
+    id("NID", kind_of_target),
+    axes(integer("DOF", 0, within(1, 7, "1, 2, 3 are forces along x, y, z and 5, 6, 7 moments about them"))),
     id("LCID"),
     real_or_default("SF", 1.0),
     only("CID", {0}, "only global axes are supported"),
@@ -90,6 +91,7 @@ void read_load_segment(Cards& cards, RawDeck& deck) {
     load.arrival = card.real("AT");
     load.node = {card.integer("N1"), card.integer("N2"), card.integer("N3"), card.integer("N4")};
     if (load.node[3] == 0) load.node[3] = load.node[2];
+    if (cards.placement().map.mirrors()) mirror_face(load.node, load.node[2] == load.node[3]);
     load.where = card.where();
     const bool nodes = card.good("N1") && card.good("N2") && card.good("N3") && card.good("N4");
     if (nodes && card.good("LCID")) deck.pressure_loads.push_back(load);

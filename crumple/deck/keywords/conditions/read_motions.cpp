@@ -9,10 +9,11 @@ namespace {
 using namespace row;
 
 constexpr Field motion_card[] = {
-    id("NID"),
-    only("DOF", {0, 1, 2, 3, 5, 6, 7},
-         "1, 2, 3 are along x, y, z, 5, 6, 7 about them; directions by vectors (4, 8, below zero) and with "
-         "offsets (9 to 11) are not supported"),
+    id("NID", kind_of_target),
+    axes(only(
+        "DOF", {0, 1, 2, 3, 5, 6, 7},
+        "1, 2, 3 are along x, y, z, 5, 6, 7 about them; directions by vectors (4, 8, below zero) and with "
+        "offsets (9 to 11) are not supported")),
     only("VAD", {0, 1, 2}, "0 is a velocity, 1 an acceleration, 2 a displacement"),
     id("LCID"),
     real_or_default("SF", 1.0),
@@ -22,7 +23,7 @@ constexpr Field motion_card[] = {
 };
 
 constexpr Field body_load_card[] = {
-    id("LCID"),
+    axes(id("LCID")),  // the axis is in the keyword
     real_or_default("SF", 1.0),
     only("LCIDDR", {0}, "there is no dynamic relaxation before the run"),
     unused("XC"),  // of the loads by rotation
@@ -33,9 +34,9 @@ constexpr Field body_load_card[] = {
 
 constexpr Field rigid_body_load_card[] = {
     id("PID"),
-    only("DOF", {0, 1, 2, 3, 5, 6, 7},
-         "1, 2, 3 are forces along x, y, z and 5, 6, 7 moments about them; forces that follow are not "
-         "supported"),
+    axes(only("DOF", {0, 1, 2, 3, 5, 6, 7},
+              "1, 2, 3 are forces along x, y, z and 5, 6, 7 moments about them; forces that follow are not "
+              "supported")),
     id("LCID"),
     real_or_default("SF", 1.0),
     only("CID", {0}, "only global axes are supported"),

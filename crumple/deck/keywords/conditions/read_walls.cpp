@@ -35,42 +35,47 @@ constexpr Field geometric_card_1[] = {
 };
 
 constexpr Field card_2[] = {
-    real("XT"),
-    real("YT"),
-    real("ZT"),
-    real("XH"),
-    real("YH"),
-    real("ZH"),
+    point(real("XT")),
+    point(real("YT")),
+    point(real("ZT")),
+    point(real("XH")),
+    point(real("YH")),
+    point(real("ZH")),
     real("FRIC", 0, friction_range),
     unused("WVEL"),  // for FRIC 2 and 3
 };
 
 constexpr Field flat_card[] = {
-    real("XHEV"), real("YHEV"), real("ZHEV"), real("LENL", 0, not_negative), real("LENM", 0, not_negative),
+    point(real("XHEV")),
+    point(real("YHEV")),
+    point(real("ZHEV")),
+    length(real("LENL", 0, not_negative)),
+    length(real("LENM", 0, not_negative)),
 };
 
 constexpr Field moving_card[] = {real("MASS", 0, above_zero), real("V0")};
 
 constexpr Field prism_card[] = {
-    real("XHEV"),
-    real("YHEV"),
-    real("ZHEV"),
-    real("LENL", 0, not_negative),
-    real("LENM", 0, not_negative),
-    real("LENP", 0, not_negative),
+    point(real("XHEV")),
+    point(real("YHEV")),
+    point(real("ZHEV")),
+    length(real("LENL", 0, not_negative)),
+    length(real("LENM", 0, not_negative)),
+    length(real("LENP", 0, not_negative)),
 };
 
 constexpr Field cylinder_card[] = {
-    real("RADCYL", 0, above_zero),
-    real("LENCYL", 0, not_negative),
+    length(real("RADCYL", 0, above_zero)),
+    length(real("LENCYL", 0, not_negative)),
     only("NSEGS", {0}, "cylinders of several segments are not supported"),
 };
 
-constexpr Field sphere_card[] = {real("RADSPH", 0, above_zero)};
+constexpr Field sphere_card[] = {length(real("RADSPH", 0, above_zero))};
 
 constexpr Field motion_card[] = {
-    id("LCID"), only("OPT", {0, 1}, "0 prescribes the velocity, 1 the displacement"), real("VX"), real("VY"),
-    real("VZ"),
+    id("LCID"),           only("OPT", {0, 1}, "0 prescribes the velocity, 1 the displacement"),
+    velocity(real("VX")), velocity(real("VY")),
+    velocity(real("VZ")),
 };
 
 // What LS-DYNA draws the wall with.

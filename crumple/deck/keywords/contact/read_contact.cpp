@@ -20,7 +20,7 @@ constexpr std::string_view of_nodes =
     "set";
 
 constexpr Field card_1_single[] = {
-    reference("SSID"),
+    reference("SSID", kind_of_first_side),
     unused("MSID"),  // single-surface contact has one side
     only("SSTYP", {0, 1, 2, 3, 5, 6}, of_surfaces),
     unused("MSTYP"),
@@ -31,8 +31,8 @@ constexpr Field card_1_single[] = {
 };
 
 constexpr Field card_1_surfaces[] = {
-    reference("SSID"),
-    reference("MSID"),
+    reference("SSID", kind_of_first_side),
+    reference("MSID", kind_of_second_side),
     only("SSTYP", {0, 1, 2, 3, 5, 6}, of_surfaces),
     only("MSTYP", {0, 1, 2, 3, 5, 6}, of_surfaces),
     reference("SBOXID"),
@@ -42,8 +42,8 @@ constexpr Field card_1_surfaces[] = {
 };
 
 constexpr Field card_1_nodes[] = {
-    reference("SSID"),
-    reference("MSID"),
+    reference("SSID", kind_of_first_side),
+    reference("MSID", kind_of_second_side),
     only("SSTYP", {0, 1, 2, 3, 4, 5, 6}, of_nodes),
     only("MSTYP", {0, 1, 2, 3, 5, 6}, of_surfaces),
     reference("SBOXID"),

@@ -13,8 +13,8 @@ namespace {
 using namespace row;
 
 constexpr Field tied_card_1[] = {
-    reference("SSID"),
-    reference("MSID"),
+    reference("SSID", kind_of_first_side),
+    reference("MSID", kind_of_second_side),
     only("SSTYP", {0, 1, 2, 3, 4, 5, 6},
          "0 is a segment set, 1 a shell set, 2 a part set, 3 a part, 4 a node set, 5 all parts, 6 all but a "
          "part set"),

@@ -36,16 +36,18 @@ constexpr Field orthotropic_second_card[] = {
 };
 
 constexpr Field orthotropic_third_card[] = {
-    unused("XP"),   unused("YP"), unused("ZP"),  // of AOPT = 1 and 4
-    real("A1"),     real("A2"),   real("A3"),
+    unused("XP"),          unused("YP"),          unused("ZP"),  // of AOPT = 1 and 4
+    direction(real("A1")), direction(real("A2")), direction(real("A3")),
     unused("MACF"),  // of solids
     unused("IHIS"),
 };
 
 constexpr Field orthotropic_fourth_card[] = {
-    real("V1"),   real("V2"),   real("V3"),
+    direction(real("V1")), direction(real("V2")),
+    direction(real("V3")),
     unused("D1"),  // with a it spans a plane that the shell takes the place of
-    unused("D2"), unused("D3"), real("BETA"), only("REF", {0}, "there is no reference geometry"),
+    unused("D2"),          unused("D3"),
+    real("BETA"),          only("REF", {0}, "there is no reference geometry"),
 };
 
 constexpr Field null_card[] = {
@@ -97,6 +99,7 @@ void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck) {
     law.shear_bc = second.real("GBC");
     law.shear_ca = second.real("GCA");
     law.angle = fourth.real("BETA") * std::numbers::pi / 180;
+    if (cards.placement().map.mirrors()) law.angle = -law.angle;
     take_direction(second, third, fourth, law, cards.report());
     const bool sound = card.good("EA") && card.good("EB") && card.good("PRBA") && second.good("GAB") &&
                        second.good("GBC") && second.good("GCA");

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *NODE_TRANSFORM, and ids of *DEFINE_TRANSFORMATION.
+#include <algorithm>
+#include <set>
+
+#include "deck/build/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+const RawSet* find_raw_set(const std::vector<RawSet>& sets, UserId id) {
+  const auto found = std::find_if(sets.begin(), sets.end(), [&](const RawSet& set) { return set.id == id; });
+  return found == sets.end() ? nullptr : &*found;
+}
+
+/// Ids of the nodes that a set lists. False if it takes nodes by their place, part or elements, which are
+/// known only once the nodes are where they belong.
+bool list_nodes(const RawSet& set, const std::vector<RawSet>& sets, int depth, std::set<UserId>& ids) {
+  constexpr int deepest = 16;
+  for (const RawMember& member : set.members) {
+    const bool is_set = member.what == RawMember::What::OwnSet;
+    if ((!is_set && member.what != RawMember::What::Member) || depth > deepest) return false;
+    for (UserId id = member.first; id <= member.last; id += std::max<UserId>(member.increment, 1)) {
+      if (is_set) {
+        const RawSet* other = find_raw_set(sets, id);
+        if (other != nullptr && !list_nodes(*other, sets, depth + 1, ids)) return false;
+      } else if (member.removes) {
+        ids.erase(id);
+      } else {
+        ids.insert(id);
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void move_nodes(Build& build) {
+  const RawDeck& deck = build.deck;
+  for (std::size_t i = 0; i < deck.transformations.size(); ++i)
+    build.enter(Item::Transformation, {deck.transformations[i].id, "TRANID", deck.transformations[i].where},
+                i);
+  for (const RawNodeTransform& raw : deck.node_transforms) {
+    const Index index = build.find(Item::Transformation, {raw.transformation, "TRSID", raw.where});
+    const RawSet* set = find_raw_set(deck.node_sets, raw.node_set);
+    const std::string id = std::to_string(raw.node_set);
+    std::set<UserId> ids;
+    if (set == nullptr) {
+      build.report.field_error(
+          raw.where, {"NSID", id, "the id of a node set",
+                      "the deck has no node set " + id + "; add it with *SET_NODE_LIST", "reference"});
+    } else if (!list_nodes(*set, deck.node_sets, 0, ids)) {
+      build.report.field_unsupported(raw.where,
+                                     {"NSID", id, "a set that lists its nodes",
+                                      "sets by parts, boxes or elements cannot be moved; list the nodes "
+                                      "with *SET_NODE_LIST or _GENERATE",
+                                      "listed"});
+    } else if (index != no_index) {
+      for (const UserId node_id : ids) {
+        const Index node = build.find_quietly(Item::Node, node_id);
+        if (node == no_index) continue;
+        auto& x = build.model.nodes.position[static_cast<std::size_t>(node)];
+        x = deck.transformations[static_cast<std::size_t>(index)].map.of_point(x);
+      }
+    }
+  }
+}
+
+}  // namespace crumple::deck

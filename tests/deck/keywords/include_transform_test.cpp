@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *INCLUDE_TRANSFORM, *DEFINE_TRANSFORMATION, *NODE_TRANSFORM, *INCLUDE_PATH.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "../small_deck.hpp"
+
+namespace crumple::deck::test::include_transform_test {
+namespace {
+
+/// The offsets are all different, so that a reference of the wrong kind finds nothing.
+constexpr const char* offsets =
+    "   1000000   2000000   3000000   4000000   5000000   6000000   7000000\n   8000000\n";
+
+/// A deck that includes `part.k` with these offsets and a transformation of these lines.
+std::string including(const std::string& lines, const std::string& cards = offsets) {
+  std::string text = "*KEYWORD\n";
+  if (!lines.empty()) text += "*DEFINE_TRANSFORMATION\n         9\n" + lines;
+  return text + "*INCLUDE_TRANSFORM\npart.k\n" + cards + (lines.empty() ? "" : "\n         9\n") + "*END\n";
+}
+
+ReadResult read(const std::string& deck, const std::string& part) {
+  return read_deck_text(deck, {}, {{"part.k", part}});
+}
+
+model::Model model_of(const std::string& deck, const std::string& part) {
+  ReadResult result = read(deck, part);
+  EXPECT_TRUE(result.model) << listed(result.diagnostics);
+  return result.model ? std::move(*result.model) : model::Model{};
+}
+
+bool has_error(const ReadResult& result, const std::string& text) {
+  for (const Diagnostic& diagnostic : result.diagnostics)
+    if (diagnostic.severity == Severity::Error && to_string(diagnostic).find(text) != std::string::npos)
+      return true;
+  return false;
+}
+
+void expect_position(const model::Model& model, std::size_t node, std::array<double, 3> expected) {
+  ASSERT_LT(node, model.nodes.position.size());
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(model.nodes.position[node][i], expected[i], 1e-12) << node;
+}
+
+/// Cards that refer to every kind of item; all of them stand in the included file.
+const char* references =
+    "*DEFINE_CURVE\n5\n0,1\n1,1\n"
+    "*DEFINE_BOX\n4,-9,9,-9,9,-9,9\n"
+    "*DEFINE_COORDINATE_NODES\n6,1,2,4\n"
+    "*DEFINE_SD_ORIENTATION\n8,0,1,0,0\n"
+    "*SET_NODE_LIST\n1\n1,2\n"
+    "*SET_NODE_LIST_GENERATE\n2\n1,4\n"
+    "*SET_NODE_GENERAL\n3\nPART,1\nBOX,4\nNODE,5\n"
+    "*SET_NODE_ADD\n4\n1,-3\n"
+    "*SET_PART_LIST\n1\n1\n"
+    "*SET_PART_GENERAL\n2\nPART,1\nSET,1\n"
+    "*SET_SHELL_LIST\n1\n11\n"
+    "*SET_SHELL_GENERAL\n2\nELEM,11,12\nPART,1\n"
+    "*SET_SEGMENT\n1\n1,2,3,4\n"
+    "*SET_SEGMENT_GENERAL\n2\nSEG,1,2,3,4\nPART,1\nSET,1\nSET_SHELL,1\n"
+    "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n"
+    "*BOUNDARY_SPC_SET\n1,0,0,0,1\n"
+    "*BOUNDARY_PRESCRIBED_MOTION_NODE\n6,1,0,5\n"
+    "*BOUNDARY_PRESCRIBED_MOTION_SET\n2,3,0,5\n"
+    "*INITIAL_VELOCITY\n4,1\n1,0,0\n0,0,0\n"
+    "*INITIAL_VELOCITY_NODE\n5,1,0,0\n"
+    "*INITIAL_VELOCITY_GENERATION\n1,2,0,1,0,0\n\n2,1,0,1,0,0\n\n2,3,0,1,0,0\n\n"
+    "*LOAD_NODE_POINT\n6,1,5\n"
+    "*LOAD_NODE_SET\n2,1,5\n"
+    "*LOAD_SEGMENT\n5,1,0,1,2,3,4\n"
+    "*LOAD_SEGMENT_SET\n2,5\n"
+    "*LOAD_SHELL_ELEMENT\n12,5\n"
+    "*LOAD_SHELL_SET\n2,5\n"
+    "*LOAD_BODY_Z\n5,0\n"
+    "*RIGIDWALL_PLANAR_ID\n3\n2,1,4\n0,0,-1,0,0,1\n"
+    "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n2\n2,0,2,0,4\n\n\n"
+    "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,2,3,1\n\n\n"
+    "*CONTACT_AUTOMATIC_NODES_TO_SURFACE\n2,2,4,0\n\n\n"
+    "*DATABASE_HISTORY_NODE\n1,2\n"
+    "*DATABASE_HISTORY_NODE_SET\n2\n"
+    "*DATABASE_HISTORY_SHELL\n11\n"
+    "*DATABASE_HISTORY_SHELL_ID\n12,edge\n"
+    "*DATABASE_CROSS_SECTION_SET\n1,0,0,2\n"
+    "*DATABASE_CROSS_SECTION_PLANE_ID\n7\n1,1,0,0,2,0,0\n\n"
+    "*ELEMENT_MASS\n      91       5           0.001\n"
+    "*ELEMENT_MASS_NODE_SET\n      92       2           0.001\n"
+    "*HOURGLASS\n7,4\n"
+    "*PART\nrigid\n2,1,2\n*MAT_RIGID\n2,7.83E-6,207,0.3\n-1,6,111111\n\n"
+    "*NODE\n31,5,0,0\n32,6,0,0\n33,6,1,0\n34,5,1,0\n35,5,0,1\n36,6,0,1\n"
+    "*ELEMENT_SHELL\n      13       2      31      32      33      34\n"
+    "*CONSTRAINED_EXTRA_NODES_NODE\n2,35\n"
+    "*SET_NODE_LIST\n5\n36\n*CONSTRAINED_EXTRA_NODES_SET\n2,5\n"
+    "*LOAD_RIGID_BODY\n2,3,5\n"
+    "*PART\nspring\n3,3,3\n*SECTION_DISCRETE\n3\n\n*MAT_SPRING_NONLINEAR_ELASTIC\n3,7\n"
+    "*DEFINE_CURVE\n7\n-1,-1\n1,1\n"
+    "*ELEMENT_DISCRETE\n      71       3       3       6       8\n";
+
+TEST(IncludeTransform, GivesEveryIdTheOffsetOfItsKind) {
+  SmallDeck deck;
+  deck.part = "*PART\nplate\n1,1,1,0,7\n";
+  deck.more = references;
+  const model::Model plain = model_of("*KEYWORD\n*INCLUDE\npart.k\n*END\n", deck.text());
+  const model::Model moved = model_of(including(""), deck.text());
+  ASSERT_EQ(moved.nodes.position.size(), plain.nodes.position.size());
+  EXPECT_EQ(moved.nodes.id.at(0), 1000001);
+  EXPECT_EQ(moved.shells.at(0).id, 2000011);
+  EXPECT_EQ(moved.parts.at(0).id, 3000001);
+  EXPECT_EQ(moved.materials.at(0).id, 4000001);
+  EXPECT_EQ(moved.rigid_walls.at(0).id, 3000003);
+  EXPECT_EQ(moved.contacts.at(0).id, 8000002);
+  EXPECT_EQ(moved.shell_sections.at(0).id, 8000001);
+  EXPECT_EQ(moved.contacts.size(), plain.contacts.size());
+  EXPECT_EQ(moved.nodal_loads.size(), plain.nodal_loads.size());
+  EXPECT_EQ(moved.shells.at(1).node, plain.shells.at(1).node);
+}
+
+TEST(IncludeTransform, OffsetsAndPlacesOfNestedFilesAddUp) {
+  SmallDeck deck;
+  const std::string outer =
+      "*KEYWORD\n*DEFINE_TRANSFORMATION\n9\nTRANSL,100,0,0\n*INCLUDE_TRANSFORM\ninner.k\n1000,0,0,0,0,0,"
+      "10\n0\n\n"
+      "9\n" +
+      deck.termination;
+  const std::string inner =
+      "*DEFINE_TRANSFORMATION\n9\nROTATE,0,0,1,0,0,0,90\n*INCLUDE_TRANSFORM\npart.k\n200,0,0,0,0,0,"
+      "0\n0\n\n9\n";
+  deck.termination.clear();
+  const ReadResult result = read_deck_text(outer, {}, {{"inner.k", inner}, {"part.k", deck.text()}});
+  ASSERT_TRUE(result.model) << listed(result.diagnostics);
+  EXPECT_EQ(result.model->nodes.id.at(1), 1202);
+  // Node 2 at x = 1: turned by the inner file, then shifted by the outer one.
+  expect_position(*result.model, 1, {100, 1, 0});
+}
+
+TEST(IncludeTransform, TheFirstLineActsFirst) {
+  const std::string part = SmallDeck().text();
+  expect_position(model_of(including("SCALE,2,2,2\nROTATE,0,0,1,0,0,0,90\nTRANSL,10,0,0\n"), part), 1,
+                  {10, 2, 0});
+  expect_position(model_of(including("TRANSL,10,0,0\nROTATE,0,0,1,0,0,0,90\nSCALE,2,2,2\n"), part), 1,
+                  {0, 22, 0});
+}
+
+TEST(IncludeTransform, RotatesAboutTwoPoints) {
+  const std::string lines = "POINT,1,1,0,0\nPOINT,2,1,0,5\nROTATE,1,2,90\n";
+  expect_position(model_of(including(lines), SmallDeck().text()), 4, {1, 1, 0});
+}
+
+TEST(IncludeTransform, PlacesThreePointsOnThreeOthers) {
+  const std::string lines =
+      "POINT,1,0,0,0\nPOINT,2,2,0,0\nPOINT,3,0,1,0\nPOINT,4,7,0,0\nPOINT,5,7,0,9\nPOINT,6,8,0,0\n"
+      "POS6P,1,2,3,4,5,6\n";
+  const model::Model model = model_of(including(lines), SmallDeck().text());
+  expect_position(model, 0, {7, 0, 0});
+  expect_position(model, 1, {7, 0, 1});
+  expect_position(model, 2, {8, 0, 1});
+}
+
+TEST(IncludeTransform, MirroredShellsKeepTheirSideAndSolidsTheirVolume) {
+  const model::Model shells = model_of(including("MIRROR,0,0,0,1,0,0\n"), SmallDeck().text());
+  expect_position(shells, 1, {-1, 0, 0});
+  EXPECT_EQ(shells.shells.at(0).node, (std::array<Index, 4>{1, 0, 3, 2}));
+  const model::Model cube = model_of(including("MIRROR,0,0,0,0,0,1\n"), CubeDeck().text());
+  EXPECT_EQ(cube.solids.size(), 1U);
+}
+
+TEST(IncludeTransform, MovesWallsAndTurnsVelocitiesWithAWarning) {
+  SmallDeck deck;
+  deck.more = "*RIGIDWALL_PLANAR\n\n0,0,-1,0,0,1\n*INITIAL_VELOCITY\n\n3,0,0\n";
+  const ReadResult result = read(including("ROTATE,0,1,0,0,0,0,90\n"), deck.text());
+  ASSERT_TRUE(result.model) << listed(result.diagnostics);
+  const model::RigidWall& wall = result.model->rigid_walls.at(0);
+  EXPECT_NEAR(wall.point[0], -1, 1e-12);
+  EXPECT_NEAR(wall.normal[0], 1, 1e-12);
+  ASSERT_FALSE(result.model->initial_velocities.empty());
+  EXPECT_NEAR(result.model->initial_velocities.at(0).velocity[2], -3, 1e-12);
+  EXPECT_NE(listed(result.diagnostics).find("it turns with the transformation"), std::string::npos);
+}
+
+TEST(IncludeTransform, RefusesWhatCannotBePlaced) {
+  SmallDeck deck;
+  deck.more = "*DEFINE_BOX\n4,-9,9,-9,9,-9,9\n";
+  EXPECT_TRUE(has_error(read(including("ROTATE,0,0,1,0,0,0,30\n"), deck.text()), "boxes have their sides"));
+  EXPECT_TRUE(read(including("TRANSL,1,2,3\n"), deck.text()).model);
+  deck.more = "*RIGIDWALL_GEOMETRIC_SPHERE\n\n0,0,-9,0,0,0\n1\n";
+  EXPECT_TRUE(has_error(read(including("SCALE,2,2,2\n"), deck.text()), "does not scale this length"));
+}
+
+TEST(IncludeTransform, TheSetOfANodalRigidBodyHasTheNumberOfTheFile) {
+  SmallDeck deck;
+  deck.more = "*SET_NODE_LIST\n1\n5,6\n*CONSTRAINED_NODAL_RIGID_BODY\n1\n";
+  deck.part = "*PART\nplate\n2,1,1\n";
+  deck.shells =
+      "*ELEMENT_SHELL\n      11       2       1       2       3       4\n      12       2       2       5    "
+      "   6 "
+      "      3\n";
+  EXPECT_EQ(model_of(including(""), deck.text()).rigid_bodies.size(), 1U);
+}
+
+TEST(IncludeTransform, UnitsAreRefused) {
+  const std::string cards = std::string(offsets) + "1,1,0.001\n";
+  EXPECT_TRUE(read(including("", std::string(offsets) + "1,0,1.0\n"), SmallDeck().text()).model);
+  EXPECT_TRUE(
+      has_error(read(including("", cards), SmallDeck().text()), "FCTLEN: read \"0.001\", expected 1"));
+}
+
+TEST(IncludeTransform, ItsTransformationMustBeDefinedBefore) {
+  const std::string deck =
+      "*KEYWORD\n*INCLUDE_TRANSFORM\npart.k\n\n\n\n9\n*DEFINE_TRANSFORMATION\n9\nTRANSL,1\n*END\n";
+  EXPECT_TRUE(
+      has_error(read(deck, SmallDeck().text()), "TRANID: read \"9\", expected the id of a transformation"));
+}
+
+TEST(NodeTransform, MovesTheNodesOfAListedSet) {
+  SmallDeck deck;
+  deck.more =
+      "*DEFINE_TRANSFORMATION\n9\nTRANSL,0,0,3\n*SET_NODE_LIST\n1\n5\n*SET_NODE_LIST_GENERATE\n2\n6,6\n"
+      "*SET_NODE_ADD\n3\n1,2\n*NODE_TRANSFORM\n9,3\n";
+  const model::Model model = read_clean(deck.text());
+  expect_position(model, 4, {2, 0, 3});
+  expect_position(model, 5, {2, 1, 3});
+  expect_position(model, 3, {0, 1, 0});
+}
+
+TEST(IncludePath, FoldersAreSearchedInOrder) {
+  SmallDeck deck;
+  const std::map<std::string, std::string> files = {{"lib/nodes.k", deck.nodes},
+                                                    {"mesh/shells.k", deck.shells}};
+  deck.nodes = "*INCLUDE_PATH\nlib\nme +\nsh\n*INCLUDE\nnodes.k\nshells.k\n";
+  deck.shells.clear();
+  EXPECT_EQ(read_clean(deck.text(), {}, files).shells.size(), 2U);
+}
+
+TEST(IncludePath, RelativeToTheFileOnDisk) {
+  const ReadResult result = read_deck("tests/deck/good/include_path.k");
+  ASSERT_TRUE(result.model) << listed(result.diagnostics);
+  EXPECT_EQ(result.model->shells.size(), 2U);
+}
+
+}  // namespace
+}  // namespace crumple::deck::test::include_transform_test
