@@ -52,8 +52,8 @@ class Reading final : private DeckHandler {
     if (may_set(where)) read_settings(text, where, options_.search_methods, deck_, report_);
   }
   std::vector<Inclusion> inclusions_of(const Block& block) override;
-  void begin_file() override {}
-  void end_file() override {}
+  void begin_file() override { parameters_.begin_file(); }
+  void end_file() override { parameters_.end_file(); }
   void leave_out(const Block& block);
   void note_definition(const Block& block);
   void check_whole(const model::Model& model);
@@ -99,12 +99,9 @@ bool Reading::may_set(const Where& where) {
 void Reading::take_block(const Block& block) {
   has_keywords_ = true;
   if (!may_change(block)) return;
-  if (block.name == "PARAMETER" || block.name == "PARAMETER_EXPRESSION") {
+  if (Parameters::is_keyword(block.name)) {
     Cards cards(block, HeadingKind::None, parameters_, report_);
-    if (block.name == "PARAMETER")
-      parameters_.read(cards);
-    else
-      parameters_.read_expressions(cards);
+    parameters_.read(block.name, cards);
     return;
   }
   const std::optional<FoundKeyword> found = find_keyword(block.name);

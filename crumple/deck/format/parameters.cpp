@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "deck/format/cards.hpp"
 #include "deck/format/expression.hpp"
@@ -18,6 +20,12 @@ constexpr Field parameter_card[] = {row::text("PRMR1", 10), row::text("VAL1", 10
                                     row::text("PRMR4", 10), row::text("VAL4", 10)};
 
 constexpr Field expression_card[] = {row::text("PRMR1", 10), row::text("EXPRESSION1", 70)};
+
+constexpr Field duplication_card[] = {
+    row::integer_or_default("DFLAG", 1,
+                            row::within(1, 5,
+                                        "of two values 1 takes the first with a warning, 2 the last with a "
+                                        "warning, 3 is an error, 4 takes the last, 5 the first"))};
 
 bool is_name(std::string_view text) {
   if (text.empty() || (text.front() >= '0' && text.front() <= '9')) return false;
@@ -41,12 +49,25 @@ bool Parameters::is_reference(std::string_view text) {
 
 std::optional<std::string> Parameters::substitute(std::string_view reference) const {
   const std::string_view name = trimmed(without_sign(reference).substr(1));
-  const auto found = values_.find(upper_case(name));
-  if (found == values_.end()) return std::nullopt;
-  const std::string& text = found->second.text;
+  const Value* found = find(upper_case(name));
+  if (found == nullptr) return std::nullopt;
+  const std::string& text = found->text;
   if (!reference.starts_with('-')) return text;
   if (text.starts_with('-')) return text.substr(1);
   return fmt::format("-{}", without_sign(text));
+}
+
+bool Parameters::is_keyword(std::string_view name) {
+  constexpr std::string_view names[] = {"PARAMETER", "PARAMETER_EXPRESSION", "PARAMETER_LOCAL",
+                                        "PARAMETER_EXPRESSION_LOCAL", "PARAMETER_DUPLICATION"};
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+const Parameters::Value* Parameters::find(std::string_view name) const {
+  for (auto scope = locals_.rbegin(); scope != locals_.rend(); ++scope)
+    if (const auto found = scope->find(name); found != scope->end()) return &found->second;
+  const auto found = values_.find(name);
+  return found == values_.end() ? nullptr : &found->second;
 }
 
 bool Parameters::preset(std::string_view name, std::string_view value) {
@@ -56,19 +77,44 @@ bool Parameters::preset(std::string_view name, std::string_view value) {
   return true;
 }
 
-void Parameters::read(Cards& cards) {
+void Parameters::read(std::string_view keyword, Cards& cards) {
+  const bool is_local = keyword.ends_with("_LOCAL");
+  if (keyword == "PARAMETER_DUPLICATION")
+    read_duplication(cards);
+  else if (keyword.starts_with("PARAMETER_EXPRESSION"))
+    read_expressions(cards, is_local);
+  else
+    read_values(cards, is_local);
+}
+
+void Parameters::read_duplication(Cards& cards) {
+  constexpr Duplicate choices[] = {Duplicate::WarnAndKeep, Duplicate::WarnAndReplace, Duplicate::Refuse,
+                                   Duplicate::Replace, Duplicate::Keep};
+  const Card card = cards.next(duplication_card);
+  cards.report_unread();
+  if (duplication_) {
+    cards.report().warning(
+        card.where(), "again",
+        fmt::format("does not count; the one at {} does", cards.report().place(*duplication_)));
+    return;
+  }
+  duplication_ = card.where();
+  if (card.good("DFLAG")) duplicate_ = choices[card.integer("DFLAG") - 1];
+}
+
+void Parameters::read_values(Cards& cards, bool is_local) {
   while (cards.more()) {
     const Card card = cards.next_filled(parameter_card);
     for (std::size_t i = 0; i < std::size(parameter_card); i += 2) {
       const std::string_view name = card.text(parameter_card[i].name);
       const std::string_view value = card.text(parameter_card[i + 1].name);
       if (name.empty() && value.empty()) continue;
-      define(name, value, card.where(), cards.report());
+      define(name, value, is_local, card.where(), cards.report());
     }
   }
 }
 
-void Parameters::read_expressions(Cards& cards) {
+void Parameters::read_expressions(Cards& cards, bool is_local) {
   std::optional<Name> name;
   std::string expression;
   Where where;
@@ -87,6 +133,7 @@ void Parameters::read_expressions(Cards& cards) {
     where = card.where();
     expression = card.text("EXPRESSION1");
     name = name_of(card.text("PRMR1"), where, cards.report());
+    if (name) name->is_local = is_local;
   }
   finish();
 }
@@ -95,7 +142,7 @@ std::optional<Parameters::Name> Parameters::name_of(std::string_view name_and_ty
                                                     Report& report) {
   const std::string name = upper_case(trimmed(name_and_type.substr(name_and_type.empty() ? 0 : 1)));
   const char type = name_and_type.empty() ? ' ' : upper_case(name_and_type.substr(0, 1)).front();
-  if ((type == 'R' || type == 'I') && is_name(name)) return Name{name, type == 'I'};
+  if ((type == 'R' || type == 'I') && is_name(name)) return Name{name, type == 'I', false};
   report.error(where, "name",
                fmt::format("read \"{}\", expected R (real) or I (integer) and the name of a parameter, such "
                            "as \"R thick\"{}",
@@ -103,10 +150,11 @@ std::optional<Parameters::Name> Parameters::name_of(std::string_view name_and_ty
   return std::nullopt;
 }
 
-void Parameters::define(std::string_view name_and_type, std::string_view text, const Where& where,
-                        Report& report) {
-  const std::optional<Name> name = name_of(name_and_type, where, report);
+void Parameters::define(std::string_view name_and_type, std::string_view text, bool is_local,
+                        const Where& where, Report& report) {
+  std::optional<Name> name = name_of(name_and_type, where, report);
   if (!name) return;
+  name->is_local = is_local;
   std::string value(text);
   if (is_reference(text)) {
     std::optional<std::string> found = substitute(text);
@@ -131,9 +179,9 @@ void Parameters::define(std::string_view name_and_type, std::string_view text, c
 void Parameters::define_by(const std::string& expression, const Name& name, const Where& where,
                            Report& report) {
   const Evaluated result = evaluate(expression, [&](std::string_view other) -> std::optional<Number> {
-    const auto found = values_.find(other);
-    if (found == values_.end()) return std::nullopt;
-    return Number{parse_real(found->second.text).value_or(0), found->second.is_whole};
+    const Value* found = find(other);
+    if (found == nullptr) return std::nullopt;
+    return Number{parse_real(found->text).value_or(0), found->is_whole};
   });
   const double value = result.number.value;
   constexpr double exact_limit = 9007199254740992.0;  // 2^53
@@ -153,17 +201,27 @@ void Parameters::define_by(const std::string& expression, const Name& name, cons
 }
 
 void Parameters::enter(const Name& name, const std::string& text, const Where& where, Report& report) {
-  const auto [entry, is_new] = values_.try_emplace(name.name, Value{text, where, name.is_whole});
-  if (is_new || entry->second.text == text) return;
-  if (entry->second.is_preset) {
-    report.warning(where, "preset",
-                   fmt::format("parameter {} is \"{}\" by the command line, not \"{}\"", name.name,
-                               entry->second.text, text));
+  const auto preset = values_.find(name.name);
+  if (preset != values_.end() && preset->second.is_preset) {
+    if (preset->second.text != text)
+      report.warning(where, "preset",
+                     fmt::format("parameter {} is \"{}\" by the command line, not \"{}\"", name.name,
+                                 preset->second.text, text));
     return;
   }
-  report.error(where, "twice",
-               fmt::format("parameter {} is already set to \"{}\" at {}; give it one value", name.name,
-                           entry->second.text, report.place(entry->second.where)));
+  Values& scope = name.is_local && !locals_.empty() ? locals_.back() : values_;
+  const Value value{text, where, name.is_whole};
+  const auto [entry, is_new] = scope.try_emplace(name.name, value);
+  if (is_new || entry->second.text == text) return;
+  const std::string known = fmt::format("parameter {} is already set to \"{}\" at {}", name.name,
+                                        entry->second.text, report.place(entry->second.where));
+  const bool replaces = duplicate_ == Duplicate::WarnAndReplace || duplicate_ == Duplicate::Replace;
+  if (duplicate_ == Duplicate::Refuse)
+    report.error(where, "twice", fmt::format("{}; give it one value", known));
+  else if (duplicate_ == Duplicate::WarnAndReplace || duplicate_ == Duplicate::WarnAndKeep)
+    report.warning(where, "twice",
+                   fmt::format("{}; \"{}\" is taken", known, replaces ? text : entry->second.text));
+  if (replaces) entry->second = value;
 }
 
 }  // namespace crumple::deck

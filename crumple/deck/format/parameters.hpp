@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "deck/format/report.hpp"
 
@@ -12,18 +13,23 @@ namespace crumple::deck {
 
 class Cards;
 
-/// The values that *PARAMETER and *PARAMETER_EXPRESSION give names to. Names are not case-sensitive.
+/// The values that *PARAMETER and its kin give names to. Names are not case-sensitive. A local one is known
+/// in its file and in those that it includes, where it hides a global one of the same name.
 class Parameters {
  public:
+  /// Whether a keyword is read here.
+  static bool is_keyword(std::string_view name);
+
+  /// Local parameters that are defined from here to the end of the file go with it.
+  void begin_file() { locals_.emplace_back(); }
+  void end_file() { locals_.pop_back(); }
+
   /// Gives a name a value, whatever the deck says of it: a block that sets it later is left out with a
   /// warning. False if the name or the number is none.
   bool preset(std::string_view name, std::string_view value);
 
-  /// Reads a *PARAMETER block. Faults go to the cards' report.
-  void read(Cards& cards);
-
-  /// Reads a *PARAMETER_EXPRESSION block.
-  void read_expressions(Cards& cards);
+  /// Reads a block of this name. Faults go to the cards' report.
+  void read(std::string_view keyword, Cards& cards);
 
   /// True if the text is `&name`, `-&name` or `+&name`.
   static bool is_reference(std::string_view text);
@@ -39,18 +45,34 @@ class Parameters {
     bool is_preset = false;
   };
 
+  using Values = std::map<std::string, Value, std::less<>>;
+
   /// A name with its type in front of it.
   struct Name {
     std::string name;
     bool is_whole = false;
+    bool is_local = false;
   };
+
+  /// What becomes of a parameter that is defined a second time with another value: DFLAG of
+  /// *PARAMETER_DUPLICATION.
+  enum class Duplicate { Refuse, WarnAndKeep, WarnAndReplace, Replace, Keep };
+
+  void read_values(Cards& cards, bool is_local);
+  void read_expressions(Cards& cards, bool is_local);
+  void read_duplication(Cards& cards);
+  const Value* find(std::string_view name) const;
 
   static std::optional<Name> name_of(std::string_view name_and_type, const Where& where, Report& report);
   void enter(const Name& name, const std::string& text, const Where& where, Report& report);
-  void define(std::string_view name_and_type, std::string_view text, const Where& where, Report& report);
+  void define(std::string_view name_and_type, std::string_view text, bool is_local, const Where& where,
+              Report& report);
   void define_by(const std::string& expression, const Name& name, const Where& where, Report& report);
 
-  std::map<std::string, Value, std::less<>> values_;
+  Values values_;
+  std::vector<Values> locals_;  ///< of the files that are open, the deck first
+  Duplicate duplicate_ = Duplicate::Refuse;
+  std::optional<Where> duplication_;  ///< the first *PARAMETER_DUPLICATION, which alone counts
 };
 
 }  // namespace crumple::deck

@@ -15,7 +15,8 @@ constexpr HeadingKind identity = HeadingKind::Identity;
 using File = model::HistoryFile;
 using Traced = HistoryItem;
 
-// KEYWORD, INCLUDE and END are the scanner's, PARAMETER and PARAMETER_EXPRESSION are the reader's.
+// KEYWORD, INCLUDE, INCLUDE_PATH and END are the scanner's, PARAMETER and its kin and INCLUDE_TRANSFORM are
+// the reader's.
 constexpr Keyword table[] = {
     {"TITLE", read_title},
 

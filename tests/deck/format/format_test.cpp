@@ -231,5 +231,63 @@ TEST(Parameter, WholeRealMayStandForAnInteger) {
   EXPECT_EQ(read_clean(deck.text()).shell_sections.at(0).thickness_points, 3);
 }
 
+/// The section takes its thickness from `&thick` of the deck after the included file.
+std::string with_parameters(const std::string& before) {
+  SmallDeck deck;
+  deck.keyword += before;
+  deck.section = "*SECTION_SHELL\n         1         2\n    &thick\n";
+  return deck.text();
+}
+
+double thickness_of(const std::string& before, const std::map<std::string, std::string>& files = {}) {
+  const ReadResult result = read_deck_text(with_parameters(before), {}, files);
+  EXPECT_TRUE(result.model) << listed(result.diagnostics);
+  return result.model ? result.model->shell_sections.at(0).thickness[0] : 0;
+}
+
+TEST(Parameter, GlobalOnesGoBeyondTheirFile) {
+  EXPECT_EQ(thickness_of("*INCLUDE\na.k\n", {{"a.k", "*PARAMETER\nR thick,0.5\n"}}), 0.5);
+}
+
+TEST(Parameter, LocalOnesEndWithTheirFile) {
+  const std::map<std::string, std::string> files = {
+      {"a.k",
+       "*PARAMETER_LOCAL\nR thick,0.5\n*PARAMETER_EXPRESSION_LOCAL\nR half,&thick / 2\n*INCLUDE\nb.k\n"},
+      {"b.k", "*PARAMETER\nR seen,&half\n"}};
+  EXPECT_EQ(thickness_of("*PARAMETER\nR thick,0.2\n*INCLUDE\na.k\n", files), 0.2);
+  EXPECT_EQ(thickness_of("*INCLUDE\na.k\n*PARAMETER\nR thick,&seen\n", files), 0.25);
+  const ReadResult result = read_deck_text(with_parameters("*INCLUDE\na.k\n"), {}, files);
+  EXPECT_NE(listed(result.diagnostics).find("expected a parameter that is defined"), std::string::npos);
+}
+
+TEST(Parameter, DuplicationSaysWhichValueHolds) {
+  const std::string twice = "*PARAMETER\nR thick,0.2\n*PARAMETER\nR thick,0.4\n";
+  EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n2\n" + twice), 0.4);
+  EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n4\n" + twice), 0.4);
+  EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n1\n" + twice), 0.2);
+  EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n5\n" + twice), 0.2);
+  EXPECT_FALSE(read_deck_text(with_parameters(twice)).model);
+  EXPECT_FALSE(read_deck_text(with_parameters("*PARAMETER_DUPLICATION\n3\n" + twice)).model);
+  EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n2\n*PARAMETER_DUPLICATION\n5\n" + twice), 0.4);
+  const auto warned = [&](const std::string& flag) {
+    const ReadResult result =
+        read_deck_text(with_parameters("*PARAMETER_DUPLICATION\n" + flag + "\n" + twice));
+    return listed(result.diagnostics).find("is taken") != std::string::npos;
+  };
+  EXPECT_TRUE(warned("1"));
+  EXPECT_TRUE(warned("2"));
+  EXPECT_FALSE(warned("4"));
+  EXPECT_FALSE(warned("5"));
+}
+
+TEST(Parameter, TheCommandLineGoesBeforeLocalOnes) {
+  ReadOptions options;
+  options.parameters = {{"thick", "0.7"}};
+  const ReadResult result =
+      read_deck_text(with_parameters("*PARAMETER_LOCAL\nR thick,0.2\n*PARAMETER_DUPLICATION\n4\n"), options);
+  ASSERT_TRUE(result.model);
+  EXPECT_EQ(result.model->shell_sections.at(0).thickness[0], 0.7);
+}
+
 }  // namespace
 }  // namespace crumple::deck::test::format_test
