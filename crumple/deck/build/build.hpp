@@ -121,6 +121,9 @@ Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
 // build_transformations.cpp
 /// Moves the nodes of *NODE_TRANSFORM. Before all else that uses their positions.
 void move_nodes(Build& build);
+// build_functions.cpp
+/// The points of a function of time, from zero to the end of the run. Reports what it cannot evaluate.
+model::Curve sample_function(const RawCurve& raw, double end_time, Report& report);
 // build_coordinates.cpp
 /// Enters the ids of the coordinate systems. The nodes of the model must be there.
 void enter_coordinate_systems(Build& build);

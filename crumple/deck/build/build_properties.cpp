@@ -69,6 +69,16 @@ void take_hardening(const model::Curve& curve, const Where& where, std::vector<d
     }
 }
 
+/// The curve that a field refers to, of another variable than time: one of points.
+Index find_points(Build& build, const Reference& reference) {
+  const Index index = build.find(Item::Curve, reference);
+  if (index == no_index || build.deck.curves[static_cast<std::size_t>(index)].function.empty()) return index;
+  build.report.field_error(reference.where, {reference.field, std::to_string(reference.id),
+                                             "a curve of *DEFINE_CURVE, given by points",
+                                             "*DEFINE_CURVE_FUNCTION is a function of time", "function"});
+  return no_index;
+}
+
 /// The model's curve of every value of a table; no_index where it is missing, which has been reported.
 std::vector<Index> curves_of(const RawTable& raw, Build& build) {
   std::vector<Index> found;
@@ -83,7 +93,7 @@ std::vector<Index> curves_of(const RawTable& raw, Build& build) {
   }
   for (std::size_t i = 0; i < raw.value.size(); ++i) {
     const UserId id = raw.curve.empty() ? curves[raw.first_curve + i].curve.id : raw.curve[i];
-    found.push_back(build.find(Item::Curve, {id, "CURVEID", raw.where}));
+    found.push_back(find_points(build, {id, "CURVEID", raw.where}));
   }
   return found;
 }
@@ -119,7 +129,7 @@ void take_hardening(const RawMaterial& raw, model::PiecewiseLinearPlasticity& la
       take_table(raw, build.deck.tables[static_cast<std::size_t>(table)], law, build);
       return;
     }
-    const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCSS", raw.curve_where});
+    const Index index = find_points(build, {raw.hardening_curve, "LCSS", raw.curve_where});
     if (index == no_index) return;
     points = &build.deck.curves[static_cast<std::size_t>(index)].where;
     take_hardening(build.model.curves[static_cast<std::size_t>(index)], raw.where, law.plastic_strain,
@@ -131,7 +141,7 @@ void take_hardening(const RawMaterial& raw, model::PiecewiseLinearPlasticity& la
 /// LCSR: factors on the yield stress over strain rate.
 void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
   if (raw.rate_curve == 0) return;
-  const Index index = build.find(Item::Curve, {raw.rate_curve, "LCSR", raw.curve_where});
+  const Index index = find_points(build, {raw.rate_curve, "LCSR", raw.curve_where});
   if (index == no_index) return;
   const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
   law.factor_rate = curve.abscissa;
@@ -154,7 +164,7 @@ void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law,
 /// LCID of crushable foam: the yield stress over the crushed volume.
 void take_crush(const RawMaterial& raw, model::CrushableFoam& law, Build& build) {
   if (raw.hardening_curve == 0) return;
-  const Index index = build.find(Item::Curve, {raw.hardening_curve, "LCID", raw.curve_where});
+  const Index index = find_points(build, {raw.hardening_curve, "LCID", raw.curve_where});
   if (index == no_index) return;
   const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
   law.crush = curve.abscissa;
@@ -191,7 +201,7 @@ void enter_sections(Build& build) {
 /// A curve of a spring or damper: it must have both signs and go through the origin.
 Index spring_curve(const RawSpringMaterial& raw, UserId id, std::string_view field, Build& build) {
   if (id == 0) return no_index;
-  const Index index = build.find(Item::Curve, {id, field, raw.where});
+  const Index index = find_points(build, {id, field, raw.where});
   if (index == no_index) return no_index;
   const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
   constexpr double small = 1e-9;
@@ -215,7 +225,7 @@ void build_spring_materials(Build& build) {
     if (auto* spring = std::get_if<model::NonlinearSpring>(&law)) {
       spring->curve = spring_curve(raw, raw.curve, raw.curve_field, build);
       if (raw.rate_curve != 0)
-        spring->rate_curve = build.find(Item::Curve, {raw.rate_curve, raw.rate_field, raw.where});
+        spring->rate_curve = find_points(build, {raw.rate_curve, raw.rate_field, raw.where});
     } else if (auto* damper = std::get_if<model::NonlinearDamper>(&law)) {
       damper->curve = spring_curve(raw, raw.curve, raw.curve_field, build);
     }
@@ -229,7 +239,8 @@ void build_properties(Build& build) {
   model::Model& model = build.model;
   for (const RawCurve& raw : deck.curves) {
     build.enter(Item::Curve, {raw.curve.id, "LCID", raw.where}, model.curves.size());
-    model.curves.push_back(raw.curve);
+    const double end_time = deck.control.end_time > 0 ? deck.control.end_time : 1;
+    model.curves.push_back(raw.function.empty() ? raw.curve : sample_function(raw, end_time, build.report));
   }
   for (std::size_t i = 0; i < deck.tables.size(); ++i)
     build.enter(Item::Table, {deck.tables[i].id, "TBID", deck.tables[i].where}, i);

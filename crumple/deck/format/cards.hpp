@@ -99,6 +99,9 @@ class Cards {
   /// Has every card and line of text that is read noted there, headings apart.
   void note_uses(std::vector<CardUse>& uses) { uses_ = &uses; }
 
+  /// The parameters that are defined so far.
+  const Parameters& parameters() const { return *parameters_; }
+
   /// What the ids and coordinates of the file become.
   const Placement& placement() const;
 

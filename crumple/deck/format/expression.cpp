@@ -86,7 +86,8 @@ bool is_letter(char c) {
 /// Reads an expression from left to right. After the first fault everything is zero.
 class Parser {
  public:
-  Parser(std::string_view text, const FindParameter& find) : text_(text), find_(find) {}
+  Parser(std::string_view text, const FindParameter& find, WholeNumbers whole)
+      : text_(text), find_(find), whole_(whole) {}
 
   Evaluated run() {
     const Number number = sum();
@@ -214,7 +215,7 @@ class Parser {
   Number literal() {
     const std::size_t begin = at_;
     skip_digits();
-    bool is_whole = true;
+    bool is_whole = whole_ == WholeNumbers::Exact;
     if (at_ < text_.size() && text_[at_] == '.') {
       is_whole = false;
       ++at_;
@@ -266,7 +267,8 @@ class Parser {
     const bool all_whole =
         std::all_of(arguments.begin(), arguments.end(), [](const Number& n) { return n.is_whole; });
     const bool whole =
-        function->whole == Whole::Always || (function->whole == Whole::IfArguments && all_whole);
+        whole_ == WholeNumbers::Exact &&
+        (function->whole == Whole::Always || (function->whole == Whole::IfArguments && all_whole));
     return checked(function->value(arguments), whole, name);
   }
 
@@ -279,6 +281,7 @@ class Parser {
 
   std::string_view text_;
   const FindParameter& find_;
+  WholeNumbers whole_;
   std::size_t at_ = 0;
   int depth_ = 0;
   std::string fault_;
@@ -286,8 +289,8 @@ class Parser {
 
 }  // namespace
 
-Evaluated evaluate(std::string_view expression, const FindParameter& find) {
-  return Parser(expression, find).run();
+Evaluated evaluate(std::string_view expression, const FindParameter& find, WholeNumbers whole) {
+  return Parser(expression, find, whole).run();
 }
 
 }  // namespace crumple::deck

@@ -23,9 +23,16 @@ struct Evaluated {
   std::string fault;  ///< what is wrong with the expression, a clause of a sentence; empty if nothing is
 };
 
+/// What a number without a decimal point is.
+enum class WholeNumbers {
+  Exact,   ///< whole, as Fortran has it
+  AsReal,  ///< like any other number
+};
+
 /// Evaluates an expression of *PARAMETER_EXPRESSION: + - * / ** with Fortran's precedence, parentheses,
 /// parameters as `name` or `&name`, and the functions of LS-DYNA's manual, angles in radians. A quotient of
 /// whole numbers that is not whole is a fault, since it might be meant truncated or not.
-Evaluated evaluate(std::string_view expression, const FindParameter& find);
+Evaluated evaluate(std::string_view expression, const FindParameter& find,
+                   WholeNumbers whole = WholeNumbers::Exact);
 
 }  // namespace crumple::deck

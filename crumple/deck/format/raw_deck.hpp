@@ -155,6 +155,7 @@ struct RawHourglass {
 
 struct RawCurve {
   model::Curve curve;
+  std::string function;  ///< of TIME, instead of points
   Where where;
 };
 

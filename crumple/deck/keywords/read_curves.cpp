@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *DEFINE_CURVE, *DEFINE_TABLE.
+// *DEFINE_CURVE, *DEFINE_CURVE_FUNCTION, *DEFINE_TABLE.
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "base/counted.hpp"
 #include "deck/keywords/families.hpp"
@@ -22,6 +25,11 @@ constexpr Field curve_card[] = {
     real("OFFO"),
     only("DATTYP", {0}, "curves are functions, given by points"),
     unused("LCINT"),  // the points are used as they are, not resampled
+};
+
+constexpr Field function_card[] = {
+    id("LCID"),
+    harmless("SIDR", {0, 2}, "there is no dynamic relaxation; the curve holds for the run"),
 };
 
 constexpr Field table_card[] = {id("TBID"), real_or_default("SFA", 1.0), real("OFFA")};
@@ -59,6 +67,45 @@ void read_define_curve(Cards& cards, RawDeck& deck) {
         card.where(), "points",
         fmt::format("the curve has {}, expected at least two", counted(raw.curve.abscissa.size(), "point")));
   if (card.good("LCID")) deck.curves.push_back(std::move(raw));
+}
+
+namespace {
+
+/// The text with the values of parameters in the places of their names. False, with a message, if one is
+/// missing.
+bool replace_parameters(std::string& text, const Where& where, const Cards& cards) {
+  for (std::size_t at = text.find('&'); at != std::string::npos; at = text.find('&', at)) {
+    std::size_t end = at + 1;
+    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_'))
+      ++end;
+    const std::string name = text.substr(at, end - at);
+    const std::optional<std::string> value = cards.parameters().substitute(name);
+    if (!value) {
+      cards.report().error(
+          where, "parameter",
+          fmt::format("the function has \"{}\", expected a parameter that is defined; define it "
+                      "with *PARAMETER before this line",
+                      name));
+      return false;
+    }
+    text.replace(at, end - at, fmt::format("({})", *value));
+  }
+  return true;
+}
+
+}  // namespace
+
+void read_define_curve_function(Cards& cards, RawDeck& deck) {
+  cards.heading();
+  const Card card = cards.next(function_card);
+  RawCurve raw;
+  raw.curve.id = card.integer("LCID");
+  raw.where = card.where();
+  constexpr std::size_t last_column = 80;
+  do raw.function += cards.text_line("a function of TIME").substr(0, last_column);
+  while (cards.more());
+  if (replace_parameters(raw.function, raw.where, cards) && card.good("LCID"))
+    deck.curves.push_back(std::move(raw));
 }
 
 namespace {

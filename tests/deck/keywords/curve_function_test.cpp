@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *DEFINE_CURVE_FUNCTION.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "../small_deck.hpp"
+
+namespace crumple::deck::test::curve_function_test {
+namespace {
+
+model::Curve curve_of(const std::string& function, const std::string& before = "") {
+  const model::Model model =
+      read_with(before + "*DEFINE_CURVE_FUNCTION\n         5\n" + function + "\n*LOAD_NODE_POINT\n5,1,5\n");
+  return model.curves.empty() ? model::Curve{} : model.curves.at(0);
+}
+
+TEST(CurveFunction, FollowsTheFunctionBetweenItsPoints) {
+  const model::Curve curve = curve_of("3*sin(2*pi*40*time)*exp(-TIME)");
+  EXPECT_EQ(curve.abscissa.front(), 0);
+  EXPECT_EQ(curve.abscissa.back(), 2.5);
+  double worst = 0;
+  for (int i = 0; i <= 9973; ++i) {
+    const double t = 2.5 * i / 9973;
+    worst = std::max(worst, std::fabs(curve.at(t) - 3 * std::sin(80 * std::numbers::pi * t) * std::exp(-t)));
+  }
+  EXPECT_LT(worst, 2e-4);
+}
+
+TEST(CurveFunction, StraightOnesStayCoarse) {
+  const model::Curve curve = curve_of("1 + TIME / 2");
+  EXPECT_LT(curve.abscissa.size(), 200U);
+  EXPECT_NEAR(curve.at(1.0), 1.5, 1e-12);
+}
+
+TEST(CurveFunction, WholeNumbersAreReal) {
+  EXPECT_NEAR(curve_of("1/2*TIME**2").at(2), 2, 1e-4);
+}
+
+TEST(CurveFunction, SeveralLinesAndParameters) {
+  const model::Curve curve = curve_of("&rate*\nTIME + &low", "*PARAMETER\nR rate,4\nR low,-3\n");
+  EXPECT_NEAR(curve.at(2), 5, 1e-12);
+}
+
+TEST(CurveFunction, WavesThatVanishAtEqualIntervalsAreSeen) {
+  // Zero at all of 128 intervals of 2.5.
+  const model::Curve curve = curve_of("sin(128*2*pi*TIME/2.5)");
+  EXPECT_NEAR(curve.at(2.5 / 128 / 4), 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace crumple::deck::test::curve_function_test
