@@ -80,6 +80,7 @@ void FunctionSampler::refine(double from, double at_from, double to, double at_t
     refine(middle, at_middle, to, at_to, halvings + 1);
     return;
   }
+  if (to <= curve_.abscissa.back()) return;  // there is no number between
   curve_.abscissa.push_back(to);
   curve_.ordinate.push_back(at_to);
 }
@@ -91,9 +92,9 @@ model::Curve FunctionSampler::run() {
   curve_.abscissa.push_back(from);
   curve_.ordinate.push_back(at_from);
   for (int i = 0; i <= intervals; ++i)
-    largest_ = std::max(largest_, std::fabs(value_at(end_time_ * i / intervals)));
+    largest_ = std::max(largest_, std::fabs(value_at(end_time_ * (static_cast<double>(i) / intervals))));
   for (int i = 1; i <= intervals; ++i) {
-    const double to = end_time_ * i / intervals;
+    const double to = end_time_ * (static_cast<double>(i) / intervals);
     const double at_to = value_at(to);
     refine(from, at_from, to, at_to, 0);
     from = to;

@@ -14,22 +14,30 @@ const RawSet* find_raw_set(const std::vector<RawSet>& sets, UserId id) {
   return found == sets.end() ? nullptr : &*found;
 }
 
+/// Whether an id is one of a member's range, whose ends may be far apart.
+bool is_in_range(UserId id, const RawMember& member) {
+  return id >= member.first && id <= member.last &&
+         (id - member.first) % std::max<UserId>(member.increment, 1) == 0;
+}
+
 /// Ids of the nodes that a set lists. False if it takes nodes by their place, part or elements, which are
 /// known only once the nodes are where they belong.
-bool list_nodes(const RawSet& set, const std::vector<RawSet>& sets, int depth, std::set<UserId>& ids) {
+bool list_nodes(const RawSet& set, const RawDeck& deck, int depth, std::set<UserId>& ids) {
   constexpr int deepest = 16;
   for (const RawMember& member : set.members) {
-    const bool is_set = member.what == RawMember::What::OwnSet;
-    if ((!is_set && member.what != RawMember::What::Member) || depth > deepest) return false;
-    for (UserId id = member.first; id <= member.last; id += std::max<UserId>(member.increment, 1)) {
-      if (is_set) {
-        const RawSet* other = find_raw_set(sets, id);
-        if (other != nullptr && !list_nodes(*other, sets, depth + 1, ids)) return false;
-      } else if (member.removes) {
-        ids.erase(id);
-      } else {
-        ids.insert(id);
-      }
+    if (depth > deepest) return false;
+    if (member.what == RawMember::What::OwnSet) {
+      for (const RawSet& other : deck.node_sets)
+        if (is_in_range(other.id, member) && !list_nodes(other, deck, depth + 1, ids)) return false;
+    } else if (member.what != RawMember::What::Member) {
+      return false;
+    } else if (member.removes) {
+      std::erase_if(ids, [&](UserId id) { return is_in_range(id, member); });
+    } else if (member.first == member.last) {
+      ids.insert(member.first);
+    } else {
+      for (const RawNode& node : deck.nodes)
+        if (is_in_range(node.id, member)) ids.insert(node.id);
     }
   }
   return true;
@@ -51,7 +59,7 @@ void move_nodes(Build& build) {
       build.report.field_error(
           raw.where, {"NSID", id, "the id of a node set",
                       "the deck has no node set " + id + "; add it with *SET_NODE_LIST", "reference"});
-    } else if (!list_nodes(*set, deck.node_sets, 0, ids)) {
+    } else if (!list_nodes(*set, deck, 0, ids)) {
       build.report.field_unsupported(raw.where,
                                      {"NSID", id, "a set that lists its nodes",
                                       "sets by parts, boxes or elements cannot be moved; list the nodes "
@@ -62,7 +70,11 @@ void move_nodes(Build& build) {
         const Index node = build.find_quietly(Item::Node, node_id);
         if (node == no_index) continue;
         auto& x = build.model.nodes.position[static_cast<std::size_t>(node)];
-        x = deck.transformations[static_cast<std::size_t>(index)].map.of_point(x);
+        const Vector moved = deck.transformations[static_cast<std::size_t>(index)].map.of_point(x);
+        if (is_finite(moved))
+          x = moved;
+        else
+          build.report.error(raw.where, "placed", "a node is moved out of the range of numbers");
       }
     }
   }

@@ -86,11 +86,11 @@ Affine rotation(const Vector& axis, const Vector& point, double angle) {
 }
 
 Affine mirroring(const Vector& point, const Vector& normal) {
-  const double square = dot(normal, normal);
+  const double length = length_of(normal);
+  const Vector n = {normal[0] / length, normal[1] / length, normal[2] / length};
   Affine map;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      map.linear[i][j] = (i == j ? 1 : 0) - 2 * normal[i] * normal[j] / square;
+    for (std::size_t j = 0; j < 3; ++j) map.linear[i][j] = (i == j ? 1 : 0) - 2 * n[i] * n[j];
   return about(point, map);
 }
 

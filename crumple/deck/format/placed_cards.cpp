@@ -56,6 +56,11 @@ void Cards::place_vector(Card& card, std::size_t first) {
                             "placed"});
   }
   x = placed(map, geometry, x);
+  if (!is_finite(x)) {
+    report_->error(card.where_, "placed",
+                   "the transformation of *INCLUDE_TRANSFORM moves it out of the range of numbers");
+    return;
+  }
   for (std::size_t i = 0; i < 3; ++i) card.values_[first + i].real = x[i];
 }
 

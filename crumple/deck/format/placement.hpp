@@ -14,7 +14,9 @@ struct Placement {
 
   /// Zero is no id; the sign of a negative one is a mark that stays.
   std::int64_t id(IdKind kind, std::int64_t written) const {
+    constexpr std::int64_t largest = 4'000'000'000'000'000'000;
     const std::int64_t offset = offsets[static_cast<std::size_t>(kind)];
+    if (written > largest || written < -largest) return written;  // the sum would have no room
     return written == 0 ? 0 : written < 0 ? written - offset : written + offset;
   }
 };

@@ -26,6 +26,10 @@ inline double length_of(const Vector& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
 
+inline bool is_finite(const Vector& a) {
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
 /// Right-handed axes of unit length: the first along `first`, the second in the plane that `first` and
 /// `other` span, on the side of `other`. Absent if the two span no plane.
 inline std::optional<std::array<Vector, 3>> local_axes(const Vector& first, const Vector& other) {

@@ -14,11 +14,16 @@ namespace {
 
 using namespace row;
 
-constexpr Field offset_card[] = {integer("IDNOFF"), integer("IDEOFF"), integer("IDPOFF"), integer("IDMOFF"),
-                                 integer("IDSOFF"), integer("IDFOFF"), integer("IDDOFF")};
+/// Ids with an offset stay far from the end of the whole numbers, and above zero.
+constexpr Field offset(std::string_view name) {
+  return integer(name, 0, within(0, 1e15, "what is added to the ids of this kind"));
+}
+
+constexpr Field offset_card[] = {offset("IDNOFF"), offset("IDEOFF"), offset("IDPOFF"), offset("IDMOFF"),
+                                 offset("IDSOFF"), offset("IDFOFF"), offset("IDDOFF")};
 
 constexpr Field other_offset_card[] = {
-    integer("IDROFF"),
+    offset("IDROFF"),
     unused("-"),
     text("PREFIX", 10),  // of titles, which nothing is found by
     text("SUFFIX", 10),
@@ -60,9 +65,10 @@ void take_offsets(const Card& first, const Card& second, IdOffsets& offsets) {
                             {"IDPOFF", IdKind::Part},       {"IDMOFF", IdKind::Material},
                             {"IDSOFF", IdKind::Set},        {"IDFOFF", IdKind::Function},
                             {"IDDOFF", IdKind::Definition}, {"IDROFF", IdKind::Other}};
-  for (const Offset& offset : all)
-    offsets[static_cast<std::size_t>(offset.kind)] +=
-        (offset.kind == IdKind::Other ? second : first).integer(offset.field);
+  for (const Offset& one : all) {
+    const Card& card = one.kind == IdKind::Other ? second : first;
+    if (card.good(one.field)) offsets[static_cast<std::size_t>(one.kind)] += card.integer(one.field);
+  }
 }
 
 /// FCTTEM names a change of the unit of temperature.

@@ -211,6 +211,16 @@ TEST(IncludeTransform, ItsTransformationMustBeDefinedBefore) {
       has_error(read(deck, SmallDeck().text()), "TRANID: read \"9\", expected the id of a transformation"));
 }
 
+TEST(IncludeTransform, NumbersStayInTheirRange) {
+  const std::string far = "*NODE_TRANSFORM\n9,1\n*SET_NODE_LIST_GENERATE\n1\n1,9000000000000000000\n";
+  SmallDeck deck;
+  deck.more = "*DEFINE_TRANSFORMATION\n9\nSCALE,1E308,1,1\nSCALE,1E308,1,1\n" + far;
+  EXPECT_TRUE(has_error(read_deck_text(deck.text()), "out of the range of numbers"));
+  EXPECT_TRUE(has_error(read(including("SCALE,1E308,1,1\nSCALE,1E308,1,1\n"), SmallDeck().text()),
+                        "out of the range of numbers"));
+  EXPECT_TRUE(has_error(read(including("", "-5\n0\n"), SmallDeck().text()), "IDNOFF: read \"-5\""));
+}
+
 TEST(NodeTransform, MovesTheNodesOfAListedSet) {
   SmallDeck deck;
   deck.more =
