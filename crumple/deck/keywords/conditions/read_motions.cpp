@@ -125,7 +125,7 @@ void read_load_body_z(Cards& cards, RawDeck& deck) {
 }
 
 void read_damping_global(Cards& cards, RawDeck& deck) {
-  const Card card = cards.next_filled(damping_card);
+  const Card card = cards.next(damping_card);
   RawMassDamping raw;
   raw.damping.constant = card.real("VALDMP");
   raw.damping.translation = {card.real("STX"), card.real("STY"), card.real("STZ")};
