@@ -1,6 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Elements of two nodes: beams and trusses here, springs and dampers beside them.
+//
+//     BelytschkoSchwer   ELFORM 2   T. Belytschko, L. Schwer & M.J. Klein, IJNME 11 (1977) 65-84: resultants,
+//                                   elastic or with plastic hinges at the ends
+//     Truss              ELFORM 3   axial force alone; elastic or elastic-plastic
+//     springs, dampers   discrete_elements.hpp with the laws S01 to S05 of discrete_law.hpp
+//
+//                t
+//                |  s (towards the orientation node)      r from the first to the second node, s in the plane
+//                | /                                      of r and the orientation node, t = r x s
+//         1 o----+--------------o 2  --> r                axes of both ends turn with their nodes
+//
+// All are computed in double in both precisions: there are few of them, and the rotations that two elements
+// keep of a common node must not drift apart. Beams run in packs of elements as shells do, without tiles;
+// springs run one by one in one text for all instruction sets.
+//
+// Order of calls: beam_chunk() takes a chunk group by group: forces() for each pack, scatter in the order of
+// the elements, sums over lanes, erosion of trusses that fail. Of a chunk of springs add_discrete_forces()
+// does the same (discrete_elements.hpp).
+//
 // A formulation of beams is a type with
 //   static constexpr model::BeamFormulation formulation, const char* name
 //   static constexpr bool turns          its ends have moments

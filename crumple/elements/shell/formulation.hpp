@@ -1,6 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Shell elements of four nodes, and triangles, which repeat their third node.
+//
+//     BelytschkoTsay         ELFORM 2    T. Belytschko, J.I. Lin & C.S. Tsay, CMAME 42 (1984) 225-251
+//     BelytschkoWongChiang   ELFORM 10   T. Belytschko, B.L. Wong & H.Y. Chiang, CMAME 96 (1992) 93-107
+//     HughesLiu              ELFORM 1    T.J.R. Hughes & W.K. Liu, CMAME 26 (1981) 331-362
+//     HughesLiuSelective     ELFORM 6    the same; 2 x 2 points, transverse shear at the centre
+//     FullyIntegrated        ELFORM 16   B.E. Engelmann, R.G. Whirley & G.L. Goudreau, ASME CED-3 (1989)
+//     Triangle               ELFORM 4    J.M. Kennedy, T. Belytschko & J.I. Lin, NED 97 (1986) 1-24
+//
+//       4-----------3       e3 is normal to both diagonals; e1 turns with the rotation of the polar
+//        \     ^ e2  \      decomposition of the in-plane deformation gradient (lamina_frame.hpp), so that
+//         \    +-> e1 \     stresses turn with the material, whichever node comes first.
+//          1-----------2
+//                           Stresses xx, yy, xy, yz, zx are kept in these axes, at each point through the
+//                           thickness and, with several planes, at each point in plane.
+//
+// Order of calls, per tile (chunk.hpp): gather, strains() at the middle of the step (middle_shape()), the
+// material at all points, forces() at its end (end_shape()), scatter in the order of the elements, erosion.
+// Quadrilaterals with one point in plane need hourglass control (hourglass.hpp). The stable step is area /
+// longest side / plate wave speed; of triangles twice that.
+//
 // A shell formulation is a type with
 //   static constexpr model::ShellFormulation formulation, const char* name
 //   static constexpr int planes          points in plane

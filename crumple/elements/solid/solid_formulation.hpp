@@ -1,6 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Solid elements of four and eight nodes.
+//
+//     OnePointHexahedron         ELFORM 1    D.P. Flanagan & T. Belytschko, IJNME 17 (1981) 679-706; needs
+//                                            hourglass control (hexahedron_hourglass.hpp)
+//     SelectiveHexahedron        ELFORM 2    J.C. Nagtegaal, D.M. Parks & J.R. Rice, CMAME 4 (1974) 153-177;
+//                                            2 x 2 x 2 points, one dilatation
+//     Tetrahedron                ELFORM 10   constant strain
+//     NodalPressureTetrahedron   ELFORM 13   J. Bonet & A.J. Burton, Commun. Numer. Meth. Engng 14 (1998)
+//                                            437-449; dilatation averaged at the nodes (nodal_average.hpp)
+//
+//         8--------7       Fields of a hexahedron are sums of the eight patterns of the trilinear map: 1, xi,
+//        /|       /|       eta, zeta, and four hourglass patterns (solid_patterns.hpp). Their coefficients
+//       5--------6 |       follow from the nodal values by a fast Hadamard transform of 24 additions.
+//       | 4------|-3
+//       |/       |/        Stresses are in global axes: the old stress is turned by the rotation of the step
+//       1--------2         (Hughes & Winget, IJNME 15 (1980) 1862-1867), then the law adds its increment.
+//
+// Order of calls, per tile (solid_chunk.hpp): gather, strains() at the middle of the step, the material at
+// all points, forces() at its end with bulk viscosity and the stable step (solid_resistance.hpp), scatter in
+// the order of the elements, erosion.
+//
 // A formulation of solids is a type with
 //   static constexpr model::SolidFormulation formulation, const char* name
 //   static constexpr int points          integration points
