@@ -1,6 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The state of a run in arrays that the kernels can walk through. The model says what the deck describes, in
+// the deck's order; the domain holds what changes, in an order that is good for memory.
+//
+//     model::Model --> build() --> Domain
+//                                  nodes      positions, velocities, masses, forces, one array for each field
+//                                  blocks     the elements of a part and shape, in groups of 16 lanes:
+//                                             state[group][component][lane]
+//                                  assembly   which chunk of elements adds to which node or slot
+//                                  reports    energies, contacts, walls, welds, ties, rigid bodies
+//
+// Numbering: the elements of each part follow the Morton curve of their centroids (G.M. Morton, 1966), nodes
+// are numbered as these elements first touch them (numbering.hpp), so that neighbours in space are
+// neighbours in memory. model_node and domain_node translate; everything that is printed or written uses the
+// ids of the deck.
+//
+// Assembly: a node that one chunk touches gets the forces of its elements directly. A node between chunks
+// has a slot for each of them; gather_interface() sums the slots in the order of the chunks, so that the
+// sums have the same bits for any number of threads.
+//
+// State: whoever owns an array that changes declares it once to a StateList (state_list.hpp), by name, unit
+// and entity. The hash, restart files and StateSnapshot follow from the list.
+//
+// Order of calls: build() makes numbering, nodes, conditions, blocks and assembly. Ties and
+// elements::prepare_elements() then add state, constants and masses; the time loop does the rest
+// (timeloop/simulation.hpp).
+
 #include <limits>
 #include <vector>
 

@@ -1,6 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// From the raw deck to the model: ids become indices, defaults are filled in, what does not fit together is
+// refused. Readers have judged each card by itself; here the whole deck is known.
+//
+//     RawDeck                          Build                                   model::Model
+//     ids of the deck, each with  -->  enter(): an id gets its index;     -->  indices, sets of nodes and
+//     its field and place              an id defined twice is reported         elements
+//                                      find(): the index of an id; if there
+//                                      is none, says which keyword would
+//                                      define it
+//
+// No fault ends the building: it is reported where the deck has it, the item is left out, and the rest is
+// checked as well, so that one reading shows all faults. What refers to a definition that is not supported
+// is refused for that reason, or dropped with --allow-unsupported.
+//
+// Order of calls: build_model() in build.cpp is the list. Definitions come before what refers to them:
+// properties (curves, materials, sections), nodes, coordinate systems, parts, elements, sets, then what acts
+// on them: masses, rigid bodies, connections, conditions, loads, motions, walls, contacts, ties, output. One
+// file for each, as named below. units.hpp guesses the units from densities and moduli.
+
 #include <array>
 #include <cstdint>
 #include <map>

@@ -1,6 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The keywords: one row for each in keyword_table(), one reader for each row, readers in one file per
+// family.
+//
+//     *MAT_ELASTIC_TITLE                  name, found with or without _TITLE and _ID, or by number (*MAT_001)
+//     $#     mid        ro         e
+//              1    7.8e-9    2.1e+5      a Layout: a list of Field with name, type, default and check
+//                                         |
+//                            Cards::  reads a card against its layout; faults go to the report with file
+//                                     and line, parameters (&name) are replaced
+//                                         |
+//                            Card::   values by name: card.real("RO")
+//                                         |
+//                                     RawDeck: what the deck says, with the place where it says so
+//
+// A reader follows no reference and judges one card at a time; build/ does the rest once the whole deck is
+// known. Lines that no reader asks for are reported, so that nothing of a deck is lost in silence.
+// ignored_table() lists the keywords that may be left out because they do not change what is computed, each
+// with the reason; any other unknown one is an error, with the names nearest to it as a hint.
+//
+// Source: LS-DYNA Keyword User's Manual; docs/deck.md has the fields that are read and where we differ.
+//
+// Order of calls: find_keyword() for each block, then the reader of its row with the Cards of the block,
+// then Cards::report_unread(). To add one: fields and a reader in a file of its family, a declaration in
+// families.hpp, a row in keywords.cpp, a row in docs/deck.md.
+
 #include <optional>
 #include <span>
 #include <string>
