@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/measurement/shell_benchmark.hpp"
+#include "base/isa_variants.hpp"
 #include "counting_pack.hpp"
 #include "elements/kernel_list.hpp"
 #include "elements/shell/chunk.hpp"
@@ -52,18 +53,7 @@ struct Limits {
 };
 
 bench::MachineKernels kernels_of(Isa isa) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return bench::machine_kernels<Isa::Avx512>();
-    case Isa::Avx2:
-      return bench::machine_kernels<Isa::Avx2>();
-#endif
-    case Isa::Scalar:
-      return bench::machine_kernels<Isa::Scalar>();
-    default:
-      return bench::machine_kernels<Isa::Baseline>();
-  }
+  return visit_isa(isa, []<Isa Variant>() { return bench::machine_kernels<Variant>(); });
 }
 
 Limits measure_limits(Isa isa) {

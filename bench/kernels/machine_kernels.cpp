@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "machine_kernels.hpp"
 
+#include "base/isa_variants.hpp"
 #include "base/pack.hpp"
 
 namespace crumple::bench {
 namespace {
-
-[[maybe_unused]] constexpr Isa scalar = Isa::Scalar;
-[[maybe_unused]] constexpr Isa baseline = Isa::Baseline;
-[[maybe_unused]] constexpr Isa avx2 = Isa::Avx2;
-[[maybe_unused]] constexpr Isa avx512 = Isa::Avx512;
 
 template <class Pack>
 double sum_of_lanes(const Pack& pack) {
@@ -57,7 +53,7 @@ void update(double* at, std::size_t count, double factor) {
 }  // namespace
 
 template <>
-MachineKernels machine_kernels<CRUMPLE_ISA>() {
+MachineKernels machine_kernels<compiled_isa>() {
   return {&peak<float>, &peak<double>, width_of<NativePack<float>>, width_of<NativePack<double>>,
           &read,        &update};
 }

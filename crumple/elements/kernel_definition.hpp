@@ -2,21 +2,16 @@
 #pragma once
 
 // Only kernels/<formulation>.cpp include this: with the header of the formulation and
-//   template ShellKernel<float> formulation_kernel<Formulation, CRUMPLE_ISA, float>();
-//   template ShellKernel<double> formulation_kernel<Formulation, CRUMPLE_ISA, double>();
+//   template ShellKernel<float> formulation_kernel<Formulation, compiled_isa, float>();
+//   template ShellKernel<double> formulation_kernel<Formulation, compiled_isa, double>();
 // or the same with SolidKernel they are all there is to compile of it for one instruction set.
 
+#include "base/isa_variants.hpp"
 #include "elements/kernel_list.hpp"
 #include "elements/shell/chunk.hpp"
 #include "elements/solid/solid_chunk.hpp"
 
 namespace crumple::elements {
-
-/// The instruction sets as the build names them.
-[[maybe_unused]] inline constexpr Isa scalar = Isa::Scalar;
-[[maybe_unused]] inline constexpr Isa baseline = Isa::Baseline;
-[[maybe_unused]] inline constexpr Isa avx2 = Isa::Avx2;
-[[maybe_unused]] inline constexpr Isa avx512 = Isa::Avx512;
 
 template <class Formulation, Isa Variant, class Real>
 Kernel<std::conditional_t<is_of_solids<Formulation>, SolidTask<Real>, ShellTask<Real>>> formulation_kernel() {

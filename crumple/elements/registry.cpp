@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/isa_variants.hpp"
 #include "elements/shell/list.hpp"
 #include "elements/solid/solid_list.hpp"
 
@@ -30,18 +31,7 @@ auto pick(int kind, FormulationList<First, Others...> /*list*/) {
 
 template <class Real, class List>
 auto kernel(Isa isa, int kind, List list) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return pick<Isa::Avx512, Real>(kind, list);
-    case Isa::Avx2:
-      return pick<Isa::Avx2, Real>(kind, list);
-#endif
-    case Isa::Scalar:
-      return pick<Isa::Scalar, Real>(kind, list);
-    default:
-      return pick<Isa::Baseline, Real>(kind, list);
-  }
+  return visit_isa(isa, [&]<Isa Variant>() { return pick<Variant, Real>(kind, list); });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "base/error.hpp"
+#include "base/isa_variants.hpp"
 #include "materials/common/shell_material.hpp"
 #include "materials/common/solid_material.hpp"
 #include "materials/equations_of_state.hpp"
@@ -111,18 +112,7 @@ ElasticConstants elastic_constants(const model::Material& material) {
 
 template <class Real>
 MaterialUpdate<Real> shell_material_update(Isa isa, int kind) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return shell_law_kernel<Isa::Avx512, Real>(kind);
-    case Isa::Avx2:
-      return shell_law_kernel<Isa::Avx2, Real>(kind);
-#endif
-    case Isa::Scalar:
-      return shell_law_kernel<Isa::Scalar, Real>(kind);
-    default:
-      return shell_law_kernel<Isa::Baseline, Real>(kind);
-  }
+  return visit_isa(isa, [&]<Isa Variant>() { return shell_law_kernel<Variant, Real>(kind); });
 }
 template MaterialUpdate<float> shell_material_update<float>(Isa isa, int kind);
 template MaterialUpdate<double> shell_material_update<double>(Isa isa, int kind);
@@ -200,18 +190,7 @@ bool solid_can_fail(const model::Material& material) {
 
 template <class Real>
 SolidMaterialUpdate<Real> solid_material_update(Isa isa, int kind) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return solid_law_kernel<Isa::Avx512, Real>(kind);
-    case Isa::Avx2:
-      return solid_law_kernel<Isa::Avx2, Real>(kind);
-#endif
-    case Isa::Scalar:
-      return solid_law_kernel<Isa::Scalar, Real>(kind);
-    default:
-      return solid_law_kernel<Isa::Baseline, Real>(kind);
-  }
+  return visit_isa(isa, [&]<Isa Variant>() { return solid_law_kernel<Variant, Real>(kind); });
 }
 template SolidMaterialUpdate<float> solid_material_update<float>(Isa isa, int kind);
 template SolidMaterialUpdate<double> solid_material_update<double>(Isa isa, int kind);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/isa_variants.hpp"
 #include "base/parallel.hpp"
 
 namespace crumple::timeloop {
@@ -35,18 +36,7 @@ double ordered_sum(Index count, int threads, const SumOf& sum_of) {
 }  // namespace
 
 NodeKernels node_kernels(Isa isa) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return node_kernels<Isa::Avx512>();
-    case Isa::Avx2:
-      return node_kernels<Isa::Avx2>();
-#endif
-    case Isa::Scalar:
-      return node_kernels<Isa::Scalar>();
-    default:
-      return node_kernels<Isa::Baseline>();
-  }
+  return visit_isa(isa, []<Isa Variant>() { return node_kernels<Variant>(); });
 }
 
 VelocityRange move_nodes(domain::Domain& domain, double step) {

@@ -3,6 +3,7 @@
 // per lane. The bits are those of nearest_point().
 #include "contact/surface/nearest_point_kernel.hpp"
 
+#include "base/isa_variants.hpp"
 #include "contact/kernels/nearest_on_triangles.hpp"
 
 namespace crumple::contact {
@@ -12,12 +13,6 @@ using lanes_of::nearest_on_triangles;
 using lanes_of::Points;
 using lanes_of::Weights;
 using math::Double4;
-
-/// The instruction set's value, spelled as the build names it.
-[[maybe_unused]] constexpr Isa scalar = Isa::Scalar;
-[[maybe_unused]] constexpr Isa baseline = Isa::Baseline;
-[[maybe_unused]] constexpr Isa avx2 = Isa::Avx2;
-[[maybe_unused]] constexpr Isa avx512 = Isa::Avx512;
 
 CRUMPLE_INLINE Double4 all(double a) {
   return Double4{a, a, a, a};
@@ -86,12 +81,12 @@ void measure(const PairsInLanes& pairs, int count, double* distance) {
 }  // namespace
 
 template <>
-NearestPointKernel nearest_point_kernel<CRUMPLE_ISA>() {
+NearestPointKernel nearest_point_kernel<compiled_isa>() {
   return &nearest;
 }
 
 template <>
-DistancesKernel distances_kernel<CRUMPLE_ISA>() {
+DistancesKernel distances_kernel<compiled_isa>() {
   return &measure;
 }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/isa_variants.hpp"
+
 namespace crumple::contact {
 namespace {
 
@@ -21,33 +23,17 @@ double PairsInLanes::distance_to_triangle(int lane) const {
 }
 
 NearestPointKernel nearest_point_kernel(Isa isa) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return nearest_point_kernel<Isa::Avx512>();
-    case Isa::Avx2:
-      return nearest_point_kernel<Isa::Avx2>();
-#endif
-    case Isa::Scalar:
+  // The plain function itself is the scalar variant.
+  return visit_isa(isa, []<Isa Variant>() -> NearestPointKernel {
+    if constexpr (Variant == Isa::Scalar)
       return &nearest_point;
-    default:
-      return nearest_point_kernel<Isa::Baseline>();
-  }
+    else
+      return nearest_point_kernel<Variant>();
+  });
 }
 
 DistancesKernel distances_kernel(Isa isa) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return distances_kernel<Isa::Avx512>();
-    case Isa::Avx2:
-      return distances_kernel<Isa::Avx2>();
-#endif
-    case Isa::Scalar:
-      return distances_kernel<Isa::Scalar>();
-    default:
-      return distances_kernel<Isa::Baseline>();
-  }
+  return visit_isa(isa, []<Isa Variant>() { return distances_kernel<Variant>(); });
 }
 
 }  // namespace crumple::contact

@@ -5,7 +5,7 @@
 
 namespace crumple::elements {
 
-template ShellKernel<float> formulation_kernel<BelytschkoTsay, CRUMPLE_ISA, float>();
-template ShellKernel<double> formulation_kernel<BelytschkoTsay, CRUMPLE_ISA, double>();
+template ShellKernel<float> formulation_kernel<BelytschkoTsay, compiled_isa, float>();
+template ShellKernel<double> formulation_kernel<BelytschkoTsay, compiled_isa, double>();
 
 }  // namespace crumple::elements

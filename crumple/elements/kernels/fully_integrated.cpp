@@ -5,7 +5,7 @@
 
 namespace crumple::elements {
 
-template ShellKernel<float> formulation_kernel<FullyIntegrated, CRUMPLE_ISA, float>();
-template ShellKernel<double> formulation_kernel<FullyIntegrated, CRUMPLE_ISA, double>();
+template ShellKernel<float> formulation_kernel<FullyIntegrated, compiled_isa, float>();
+template ShellKernel<double> formulation_kernel<FullyIntegrated, compiled_isa, double>();
 
 }  // namespace crumple::elements

@@ -5,7 +5,7 @@
 
 namespace crumple::elements {
 
-template SolidKernel<float> formulation_kernel<OnePointHexahedron, CRUMPLE_ISA, float>();
-template SolidKernel<double> formulation_kernel<OnePointHexahedron, CRUMPLE_ISA, double>();
+template SolidKernel<float> formulation_kernel<OnePointHexahedron, compiled_isa, float>();
+template SolidKernel<double> formulation_kernel<OnePointHexahedron, compiled_isa, double>();
 
 }  // namespace crumple::elements

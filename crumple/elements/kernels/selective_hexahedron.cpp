@@ -5,7 +5,7 @@
 
 namespace crumple::elements {
 
-template SolidKernel<float> formulation_kernel<SelectiveHexahedron, CRUMPLE_ISA, float>();
-template SolidKernel<double> formulation_kernel<SelectiveHexahedron, CRUMPLE_ISA, double>();
+template SolidKernel<float> formulation_kernel<SelectiveHexahedron, compiled_isa, float>();
+template SolidKernel<double> formulation_kernel<SelectiveHexahedron, compiled_isa, double>();
 
 }  // namespace crumple::elements

@@ -5,9 +5,9 @@
 
 namespace crumple::elements {
 
-template SolidKernel<float> formulation_kernel<Tetrahedron, CRUMPLE_ISA, float>();
-template SolidKernel<double> formulation_kernel<Tetrahedron, CRUMPLE_ISA, double>();
-template SolidKernel<float> formulation_kernel<NodalPressureTetrahedron, CRUMPLE_ISA, float>();
-template SolidKernel<double> formulation_kernel<NodalPressureTetrahedron, CRUMPLE_ISA, double>();
+template SolidKernel<float> formulation_kernel<Tetrahedron, compiled_isa, float>();
+template SolidKernel<double> formulation_kernel<Tetrahedron, compiled_isa, double>();
+template SolidKernel<float> formulation_kernel<NodalPressureTetrahedron, compiled_isa, float>();
+template SolidKernel<double> formulation_kernel<NodalPressureTetrahedron, compiled_isa, double>();
 
 }  // namespace crumple::elements

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstddef>
 
+#include "base/isa_variants.hpp"
 #include "elements/line/beam_kernel_list.hpp"
 #include "elements/line/belytschko_schwer.hpp"
 #include "elements/line/truss.hpp"
@@ -34,18 +35,7 @@ BeamConstants beam_constants(const std::vector<double>& numbers) {
 }
 
 BeamKernel beam_kernel(Isa isa, model::BeamFormulation formulation) {
-  switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
-    case Isa::Avx512:
-      return beam_formulation_kernel<Isa::Avx512>(formulation);
-    case Isa::Avx2:
-      return beam_formulation_kernel<Isa::Avx2>(formulation);
-#endif
-    case Isa::Scalar:
-      return beam_formulation_kernel<Isa::Scalar>(formulation);
-    default:
-      return beam_formulation_kernel<Isa::Baseline>(formulation);
-  }
+  return visit_isa(isa, [&]<Isa Variant>() { return beam_formulation_kernel<Variant>(formulation); });
 }
 
 const char* beam_name(model::BeamFormulation formulation) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All laws of the list, for the instruction set that this file is being compiled for.
+#include "base/isa_variants.hpp"
 #include "materials/common/tile_update.hpp"
 #include "materials/kernel_list.hpp"
 #include "materials/list.hpp"
@@ -23,20 +24,14 @@ MaterialUpdate<Real> pick(int kind, LawList<Laws...> /*list*/) {
   return updates[kind];
 }
 
-/// The instruction set's value, spelled as the build names it.
-[[maybe_unused]] constexpr Isa scalar = Isa::Scalar;
-[[maybe_unused]] constexpr Isa baseline = Isa::Baseline;
-[[maybe_unused]] constexpr Isa avx2 = Isa::Avx2;
-[[maybe_unused]] constexpr Isa avx512 = Isa::Avx512;
-
 }  // namespace
 
 template <>
-MaterialUpdate<float> shell_law_kernel<CRUMPLE_ISA, float>(int kind) {
+MaterialUpdate<float> shell_law_kernel<compiled_isa, float>(int kind) {
   return pick<float>(kind, ShellLaws{});
 }
 template <>
-MaterialUpdate<double> shell_law_kernel<CRUMPLE_ISA, double>(int kind) {
+MaterialUpdate<double> shell_law_kernel<compiled_isa, double>(int kind) {
   return pick<double>(kind, ShellLaws{});
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All laws of the list of solids, for the instruction set that this file is being compiled for.
+#include "base/isa_variants.hpp"
 #include "materials/kernel_list.hpp"
 #include "materials/list.hpp"
 #include "materials/solid_update.hpp"
@@ -19,20 +20,14 @@ SolidMaterialUpdate<Real> pick(int kind, LawList<Laws...> /*list*/) {
   return updates[kind];
 }
 
-/// The instruction set's value, spelled as the build names it.
-[[maybe_unused]] constexpr Isa scalar = Isa::Scalar;
-[[maybe_unused]] constexpr Isa baseline = Isa::Baseline;
-[[maybe_unused]] constexpr Isa avx2 = Isa::Avx2;
-[[maybe_unused]] constexpr Isa avx512 = Isa::Avx512;
-
 }  // namespace
 
 template <>
-SolidMaterialUpdate<float> solid_law_kernel<CRUMPLE_ISA, float>(int kind) {
+SolidMaterialUpdate<float> solid_law_kernel<compiled_isa, float>(int kind) {
   return pick<float>(kind, SolidLaws{});
 }
 template <>
-SolidMaterialUpdate<double> solid_law_kernel<CRUMPLE_ISA, double>(int kind) {
+SolidMaterialUpdate<double> solid_law_kernel<compiled_isa, double>(int kind) {
   return pick<double>(kind, SolidLaws{});
 }
 

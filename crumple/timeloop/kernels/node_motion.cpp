@@ -2,6 +2,7 @@
 // The motion of the nodes: one item (a position, a velocity) per vector.
 #include <cmath>
 
+#include "base/isa_variants.hpp"
 #include "base/prefetch.hpp"
 #include "math/small_vectors.hpp"
 #include "timeloop/node_kernels.hpp"
@@ -13,12 +14,6 @@ using domain::NodeFields;
 using domain::NodeForce;
 using domain::NodeRecord;
 using math::Double4;
-
-/// The instruction set's value, spelled as the build names it.
-[[maybe_unused]] constexpr Isa scalar = Isa::Scalar;
-[[maybe_unused]] constexpr Isa baseline = Isa::Baseline;
-[[maybe_unused]] constexpr Isa avx2 = Isa::Avx2;
-[[maybe_unused]] constexpr Isa avx512 = Isa::Avx512;
 
 using Double2 = double __attribute__((vector_size(16)));
 using Mask4 = long long __attribute__((vector_size(32)));
@@ -316,7 +311,7 @@ KickSums kick(NodeFields& nodes, NodeRange range, const Kick& kick) {
 }  // namespace
 
 template <>
-NodeKernels node_kernels<CRUMPLE_ISA>() {
+NodeKernels node_kernels<compiled_isa>() {
   return {&drift, &kick};
 }
 
