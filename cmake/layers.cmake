@@ -60,6 +60,10 @@ set(CRUMPLE_ROOMS
   "app/measurement: app/session app/console"
   "app/commands: app/measurement app/session app/preparation app/arguments app/console")
 
+# Headers that stand in a folder itself and that its rooms may include all the same: constants that belong to the whole
+# folder. They include nothing of it.
+set(CRUMPLE_SHARED_HEADERS contact/tolerances.hpp)
+
 set(CRUMPLE_NON_CORE deck output report live compare)
 set(CRUMPLE_LAYER_NAMES "")
 foreach(line IN LISTS CRUMPLE_LAYERS)

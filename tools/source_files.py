@@ -88,6 +88,12 @@ def read_rooms(root):
     return rooms
 
 
+def read_shared_headers(root):
+    """Headers of a folder that all of its rooms may include, from cmake/layers.cmake."""
+    block = re.search(r"set\(CRUMPLE_SHARED_HEADERS\s+([^)]*)\)", (root / "cmake" / "layers.cmake").read_text())
+    return set(block.group(1).split()) if block else set()
+
+
 def job_count():
     """Processors that this process may use."""
     return len(os.sched_getaffinity(0))

@@ -25,6 +25,7 @@
 #include "contact/search/motion_limit.hpp"
 #include "contact/surface/sides.hpp"
 #include "contact/surface/surface.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 
@@ -62,11 +63,10 @@ struct Interface::Implementation {
   /// energy.
   void bound_step(const domain::Domain& domain) {
     constexpr double unlimited = std::numeric_limits<double>::infinity();
-    constexpr double growth_in_a_cycle = 1.01;
     const double allowed = step_scale * domain.clock.element_limit;
     if (acting(domain.clock.time))
-      motion_step =
-          std::min(growth_in_a_cycle * motion_step, longest_step_for_motion(surface, domain, allowed));
+      motion_step = std::min(tolerances::bounded_step_growth * motion_step,
+                             longest_step_for_motion(surface, domain, allowed));
     if (!acting(domain.clock.time) || motion_step >= allowed) motion_step = unlimited;
   }
 
@@ -243,12 +243,11 @@ struct Interface::Implementation {
   /// it, and where it came to lie.
   void correct(std::span<ContactPair> pairs, const Kinematics& motion) const {
     const Configuration x{motion.position.data(), motion.velocity.data(), 0};
-    constexpr double on_surface = 1e-6;  // over the height or thickness
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       ContactPair& pair = pairs[i];
       pair.gap = pair.reach - touches[i].penetration;
       const double size = std::max(pair.reach, surface.height[pair.segment]);
-      if (pair.gap > -on_surface * size) pair.wrong = 0;
+      if (pair.gap > -tolerances::on_surface * size) pair.wrong = 0;
       const Vec3& node = motion.position[surface.nodes[pair.node]];
       pair.weight = nearest_point(shape_of(surface, x, pair.segment), node).weight;
     }

@@ -8,6 +8,7 @@
 #include <cellsearch/search.hpp>
 
 #include "contact/surface/segment_shape.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -16,16 +17,12 @@ double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return dot(b - a, cross(c - a, d - a));
 }
 
-/// Distance from the plane of a triangle, over the length of the line, below which an end of the line counts
-/// as lying in the plane.
-constexpr double in_plane = 1e-9;
-
 /// True if the line from a to b goes through the triangle, its rim included; not if it only touches.
 bool pierces(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t) {
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
   const double above_a = dot(a - t[0], normal);
   const double above_b = dot(b - t[0], normal);
-  const double smallest = in_plane * norm(normal) * norm(b - a);
+  const double smallest = tolerances::in_plane * norm(normal) * norm(b - a);
   if (std::min(std::fabs(above_a), std::fabs(above_b)) <= smallest || (above_a > 0) == (above_b > 0))
     return false;
   const double v0 = volume(a, b, t[0], t[1]);
@@ -62,9 +59,8 @@ bool cuts(const Surface& surface, const Configuration& x, Index one, Index other
   const SegmentShape shape = shape_of(surface, x, one);
   const SegmentShape target = shape_of(surface, x, other);
   // Faces have no thickness: where they press, they overlap by what the penalty needs.
-  constexpr double pressed = 0.1;
   const double least = surface.is_face(one) && surface.is_face(other)
-                           ? pressed * std::min(surface.height[one], surface.height[other])
+                           ? tolerances::pressed_faces * std::min(surface.height[one], surface.height[other])
                            : 0;
   for (int k = 0; k < 4; ++k) {
     if (surface.owns(other, nodes[k])) continue;

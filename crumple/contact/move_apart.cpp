@@ -9,16 +9,11 @@
 #include "contact/node_segment/local_search.hpp"
 #include "contact/search/global_search.hpp"
 #include "contact/surface/surface.hpp"
+#include "contact/tolerances.hpp"
 #include "domain/build.hpp"
 
 namespace crumple::contact {
 namespace {
-
-/// Rounds of finding and moving: nodes that move change the normals of others.
-constexpr int most_rounds = 20;
-
-/// Share of the mean edge below which an overlap counts as gone.
-constexpr double negligible = 1e-9;
 
 /// Rigid bodies and welds stay as they are.
 void hold_bodies(const model::Model& model, domain::Domain& domain) {
@@ -53,7 +48,7 @@ double move_once(const model::Model& model, const model::Contact& contact, domai
     touches.back().penetration = pair.offset;
     deepest = std::max(deepest, pair.offset);
   }
-  if (deepest <= negligible * surface.mean_edge) return 0;
+  if (deepest <= tolerances::negligible_overlap * surface.mean_edge) return 0;
   multipliers.solve(touches);
   for (const Index node : surface.nodes) domain.nodes.reference[node] = at_rest.position[node];
   domain.nodes.position = domain.nodes.reference;
@@ -70,7 +65,7 @@ MovedApart move_apart(model::Model& model, const domain::Execution& execution) {
   domain.nodes.mass.assign(domain.nodes.mass.size(), 1.0);
   const AlignedArray<Vec3> before = domain.nodes.reference;
   MovedApart result;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < tolerances::most_moving_rounds; ++round) {
     result.left = 0;
     for (const model::Contact& contact : model.contacts)
       result.left = std::max(result.left, move_once(model, contact, domain));

@@ -118,6 +118,24 @@ class CheckLayers(unittest.TestCase):
         self.assert_fails(self.in_rooms({"crumple/model/parts/part.hpp": '#include "model/top.hpp"\n'}),
                           "crumple/model/parts/part.hpp:1", "model/parts may not include model")
 
+    def with_shared_header(self, text):
+        tree = self.in_rooms({"crumple/model/limits.hpp": text,
+                              "crumple/model/parts/part.hpp": '#include "model/limits.hpp"\n'})
+        tree["cmake/layers.cmake"] += "set(CRUMPLE_SHARED_HEADERS model/limits.hpp)\n"
+        return tree
+
+    def test_shared_header_of_a_folder(self):
+        status, output = self.run_on(self.with_shared_header('#include "base/index.hpp"\n'))
+        self.assertEqual(status, 0, output)
+
+    def test_shared_header_with_an_include_of_its_folder(self):
+        self.assert_fails(self.with_shared_header('#include "model/whole/all.hpp"\n'),
+                          "crumple/model/limits.hpp:1", "must not include anything of its folder")
+
+    def test_shared_header_that_does_not_exist(self):
+        self.assert_fails({"cmake/layers.cmake": LAYERS + "set(CRUMPLE_SHARED_HEADERS model/gone.hpp)\n"},
+                          "cmake/layers.cmake:1", "model/gone.hpp does not exist")
+
     def test_room_without_a_rule(self):
         self.assert_fails(self.in_rooms({"crumple/model/cellar/box.hpp": '#include "model/parts/part.hpp"\n'}),
                           "crumple/model/cellar/box.hpp:1", "not in cmake/layers.cmake")

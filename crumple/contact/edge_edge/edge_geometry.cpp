@@ -4,20 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
-namespace {
-
-/// Halvings of the step in which the moment of the passage is found.
-constexpr int halvings = 40;
-
-/// Distance at the moment of a change of sides, over the distances at the ends of the step, below which the
-/// edges went through each other and did not just become parallel.
-constexpr double touching = 1e-3;
-
-/// Square of the sine of the angle below which edges count as parallel.
-constexpr double parallel = 1e-24;
-
-}  // namespace
 
 NearestOnEdges nearest_points(const EdgeShape& first, const EdgeShape& second) {
   const Vec3 u = first.along();
@@ -32,7 +21,8 @@ NearestOnEdges nearest_points(const EdgeShape& first, const EdgeShape& second) {
   auto& [s, t] = found.fraction;
   if (uu > 0 && vv > 0) {
     const double determinant = uu * vv - uv * uv;
-    if (determinant > parallel * uu * vv) s = std::clamp((uv * bv - bu * vv) / determinant, 0.0, 1.0);
+    if (determinant > tolerances::parallel_squared * uu * vv)
+      s = std::clamp((uv * bv - bu * vv) / determinant, 0.0, 1.0);
     t = (uv * s + bv) / vv;
     if (t < 0 || t > 1) {
       t = std::clamp(t, 0.0, 1.0);
@@ -78,7 +68,7 @@ Vec3 passed_from(const EdgeNodes& first, const EdgeNodes& second, const Configur
   double before = 0;
   double after = 1;
   auto last = end;
-  for (int i = 0; i < halvings; ++i) {
+  for (int i = 0; i < tolerances::passage_halvings; ++i) {
     const double middle = 0.5 * (before + after);
     const auto here = pair_at((1 - middle) * step);
     if ((signed_volume(here[0], here[1]) > 0) == (side > 0)) {
@@ -90,7 +80,7 @@ Vec3 passed_from(const EdgeNodes& first, const EdgeNodes& second, const Configur
   }
   const double longest =
       std::max(nearest_points(start[0], start[1]).distance, nearest_points(end[0], end[1]).distance);
-  if (nearest_points(last[0], last[1]).distance > touching * longest) return {};
+  if (nearest_points(last[0], last[1]).distance > tolerances::passage_distance * longest) return {};
   const Vec3 across = cross(end[0].along(), end[1].along());
   const double size = norm(across);
   return size > 0 ? (side > 0 ? 1 : -1) / size * across : Vec3{};

@@ -6,28 +6,10 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
 namespace {
-
-/// Sine of the angle between two edges: below the first they count as parallel, and nothing is remembered;
-/// from the second to the third the crossing takes the contact over from the ends.
-constexpr double parallel = 0.05;
-constexpr double almost_parallel = 0.1;
-constexpr double crossing = 0.3;
-
-/// Sine of the angle by which the surface falls away on both sides of an edge inside of it. One of two such
-/// edges must be sharper than this, from none to all of the force, ...
-constexpr double flat = 0.1;
-constexpr double folded = 0.3;
-/// ... and neither may be more hollow than this.
-constexpr double hollow = -0.3;
-constexpr double almost_flat = -0.1;
-
-/// Sine of an angle below which directions do not span a plane.
-constexpr double degenerate = 0.1;
-
-/// Tolerance on "another edge comes nearer", as in inside_outside.cpp.
-constexpr double nearer_tolerance = 1e-9;
 
 double ramp(double value, double low, double high) {
   return std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -217,7 +199,7 @@ void EdgePairSearch::examine_crossing(const NearestOnEdges& nearest, Index other
                                                             view_.now.velocity, view_.step);
   if (!near && memory == nullptr && !may_pass && !takes_over(key)) return;
   const double sine = sine_between(first, second);
-  if (sine < parallel) return;
+  if (sine < tolerances::parallel) return;
 
   // Where the lines cross, their common perpendicular tells the sides apart however near they are.
   const bool crosses = nearest.both_inside();
@@ -268,13 +250,15 @@ bool EdgePairSearch::owns_ends(const NearestOnEdges& nearest, Index other) const
 /// Share of the force of a crossing. Edges that are almost parallel leave the contact to their ends, and ends
 /// are seen to by nodes, unless the edges have gone through each other: nodes know nothing of that.
 double EdgePairSearch::share_of(const NearestOnEdges& nearest, const EdgePair& pair, double sine) const {
-  if (!nearest.both_inside()) return pair.wrong != 0 ? ramp(sine, almost_parallel, crossing) : 0;
+  if (!nearest.both_inside())
+    return pair.wrong != 0 ? ramp(sine, tolerances::almost_parallel, tolerances::crossing) : 0;
   const Vec3 on_first = view_.shape(pair.key.first).at(nearest.fraction[0]);
   const Vec3 on_second = on_first - nearest.away;
   const double first = fall_away(pair.key.first, on_first, pair.normal);
   const double second = fall_away(pair.key.second, on_second, -pair.normal);
-  return ramp(sine, almost_parallel, crossing) * ramp(std::max(first, second), flat, folded) *
-         ramp(std::min(first, second), hollow, almost_flat);
+  return ramp(sine, tolerances::almost_parallel, tolerances::crossing) *
+         ramp(std::max(first, second), tolerances::flat, tolerances::folded) *
+         ramp(std::min(first, second), tolerances::hollow, tolerances::almost_flat);
 }
 
 /// Sine of the angle by which the surface falls away from an edge, in the direction in which it is pushed, on
@@ -360,7 +344,7 @@ bool EdgePairSearch::nearest_of_others(Index node, Index edge, double fraction, 
     if (edges_.has(other, node)) return false;
     const EdgeNodes ends = edges_.ends(other);
     const Vec3 into = view_.now[ends[0] == corner ? ends[1] : ends[0]] - at_corner;
-    if (dot(away, into) > nearer_tolerance * norm(away) * norm(into)) return false;
+    if (dot(away, into) > tolerances::comes_nearer * norm(away) * norm(into)) return false;
     if (other < edge && lowest_at(edges_, *view_.surface, node, other) != no_index) return false;
   }
   return true;
@@ -441,7 +425,7 @@ Frame frame_of(const EdgeShape& first, const EdgeShape& second, const Vec3& norm
                                     Vec3{0, 0, 1}};
   for (const Vec3& choice : choices) {
     const Vec3 axis = across(choice);
-    if (norm(axis) <= degenerate * norm(choice)) continue;
+    if (norm(axis) <= tolerances::no_direction * norm(choice)) continue;
     frame.first = normalised(axis);
     break;
   }

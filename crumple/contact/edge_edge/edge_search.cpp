@@ -11,18 +11,16 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "contact/search/search_calls.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
-
-/// Automatic margin, over the mean length of an edge, as that of GlobalSearch.
-constexpr double automatic_margin = 0.4;
 
 constexpr Index piece = 512;
 
 double margin_of(const Edges& edges, const model::SearchSettings& settings) {
   const double given = settings.expansion - 2 * edges.largest_half_thickness;
-  return given > 0 ? given : automatic_margin * edges.mean_length;
+  return given > 0 ? given : tolerances::margin_over_edge * edges.mean_length;
 }
 
 cellsearch::EdgePairSettings settings_of(int threads) {

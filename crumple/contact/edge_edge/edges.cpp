@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
 namespace {
 
@@ -80,9 +82,6 @@ void Builder::measure(const domain::Domain& domain) {
     edges_.largest_half_thickness = std::max(edges_.largest_half_thickness, beam.radius);
 }
 
-/// Sine of the angle by which two faces fall away from their common edge before it takes part.
-constexpr double sharp_edge = 0.25;
-
 /// True if the faces of solids at an edge fall away from it on both sides, undeformed. Two that have come to
 /// meet by erosion count as sharp if no others are there.
 bool stands_out(const Edges& edges, const Surface& surface, const domain::Domain& domain, Index edge) {
@@ -96,7 +95,8 @@ bool stands_out(const Edges& edges, const Surface& surface, const domain::Domain
       if (one == other || !surface.is_face(one) || !surface.is_face(other)) continue;
       const Vec3 to_centre = shape_of(surface, x, other).centre - start;
       const Vec3 into = normalised(to_centre - dot(to_centre, along) * along);
-      if (dot(into, normalised(area_normal(shape_of(surface, x, one)))) < -sharp_edge) return true;
+      if (dot(into, normalised(area_normal(shape_of(surface, x, one)))) < -tolerances::sharp_edge)
+        return true;
     }
   return false;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/couple.hpp"
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
 
 Couple::Couple(std::span<const Vec3> nodes, Bearing bearing) {
@@ -28,9 +30,8 @@ Couple::Couple(std::span<const Vec3> nodes, Bearing bearing) {
   const double cofactor_xy = yz * zx - xy * zz;
   const double cofactor_zx = xy * yz - yy * zx;
   const double determinant = xx * cofactor_xx + xy * cofactor_xy + zx * cofactor_zx;
-  constexpr double collinear = 1e-9;
   const double trace = xx + yy + zz;
-  if (determinant <= collinear * trace * trace * trace) return;
+  if (determinant <= tolerances::collinear * trace * trace * trace) return;
   const double scale = 1 / determinant;
   inverse_ = {scale * cofactor_xx, scale * (zz * xx - zx * zx), scale * (xx * yy - xy * xy),
               scale * cofactor_xy, scale * (xy * zx - xx * yz), scale * cofactor_zx};

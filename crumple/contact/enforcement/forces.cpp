@@ -11,6 +11,7 @@
 #include "base/prefetch.hpp"
 #include "contact/enforcement/penalty.hpp"
 #include "contact/enforcement/raised_point.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -38,8 +39,7 @@ void ask_after(std::size_t i, const std::vector<Index>& places, const Ask& ask) 
 /// Weight with which a touch counts at one of its nodes: a little more than the node's own, as the couple of
 /// friction acts on all of them.
 double lent(double weight) {
-  constexpr double least = 0.05;
-  return std::fabs(weight) + least;
+  return std::fabs(weight) + tolerances::borrowed_mass;
 }
 
 /// Step by which stability is judged: the larger of the last one and what the elements allow now.
@@ -69,9 +69,9 @@ double stiffness_scale(const model::Contact& contact, const model::Control& cont
 
 /// True for a touch of two edges, or of two segments, with as many nodes each.
 bool has_equal_halves(const Touch& touch) {
-  constexpr double round_off = 1e-12;
   const int half = touch.nodes / 2;
-  return half > 1 && touch.nodes == 2 * half && touch.weight[half - 1] > round_off && touch.weight[half] < 0;
+  return half > 1 && touch.nodes == 2 * half && touch.weight[half - 1] > tolerances::no_weight &&
+         touch.weight[half] < 0;
 }
 
 /// What the normal force does to the nodes beyond the weights where its points are above their segments: it
@@ -251,7 +251,6 @@ bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
 double Forces::passive_spring_force(const domain::NodeFields& nodes, const PenaltyMemory& before,
                                     Touch& touch, const Spring& spring) const {
   const auto& [wanted, inverse, step, last_step] = spring;
-  constexpr double tolerance = 5e-4;  // of the largest energy, as normals rotate within a step
   PenaltyMemory& now = touch.penalty;
   double energy = before.energy - 0.5 * last_step * before.force * touch.last_speed;
   if (before.slope_limit <= 0 && touch.starts_loaded)
@@ -259,7 +258,7 @@ double Forces::passive_spring_force(const domain::NodeFields& nodes, const Penal
   now.force = wanted;
   now.most_energy = std::max(before.most_energy, energy);
   if (step > 0 && !touch.has_potential) {
-    const double held = energy + tolerance * now.most_energy;
+    const double held = energy + tolerances::passivity * now.most_energy;
     double most = passive_force(held, now.speed, inverse, step);
     // Separating points move with their whole masses. The masses shared among touches would cut the force in
     // the last steps of an impact.
@@ -283,8 +282,8 @@ double Forces::slope_limit(const PenaltyMemory& before, double inverse, double s
 
 /// What a normal force that uses `used` of (omega dt)^2 leaves to friction.
 double Forces::friction_budget(double used) const {
-  constexpr double least = 0.1;
-  return budget_ * std::clamp(std::max(2.0, largest_budget_ / budget_) - used / budget_, least, 1.0);
+  return budget_ * std::clamp(std::max(2.0, largest_budget_ / budget_) - used / budget_,
+                              tolerances::least_friction_budget, 1.0);
 }
 
 /// Friction acts at the two points, which are an arm apart: the nodes of the second take the couple of the
@@ -292,7 +291,6 @@ double Forces::friction_budget(double used) const {
 /// together. The same goes for a face that pushes straight out beyond its rim.
 void Forces::add_friction(const domain::Domain& domain, Touch& touch, double stiffness,
                           double inverse) const {
-  constexpr double round_off = 1e-9;
   const domain::NodeFields& nodes = domain.nodes;
   const bool rough = contact_.static_friction > 0 || contact_.dynamic_friction > 0;
   std::array<Vec3, Touch::most_nodes> x;
@@ -305,7 +303,7 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
   if (!rough) {
     touch.friction = Vec3{};
     const bool bears =
-        touch.is_raised() || norm(cross(arm, touch.normal_force)) > round_off * norm(arm) * size;
+        touch.is_raised() || norm(cross(arm, touch.normal_force)) > tolerances::no_moment * norm(arm) * size;
     if (!bears) return;
   }
   const int first = first_bearing(touch);

@@ -6,16 +6,12 @@
 
 #include "base/parallel.hpp"
 #include "contact/enforcement/penalty.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
 
 constexpr Index piece = 1024;
-
-constexpr int most_rounds = 1000;
-
-/// Change in a round, over the largest penetration or slip before the first, at which the forces are found.
-constexpr double converged = 1e-12;
 
 }  // namespace
 
@@ -64,13 +60,12 @@ Multipliers::Unknown Multipliers::prepare(const Touch& touch) const {
     unknown.compliance += touch.normal[axis] * touch.normal[axis] * sum[axis];
   unknown.tangential_compliance = std::max({sum.x, sum.y, sum.z});
   // Where the contact point is at a node that cannot move, the others would have to go any distance for it.
-  constexpr double most_leverage = 10;
   double largest = 0;
   for (int i = 0; i < touch.nodes; ++i) {
     const Vec3& own = compliance_[touch.place[i]];
     largest = std::max(largest, std::fabs(touch.weight[i]) * std::max({own.x, own.y, own.z}));
   }
-  if (largest > most_leverage * unknown.tangential_compliance)
+  if (largest > tolerances::most_leverage * unknown.tangential_compliance)
     unknown.compliance = unknown.tangential_compliance = 0;
   const Vec3 slip = touch.slip - dot(touch.slip, touch.normal) * touch.normal;
   unknown.friction = contact_.dynamic_friction + (contact_.static_friction - contact_.dynamic_friction) *
@@ -131,7 +126,9 @@ void Multipliers::solve(std::span<Touch> touches) {
     for (int i = 0; i < touch.nodes; ++i) displacement_[touch.place[i]] = Vec3{};
   }
   double change = scale;
-  for (rounds_ = 0; change > converged * scale && rounds_ < most_rounds; ++rounds_) {
+  for (rounds_ = 0;
+       change > tolerances::multipliers_converged * scale && rounds_ < tolerances::most_multiplier_rounds;
+       ++rounds_) {
     change = 0;
     for (std::size_t i = 0; i < touches.size(); ++i) {
       change = std::max(change, correct_normal(touches[i], unknowns_[i]));

@@ -4,28 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
-namespace {
-
-/// Slope at the mid-surface over the penalty stiffness.
-constexpr double stiffening = 10.0;
-
-constexpr double largest_budget = 1.0;
-constexpr double budget_by_stiffness = 3.5;
-constexpr double smallest_budget = 0.1;
-constexpr double safety = 0.9;
-
-}  // namespace
 
 double PenaltyLaw::force(double penetration) const {
   if (penetration <= 0) return 0;
   if (limit <= stiffness) return limit * penetration;
   const double half = 0.5 * reach;
   if (penetration <= half) return stiffness * penetration;
-  const double growth = std::min(stiffening * stiffness, limit) - stiffness;
+  const double growth = std::min(tolerances::stiffening * stiffness, limit) - stiffness;
   if (half <= 0) return (stiffness + growth) * penetration;
   // The slope grows by `rate` per length until it has grown by `growth`, which takes `ramp`.
-  const double rate = (stiffening - 1) * stiffness / half;
+  const double rate = (tolerances::stiffening - 1) * stiffness / half;
   const double ramp = growth / rate;
   const double beyond = penetration - half;
   const double on_ramp = std::min(beyond, ramp);
@@ -33,8 +24,10 @@ double PenaltyLaw::force(double penetration) const {
 }
 
 double stability_budget(double step_scale, double stiffness_scale) {
-  const double left = safety * 4 * (1 - step_scale * step_scale);
-  return std::max(smallest_budget, std::min({left, largest_budget, budget_by_stiffness * stiffness_scale}));
+  const double left = tolerances::budget_safety * 4 * (1 - step_scale * step_scale);
+  return std::max(tolerances::smallest_budget,
+                  std::min({left, tolerances::largest_budget,
+                            tolerances::budget_over_stiffness_scale * stiffness_scale}));
 }
 
 double landing_factor(double depth, double square) {

@@ -7,17 +7,14 @@
 
 #include "contact/node_segment/solid_overlaps.hpp"
 #include "contact/surface/crossing.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
 
-/// Two connected segments that push a node in directions closer than 30 degrees are one surface: only the
-/// owner pushes. Beyond 60 degrees they are two walls and both do; the other's share grows in between.
-constexpr double same_surface = 0.8660254037844386;
-constexpr double two_walls = 0.5;
-
 double share_of_other(double cosine) {
-  return std::clamp((same_surface - cosine) / (same_surface - two_walls), 0.0, 1.0);
+  return std::clamp((tolerances::same_surface - cosine) / (tolerances::same_surface - tolerances::two_walls),
+                    0.0, 1.0);
 }
 
 int sign_of(double a) {
@@ -77,7 +74,7 @@ bool NodeSearch::goes_on(Index segment, const NearestPoint& nearest, const Vec3&
       continue;
     const SegmentShape shape = view_.now.shape(other);
     const Vec3 beyond = normalised(area_normal(shape));
-    if (dot(beyond, normal) <= two_walls) continue;
+    if (dot(beyond, normal) <= tolerances::two_walls) continue;
     const NearestPoint foot = view_.nearest_point(shape, p_);
     if (dot(p_ - foot.point, beyond) < 0 && nearest_around(view_.now, node_, other, foot)) return true;
   }
@@ -91,8 +88,6 @@ bool NodeSearch::goes_on(Index segment, const NearestPoint& nearest, const Vec3&
 double NodeSearch::hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const {
   const bool nearest_of_all = nearest_around(view_.now, node_, segment, nearest);
   if (!surface_.is_face(segment)) return nearest_of_all ? 1 : 0;
-  constexpr double aside = 1e-3;  // over the depth, or over the side of a square of the same area
-  constexpr double rim = 0.05;    // over the latter
   const Vec3 away = p_ - nearest.point;
   const Vec3 normal = normalised(area_normal(view_.now.shape(segment)));
   const double depth = -dot(away, normal);
@@ -103,15 +98,14 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
   const double beyond = norm(away + depth * normal);
   const double side = std::sqrt(surface_.area[segment]);
   const bool was_in_front = memory != nullptr || depth <= on_face(segment);
-  if (!inside && beyond > aside * (was_in_front ? side : depth)) return 0;
+  if (!inside && beyond > tolerances::beside_rim * (was_in_front ? side : depth)) return 0;
   if (nearest.feature != Feature::Face && goes_on(segment, nearest, normal)) return 0;
-  return std::max(0.0, 1 - beyond / (rim * side));
+  return std::max(0.0, 1 - beyond / (tolerances::lost_beyond_rim * side));
 }
 
 /// Distance up to which a node lies on a face, by the round-off of coordinates [length].
 double NodeSearch::on_face(Index segment) const {
-  constexpr double share = 1e-6;
-  return share * surface_.height[segment];
+  return tolerances::on_surface * surface_.height[segment];
 }
 
 /// Of the faces of other solids that the node does not lie on, the nearest.
@@ -132,19 +126,18 @@ bool NodeSearch::starts_inside(Index segment, double distance) const {
   if (!view_.tracking || surface_.behind_has(segment, node_)) return false;
   const auto deep = std::ranges::lower_bound(view_.deep, place_, {}, &DeepPair::node);
   if (deep != view_.deep.end() && deep->node == place_) return deep->segment == segment;
-  constexpr double equally_near = 1 + 1e-9;
-  return distance <= on_face(segment) ||
-         (distance <= equally_near * nearest_face_ && distance < surface_.height[segment]);
+  return distance <= on_face(segment) || (distance <= (1 + tolerances::as_near_as_nearest) * nearest_face_ &&
+                                          distance < surface_.height[segment]);
 }
 
 /// The side of a shell on which the node belongs: the remembered side, unless the node is now on the other
 /// one although its relative motion in the step was too small to pass through. Then the segment below it has
 /// inverted (crushed in its plane, or warped until one of its four triangles flips), and the side flips too.
 int NodeSearch::kept_side(Index segment, const RememberedPair& memory, double distance, int present) const {
-  constexpr double round_off = 1e-6;
   const int expected = memory.wrong != 0 ? -memory.side : memory.side;
   if (present == 0 || present == expected || view_.step <= 0) return memory.side;
-  const double way = (1 + round_off) * relative_motion(view_.now, node_, segment, view_.step);
+  const double way =
+      (1 + tolerances::motion_round_off) * relative_motion(view_.now, node_, segment, view_.step);
   return distance + std::fabs(memory.gap) > way ? -memory.side : memory.side;
 }
 
@@ -208,10 +201,8 @@ void NodeSearch::measure(const Vec3& away, double distance, const Vec3& normal, 
 /// where the node is nearer to an edge than a share of the penetration.
 void NodeSearch::smooth_direction(const SegmentShape& shape, const NearestPoint& nearest,
                                   ContactPair& pair) const {
-  constexpr double in_front =
-      1.0 / 3;                  // zone over the penetration, from a quarter of the contact distance on
-  constexpr double behind = 2;  // the same of a node behind a face without thickness
-  const double zone = in_front * pair.penetration() - (behind - in_front) * std::min(0.0, pair.gap);
+  const double zone = tolerances::smooth_in_front * pair.penetration() -
+                      (tolerances::smooth_behind - tolerances::smooth_in_front) * std::min(0.0, pair.gap);
   if (pair.side == 0 || std::fabs(pair.gap) >= zone) return;
   const double beside = distance_to_edges(shape, nearest.point);
   const double square = (beside * beside + pair.gap * pair.gap) / (zone * zone);
@@ -221,7 +212,7 @@ void NodeSearch::smooth_direction(const SegmentShape& shape, const NearestPoint&
   for (int k = 0; k < 4; ++k) {
     if (pair.weight[k] == 0) continue;
     const Vec3 mean = corner_normal(view_.now, surface_.segment(pair.segment)[k], own);
-    smooth += pair.weight[k] * (dot(mean, own) > same_surface ? mean : own);
+    smooth += pair.weight[k] * (dot(mean, own) > tolerances::same_surface ? mean : own);
   }
   // Around a sharp edge the line to it is right.
   const double share = (1 - square * square) * (1 - share_of_other(dot(pair.normal, normalised(smooth))));

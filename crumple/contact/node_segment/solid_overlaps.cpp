@@ -10,19 +10,10 @@
 #include <cellsearch/search.hpp>
 
 #include "contact/surface/segment_shape.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
-
-/// Distance from a side of an element, over its size, below which a node is on the side.
-constexpr double on_side = 0.01;
-
-/// Distance of the face through which a node came, over that of the nearest face, from which on it is not
-/// clear that it came there: nodes of one side of a block that lies along the side of another.
-constexpr double ambiguous = 2;
-
-/// Volume of a part of a tetrahedron, over the whole, by which a point may be outside.
-constexpr double round_off = 1e-6;
 
 /// Sides of a hexahedron by its corners. Those of a tetrahedron that repeats corners are some of them, the
 /// rest are flat.
@@ -52,7 +43,7 @@ bool in_tetrahedron(const std::array<Vec3, 4>& x, const Vec3& p) {
   for (std::size_t i = 0; i < 4; ++i) {
     std::array<Vec3, 4> part = x;
     part[i] = p;
-    if (volume(part[0], part[1], part[2], part[3]) / whole < -round_off) return false;
+    if (volume(part[0], part[1], part[2], part[3]) / whole < -tolerances::outside_tetrahedron) return false;
   }
   return true;
 }
@@ -79,7 +70,7 @@ PlaceInSolid place_in(const SolidShape& solid, const Vec3& p) {
     distance[k] =
         flat ? std::numeric_limits<double>::max() : std::sqrt(nearest_point(side, p).distance_squared);
   }
-  const double least = on_side * std::cbrt(size);
+  const double least = tolerances::on_side_of_solid * std::cbrt(size);
   found.depth = std::numeric_limits<double>::max();
   for (std::size_t k = 0; k < sides.size(); ++k)
     if (distance[k] <= least)
@@ -268,7 +259,8 @@ std::vector<DeepPair> faces_over(const SurfaceAt& now, const std::vector<NodeInS
           may_enter(now, deep.node, normal))
         best = {deep.node, s, distance};
     }
-    if (best.segment != no_index && best.depth <= ambiguous * nearest_of_all) found.push_back(best);
+    if (best.segment != no_index && best.depth <= tolerances::ambiguous_face * nearest_of_all)
+      found.push_back(best);
   }
   return found;
 }
@@ -286,8 +278,6 @@ void inspect_solids(const Surface& surface, const domain::Domain& domain,
 }
 
 bool may_enter(const SurfaceAt& now, Index place, const Vec3& normal) {
-  constexpr double opposed = 0.2;  // sine of the angle from upright on
-  constexpr double pointed = 0.5;  // mean of the normals below which the node is a tip
   const Surface& surface = *now.surface;
   Vec3 sum;
   const auto around = surface.topology.at_node(place);
@@ -295,11 +285,12 @@ bool may_enter(const SurfaceAt& now, Index place, const Vec3& normal) {
   for (const Index own : around) {
     if (surface.of_solid[own] == 0) return true;
     const Vec3 outward = normalised(area_normal(now.shape(own)));
-    if (dot(outward, normal) < -opposed) return true;
+    if (dot(outward, normal) < -tolerances::opposed) return true;
     sum += outward;
   }
   const double size = norm(sum);
-  return size < pointed * static_cast<double>(around.size()) || dot(sum, normal) < -opposed * size;
+  return size < tolerances::pointed * static_cast<double>(around.size()) ||
+         dot(sum, normal) < -tolerances::opposed * size;
 }
 
 }  // namespace crumple::contact

@@ -10,15 +10,10 @@
 #include "base/parallel.hpp"
 #include "contact/search/search_calls.hpp"
 #include "contact/surface/inside_outside.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
-
-/// Motion until the next search, over the mean edge.
-constexpr double automatic_margin = 0.4;
-
-/// Relative motion at which a leg of the way ends, over the margin.
-constexpr double leg_of_margin = 0.01;
 
 constexpr Index piece = 256;
 
@@ -45,7 +40,7 @@ bool before(const RememberedPinballs& pair, Index first, Index second) {
 /// What a given territory expansion leaves beyond the largest contact distance, as in EdgeSearch.
 double margin_of(const Surface& surface, const model::SearchSettings& settings) {
   const double given = settings.expansion - 2 * surface.largest_half_thickness;
-  return given > 0 ? given : automatic_margin * surface.mean_edge;
+  return given > 0 ? given : tolerances::margin_over_edge * surface.mean_edge;
 }
 
 void refuse_what_has_no_balls(const Surface& surface, const model::SearchSettings& settings) {
@@ -73,7 +68,7 @@ PinballContact::PinballContact(const Surface& surface, const model::SearchSettin
       margin_(margin_of(surface, settings)),
       search_(settings_of(start.threads)),
       motion_(0, 0, start.threads),
-      travel_(leg_of_margin * margin_, start.threads) {
+      travel_(tolerances::leg_over_margin * margin_, start.threads) {
   refuse_what_has_no_balls(surface, settings);
   // A margin that is not finite comes from a bad position, which the first search will name.
   if (std::isfinite(margin_)) motion_ = cellsearch::MotionTracker(margin_, 0, start.threads);

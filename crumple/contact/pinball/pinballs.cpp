@@ -4,16 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
 namespace {
-
-/// Radius over the spacing of the balls. They overlap: half the diagonal of the lattice is 0.71.
-constexpr double radius_of_spacing = 0.75;
-/// Shells are split until the spacing is below their radius over this, so that the surface is even within
-/// 0.29 of the radius, but not further than the limit.
-constexpr double evenness = 1.0;
-constexpr int most_levels = 5;
-constexpr int face_level = 3;
 
 /// A square of the lattice of a segment: of 2^level squares along an edge, that in this row and column.
 struct Cell {
@@ -101,12 +95,14 @@ Pinballs embed_pinballs(const Surface& surface, const Configuration& x) {
   made.level.resize(count);
   for (Index s = 0; s < surface.segments(); ++s) {
     const double edge = longest_edge(shape_of(surface, x, s));
-    int level = face_level;
+    int level = tolerances::face_levels;
     if (!surface.is_face(s))
-      for (level = 0; level < most_levels && edge > evenness * surface.half_thickness[s] * (1 << level);)
+      for (level = 0;
+           level < tolerances::most_shell_levels &&
+           edge > tolerances::spacing_over_half_thickness * surface.half_thickness[s] * (1 << level);)
         ++level;
     made.level[s] = level;
-    const double dense = radius_of_spacing * edge / (1 << level);
+    const double dense = tolerances::radius_over_spacing * edge / (1 << level);
     made.radius[s] = surface.is_face(s) ? dense : std::max(surface.half_thickness[s], dense);
   }
   return made;

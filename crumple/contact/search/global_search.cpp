@@ -14,23 +14,10 @@
 #include "base/stopwatch.hpp"
 #include "contact/search/search_calls.hpp"
 #include "contact/surface/crossing.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
-
-/// Automatic expansion beyond the contact distance, over the mean element edge. With a thickness below 0.4
-/// of an edge, the territory stays below one edge, so that the nodes of the next elements in a flat mesh are
-/// no candidates (docs/theory/contact.md).
-constexpr double automatic_margin = 0.4;
-
-/// Most steps that eq. (10) may predict.
-constexpr int longest_interval = 100000;
-
-/// Relative motion at which a leg of the way ends, over the margin.
-constexpr double leg_of_margin = 0.01;
-
-/// Leaves room for round-off.
-constexpr double almost = 0.999;
 
 constexpr Index piece = 1024;
 
@@ -104,7 +91,7 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
                   ".");
     statistics_.margin = settings.expansion - largest_distance;
   } else {
-    statistics_.margin = automatic_margin * surface.mean_edge;
+    statistics_.margin = tolerances::margin_over_edge * surface.mean_edge;
   }
   // The node's half thickness and the margin are common to all territories, the other half is the segment's.
   common_expansion_ = surface.largest_half_thickness + statistics_.margin;
@@ -122,7 +109,7 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
   if (!std::isfinite(statistics_.margin)) return;
   motion_ =
       cellsearch::MotionTracker(statistics_.expansion, statistics_.expansion - statistics_.margin, threads);
-  travel_ = Travel(leg_of_margin * statistics_.margin, threads);
+  travel_ = Travel(tolerances::leg_over_margin * statistics_.margin, threads);
 }
 
 void GlobalSearch::update(const Kinematics& motion, bool surface_changed,
@@ -135,7 +122,7 @@ void GlobalSearch::update(const Kinematics& motion, bool surface_changed,
       if (travel_.length() > safe_length_) {
         motion_.update(view(motion.position));
         due = motion_.due();
-        safe_length_ = travel_.length_to_meet(almost * motion_.left());
+        safe_length_ = travel_.length_to_meet(tolerances::usable_margin * motion_.left());
       }
     } catch (const cellsearch::Error& error) {
       rethrow(error, *surface_);
@@ -225,7 +212,7 @@ void GlobalSearch::search(const Kinematics& motion, bool surface_changed,
   // From now on what starts deep behind a segment is remembered there.
   segment_expansion_ = surface_->half_thickness;
   travel_.start(motion.position, surface_->nodes);
-  safe_length_ = almost * statistics_.margin;
+  safe_length_ = tolerances::usable_margin * statistics_.margin;
   measure_slack(motion);
   ++statistics_.searches;
   statistics_.candidates += static_cast<long>(segment_.size());
@@ -234,8 +221,9 @@ void GlobalSearch::search(const Kinematics& motion, bool surface_changed,
 
   const double step = motion.step;
   const double speed = step > 0 ? norm(step_motion(motion)) / step : 0.0;
-  statistics_.predicted_interval = cellsearch::search_interval(
-      statistics_.expansion, statistics_.expansion - statistics_.margin, speed, step, longest_interval);
+  statistics_.predicted_interval =
+      cellsearch::search_interval(statistics_.expansion, statistics_.expansion - statistics_.margin, speed,
+                                  step, tolerances::longest_predicted_interval);
 }
 
 void GlobalSearch::sort_by_node(const cellsearch::Candidates& found) {
@@ -380,7 +368,7 @@ void GlobalSearch::resume(const Kinematics& motion) {
   // The way so far is not known: slacks are measured anew, and the way begins here.
   travel_.start(motion.position, surface_->nodes);
   motion_.update(view(motion.position));
-  safe_length_ = almost * motion_.left();
+  safe_length_ = tolerances::usable_margin * motion_.left();
   measure_slack(motion);
   consumed_ = norm(step_motion(motion));
 }

@@ -5,12 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
 namespace {
-
-/// Largest relative motion in a step over the mean edge: half of the default margin of the territories. It is
-/// independent of the expansion that the user sets, because the expansion must not change the result.
-constexpr double motion_over_edge = 0.2;
 
 /// Largest difference of the velocities of two nodes that still have a segment, along each axis: free nodes
 /// that erosion has left meet nothing that they could harm in one step [length/time].
@@ -31,7 +29,7 @@ double relative_speed(const Surface& surface, const domain::Domain& domain) {
 
 double longest_step_for_motion(const Surface& surface, const domain::Domain& domain, double step) {
   constexpr double unlimited = std::numeric_limits<double>::infinity();
-  const double allowed = motion_over_edge * surface.mean_edge;
+  const double allowed = tolerances::motion_over_edge * surface.mean_edge;
   if (!(allowed > 0) || !std::isfinite(allowed)) return unlimited;
   const domain::Clock& clock = domain.clock;
   // No two nodes of the whole model are faster relative to each other.

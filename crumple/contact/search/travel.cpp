@@ -5,17 +5,9 @@
 #include <cmath>
 
 #include "contact/search/search_calls.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
-namespace {
-
-/// For how many steps a leg speaks that was hardly shorter than its steps.
-constexpr int steps_per_sample = 64;
-
-/// A leg is worth measuring if that makes it shorter than its steps by this factor.
-constexpr double worth_measuring = 0.7;
-
-}  // namespace
 
 void Travel::start(std::span<const Vec3> position, std::span<const Index> nodes) {
   earlier_legs_ = leg_ = measured_ = since_ = steps_ = 0;
@@ -44,9 +36,9 @@ void Travel::update(std::span<const Vec3> position, double step_way) {
   }
   measure(position);
   if (measured_ <= 0.5 * leg_limit_) return;
-  const bool worth_it = measured_ < worth_measuring * steps_;
+  const bool worth_it = measured_ < tolerances::worth_measuring * steps_;
   end_leg(position);
-  if (!worth_it) steps_as_legs_ = steps_per_sample;
+  if (!worth_it) steps_as_legs_ = tolerances::steps_per_sample;
 }
 
 void Travel::measure(std::span<const Vec3> position) {

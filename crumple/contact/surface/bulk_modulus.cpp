@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <variant>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
-namespace {
-
-/// Smallest 1 - 2 nu that enters the bulk modulus: nearly incompressible laws would ask for any stiffness.
-constexpr double smallest_compressibility = 0.02;
-
-}  // namespace
 
 double bulk_modulus(const model::Model& model, const model::Part& part) {
   const model::Material& material = model.materials[part.material];
@@ -18,7 +14,8 @@ double bulk_modulus(const model::Model& model, const model::Part& part) {
     return model::initial_bulk_modulus(*equation, material.density);
   return std::visit(
       [](const auto& law) {
-        const double compressibility = std::max(1.0 - 2.0 * law.poissons_ratio, smallest_compressibility);
+        const double compressibility =
+            std::max(1.0 - 2.0 * law.poissons_ratio, tolerances::smallest_compressibility);
         return law.youngs_modulus / (3.0 * compressibility);
       },
       material.law);

@@ -4,18 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
 namespace {
-
-/// Halvings of the step in which the moment of the crossing is found.
-constexpr int halvings = 40;
-
-/// Distance at the moment of a change of sides, over the distances at the ends of the step, below which the
-/// node went through the segment and not round its edge.
-constexpr double touching = 1e-3;
-
-/// Distance at the start of the step, over that at its end, below which the node starts on the mid-surface.
-constexpr double on_surface = 1e-9;
 
 struct Place {
   double distance = 0;
@@ -40,7 +32,7 @@ Place place_at(const SurfaceAt& now, Index node, Index segment, double back) {
 int crossed_from(const SurfaceAt& now, Index node, Index segment, double step) {
   const Place start = place_at(now, node, segment, step);
   const Place end = place_at(now, node, segment, 0);
-  if (start.distance <= on_surface * end.distance) {
+  if (start.distance <= tolerances::starts_on_surface * end.distance) {
     // A node that starts on the mid-surface comes from no side, one on the face of a solid from outside.
     return now.surface->is_face(segment) && end.side < 0 ? 1 : 0;
   }
@@ -48,7 +40,7 @@ int crossed_from(const SurfaceAt& now, Index node, Index segment, double step) {
   double before = 0;
   double after = 1;
   Place last = end;
-  for (int i = 0; i < halvings; ++i) {
+  for (int i = 0; i < tolerances::passage_halvings; ++i) {
     const double middle = 0.5 * (before + after);
     const Place here = place_at(now, node, segment, (1 - middle) * step);
     if (here.side == start.side) {
@@ -58,7 +50,8 @@ int crossed_from(const SurfaceAt& now, Index node, Index segment, double step) {
       last = here;
     }
   }
-  return last.distance <= touching * std::max(start.distance, end.distance) ? start.side : 0;
+  return last.distance <= tolerances::passage_distance * std::max(start.distance, end.distance) ? start.side
+                                                                                                : 0;
 }
 
 int side_before(const SurfaceAt& now, Index node, Index segment, double step) {

@@ -3,20 +3,15 @@
 
 #include <cmath>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
 namespace {
-
-/// Length below which a sum of unit vectors counts as degenerate.
-constexpr double degenerate = 1e-6;
-
-/// Relative tolerance on "the surface comes nearer": a point above an edge is both segments' business, and
-/// the duplicate is removed afterwards.
-constexpr double nearer_tolerance = 1e-9;
 
 /// Whether the surface comes nearer along `ray`, from a point to which the node is `away`.
 bool comes_nearer(const Vec3& away, const Vec3& ray) {
   const double along = dot(away, ray);
-  return along > 0 && along > nearer_tolerance * norm(away) * norm(ray);
+  return along > 0 && along > tolerances::comes_nearer * norm(away) * norm(ray);
 }
 
 Vec3 unit_or_zero(const Vec3& a, double smallest = 0) {
@@ -125,7 +120,7 @@ double inner_side(const SurfaceAt& at, Index segment, int k, const Vec3& p) {
   const int first_k = lower ? k : next.k;
   const Flank a = flank(shape, first_k);
   const Flank b = flank(at.shape(lower ? next.segment : segment), lower ? next.k : k);
-  const Vec3 across = unit_or_zero(a.inward - b.inward, degenerate);
+  const Vec3 across = unit_or_zero(a.inward - b.inward, tolerances::degenerate_bisector);
   const double side = dot(p - shape.corner[first_k], across);
   return lower ? side : -side;
 }

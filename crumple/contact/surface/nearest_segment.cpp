@@ -5,14 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/tolerances.hpp"
+
 namespace crumple::contact {
 namespace {
 
 /// Segments of a leaf.
 constexpr Index most_in_leaf = 4;
-
-/// Difference of squared distances, over the squared size of a segment, that means nothing.
-constexpr double equally_near = 1e-12;
 
 double squared(double a) {
   return a * a;
@@ -123,7 +122,7 @@ NearestSegment::Found NearestSegment::find(Index node, const Vec3& normal, bool 
   const Vec3 p = x_[node];
   const Box box = box_of(best.segment);
   const Vec3 size = box.high - box.low;
-  const double limit = best.nearest.distance_squared + equally_near * dot(size, size);
+  const double limit = best.nearest.distance_squared + tolerances::equally_near_squared * dot(size, size);
   double least = facing(best.segment, normal, face);
   std::vector<Index> open{0};
   while (!open.empty()) {

@@ -5,14 +5,10 @@
 #include <limits>
 
 #include "contact/surface/segment_shape.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
-
-/// Distances between segments and nodes that are measured at most, all pieces together.
-constexpr std::size_t most_distances = 100'000'000;
-
-constexpr std::size_t largest_sample = 64;
 
 /// Segments that hang together by edges.
 std::vector<std::vector<Index>> pieces_of(const Surface& surface) {
@@ -61,8 +57,9 @@ bool face_other_side(Surface& surface, const domain::NodeFields& nodes,
     return std::any_of(piece.begin(), piece.end(), [&](Index s) { return known[s] != 0; });
   });
   if (pieces.empty()) return false;
-  const std::size_t affordable = most_distances / (pieces.size() * surface.nodes.size());
-  const std::size_t sample = std::clamp<std::size_t>(affordable, 1, largest_sample);
+  const std::size_t affordable =
+      tolerances::most_orientation_distances / (pieces.size() * surface.nodes.size());
+  const std::size_t sample = std::clamp<std::size_t>(affordable, 1, tolerances::largest_orientation_sample);
   bool changed = false;
   for (const std::vector<Index>& piece : pieces) {
     int votes = 0;

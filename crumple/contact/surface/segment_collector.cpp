@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "contact/surface/bulk_modulus.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 
@@ -36,9 +37,6 @@ struct SegmentCollector::Measure {
 };
 
 namespace {
-
-/// Share of the shortest edge that the contact thickness may not exceed.
-constexpr double edge_share = 0.4;
 
 double true_thickness(const model::Model& model, const model::ShellElement& shell) {
   const std::array<double, 4> at_nodes = model::shell_thickness(model, shell);
@@ -127,7 +125,8 @@ double SegmentCollector::thickness_of(const model::ShellElement& shell, std::uin
   if (!(rigid ? contact_.rigid_shell_thickness : contact_.shell_thickness)) return 0;
   const model::ContactSide& side = side_of(sides);
   if (side.contact_thickness > 0) return side.contact_thickness;
-  return std::min(side.thickness_scale * true_thickness(model_, shell), edge_share * shortest_edge);
+  return std::min(side.thickness_scale * true_thickness(model_, shell),
+                  tolerances::thickness_over_edge * shortest_edge);
 }
 
 void SegmentCollector::add_shell(Index shell, const ElementPlace& place, double modulus) {

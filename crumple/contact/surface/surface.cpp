@@ -11,6 +11,7 @@
 #include "contact/surface/orientation.hpp"
 #include "contact/surface/segment_collector.hpp"
 #include "contact/surface/sides.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -196,7 +197,6 @@ class Alive {
 /// of symmetry: nothing comes from beyond it. They stay in the mesh, as the rims of their neighbours would
 /// become free edges without them.
 void leave_symmetry_planes_alone(const domain::NodeFields& nodes, Surface& surface) {
-  constexpr double along_axis = 0.999;
   for (Index s = 0; s < surface.segments(); ++s) {
     if (surface.of_solid[s] == 0) continue;
     const Index* own = surface.segment(s);
@@ -208,7 +208,7 @@ void leave_symmetry_planes_alone(const domain::NodeFields& nodes, Surface& surfa
     const bool all_fixed = std::all_of(
         own, own + 4, [&](Index node) { return held(node, 0) && held(node, 1) && held(node, 2); });
     for (int axis = 0; axis < 3 && !all_fixed; ++axis)
-      if (std::fabs(across[axis]) > along_axis * norm(across) &&
+      if (std::fabs(across[axis]) > tolerances::along_axis * norm(across) &&
           std::all_of(own, own + 4, [&](Index node) { return held(node, axis); }))
         surface.touched_by[s] = 0;
   }

@@ -1,6 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The surface of a contact: what can touch and be touched, with the geometry that all detectors share.
+//
+//     shells            segments on their mid-surface, with two sides and a thickness
+//     faces of solids   segments with an outside, without thickness unless SLDTHK gives one; those between
+//                       two solids sleep until the one in front has eroded
+//     nodes             those of the segments, of beams, and nodes that are named one by one
+//
+//     corner 3         corner 2     A quadrilateral is four flat triangles from its edges to the mean c of
+//            o---------o            its corners, a triangle is itself. The surface is continuous from
+//            |\   2   /|            segment to segment, warped or not, and the nearest point on it follows
+//            |  \   /  |            in closed form (segment_shape.hpp): C. Ericson, Real-Time Collision
+//            | 3  c  1 |            Detection, 2005, 5.1.5.
+//            |  /   \  |
+//            |/   0   \|            Edges are shared by two segments that are oriented alike, free, or
+//            o---------o            junctions of three and more (topology.hpp).
+//     corner 0         corner 1
+//
+// Thickness, stiffness and orientation are those of the undeformed mesh, after LS-DYNA's rules where its
+// manuals give them (segment_collector.hpp, orientation.hpp, sides.hpp).
+//
+// Files for geometry: inside_outside.hpp has mesh normals, dividing planes and which side of a surface a node
+// is on; crossing.hpp whether it went through in a step; nearest_point_kernel.hpp the nearest point for many
+// lanes; nearest_segment.hpp the nearest of many segments; kinematics.hpp the motion that a detector is
+// given.
+//
+// Order of calls: build_surface() once, follow_erosion() before the search of every step. Indices of segments
+// and nodes never change; erosion switches segments off and on (`active`).
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,6 +37,7 @@
 
 #include "base/index.hpp"
 #include "contact/surface/topology.hpp"
+#include "contact/tolerances.hpp"
 #include "domain/domain.hpp"
 #include "math/vec3.hpp"
 #include "model/model.hpp"
@@ -97,7 +126,7 @@ struct Surface {
   }
   bool is_face(Index s) const { return face[s] != 0; }
   /// Distance from which on a node in front of a face is remembered, before it touches; 0 of shells [length].
-  double watch(Index s) const { return 0.1 * height[s]; }
+  double watch(Index s) const { return tolerances::watch_over_height * height[s]; }
   /// True if the domain node is one of the element behind a face.
   bool behind_has(Index s, Index node) const {
     return std::find(nodes_behind[s].begin(), nodes_behind[s].end(), node) != nodes_behind[s].end();

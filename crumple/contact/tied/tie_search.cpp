@@ -8,16 +8,13 @@
 #include "base/error.hpp"
 #include "contact/surface/nearest_segment.hpp"
 #include "contact/surface/sides.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
 
 using domain::Tie;
 using domain::TiedNode;
-
-/// LS-DYNA's tolerances: share of the sum of both thicknesses, and of the smaller diagonal.
-constexpr double thickness_share = 0.60;
-constexpr double diagonal_share = 0.05;
 
 /// The nodes of the first side as nodes, all of the second as segments.
 model::Contact as_contact(const model::TiedContact& tied) {
@@ -149,7 +146,8 @@ double TieSearch::tolerance(Index place, Index segment) const {
       std::min(norm(shape.corner[2] - shape.corner[0]), norm(shape.corner[3] - shape.corner[1]));
   const double of_node = given_thickness(tied_.side[0], thickness_[place]);
   const double of_segment = given_thickness(tied_.side[1], shell_thickness(segment));
-  return std::max(thickness_share * (of_node + of_segment), diagonal_share * smaller);
+  return std::max(tolerances::tied_over_thickness * (of_node + of_segment),
+                  tolerances::tied_over_diagonal * smaller);
 }
 
 TiedNode TieSearch::tied_node(const Pair& pair) const {
@@ -237,11 +235,10 @@ Tie find_tie(const model::Model& model, domain::Domain& domain, const model::Tie
 /// Puts tied nodes onto their segments; those whose segments are moved by other ties go along, whatever the
 /// order of the ties.
 void put_onto_segments(const model::Model& model, domain::Domain& domain) {
-  constexpr int longest_chain = 100;
   domain::NodeFields& nodes = domain.nodes;
   const AlignedArray<Vec3> before = nodes.position;
   bool moved = true;
-  for (int round = 0; moved && round < longest_chain; ++round) {
+  for (int round = 0; moved && round < tolerances::longest_chain_of_ties; ++round) {
     moved = false;
     for (const Tie& tie : domain.ties) {
       if (tie.method != model::TieMethod::Constraint) continue;

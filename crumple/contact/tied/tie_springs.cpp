@@ -8,21 +8,12 @@
 #include "base/stopwatch.hpp"
 #include "contact/enforcement/penalty.hpp"
 #include "contact/surface/segment_shape.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
 
 constexpr Index piece = 64;
-
-/// A stretch below this share of the coordinates is their round-off, and makes no force: a model at rest has
-/// no energy that could tell such noise from motion.
-constexpr double round_off = 1e-14;
-
-/// Stiffness over that of a contact: a joint must be stiffer than the elements beside it, not softer.
-constexpr double stiffening = 10;
-
-/// Share of what stability leaves for contact: the rest is for contact at the same nodes.
-constexpr double share_of_budget = 0.5;
 
 double largest_coordinate(const Vec3& x) {
   return std::max({std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
@@ -72,14 +63,14 @@ TieSprings::TieSprings(const model::Model& model, const domain::Domain& domain, 
     : contact_(model.tied_contacts[tie]),
       tie_(tie),
       step_scale_(model.control.step_scale),
-      budget_(share_of_budget * stability_budget(model.control.step_scale)) {
+      budget_(tolerances::tie_budget * stability_budget(model.control.step_scale)) {
   const std::vector<Index> springs_at = count_springs(domain);
   const std::vector<domain::TiedNode>& nodes = domain.ties[tie].nodes;
   springs_.reserve(nodes.size());
   active_.reserve(nodes.size());
   for (const domain::TiedNode& tied : nodes) {
     Spring spring{.tied = tied};
-    spring.tied.stiffness *= stiffening;
+    spring.tied.stiffness *= tolerances::tie_over_contact_stiffness;
     set_limits(domain, springs_at, spring);
     springs_.push_back(spring);
     active_.push_back(in_one_body(domain, tied) ? 0 : 1);
@@ -148,7 +139,7 @@ TieSprings::Load TieSprings::evaluate(const domain::Domain& domain, std::size_t 
   const Vec3 normal = (1 / size) * product;
   Vec3 away = nodes.position[tied.node] - tied.height * normal;
   for (std::size_t k = 0; k < 4; ++k) away -= tied.weight[k] * shape.corner[k];
-  if (norm(away) <= round_off * largest_coordinate(nodes.position[tied.node])) away = Vec3{};
+  if (norm(away) <= tolerances::no_stretch * largest_coordinate(nodes.position[tied.node])) away = Vec3{};
   const double limit = budget_ / (step * step);
   const double stiffness = step > 0 ? std::min(tied.stiffness, limit / spring.inverse_mass) : tied.stiffness;
   const Vec3 force = -stiffness * away;
