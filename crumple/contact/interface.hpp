@@ -1,6 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Contact of shells, solids and beams with themselves or with each other. One Interface is one *CONTACT of
+// the deck and remembers what it needs from step to step. The words (candidate, pair, touch, gap, reach) are
+// drawn in docs/glossary.md, the methods with their sources are in docs/theory/contact.md.
+//
+//     surface/       segments, nodes, sides, thickness, stiffness      at the start, and when elements erode
+//       |
+//     search/        which nodes may touch which segments              when nodes have moved far enough
+//       |
+//     node_segment/  where, how deep, on which side: nodes             every step
+//     edge_edge/     the same of edges and beams, beside the nodes
+//     pinball/       segments by balls inside of them, instead of both
+//       |
+//       |            Touch: two points that repel each other, whatever detector found them
+//     enforcement/   forces, friction, energy: by penalty, or by Lagrange multipliers
+//       |
+//     nodal forces   pair by pair in a fixed order: bitwise the same for any number of threads
+//
+// Sources: F. Wang, J. Cheng & Z. Yao, Acta Mechanica Sinica 16(4) (2000), for search and local search; S.P.
+// Wang & E. Nakamachi, IJNME 40 (1997) 3665-3685, for the inside-outside idea, which is reconstructed here
+// and extended to shells; D.J. Benson & J.O. Hallquist, CMAME 78 (1990) 141-163, and LS-DYNA's Theory Manual
+// (2006) for single-surface contact and the penalty; J.C. Carpenter, R.L. Taylor & M.G. Katona, IJNME 32
+// (1991) 103-128, for multipliers.
+//
+// Order of calls in a step, each stage for all contacts before the next, as the stiffness that one may have
+// depends on what all others do to its nodes: find_touches(), evaluate_forces(), add_forces(); for contacts
+// by multipliers add_multipliers() instead, once all other forces are known. longest_step() bounds the step
+// between them.
+//
+// Beside this: tied/ finds nodes that are tied to segments and has their springs; force_transducer.hpp sums
+// forces on a surface, intersections.hpp checks the result, move_apart.hpp removes overlaps before the run.
+// All tolerances are in tolerances.hpp.
+
 #include <memory>
 #include <span>
 #include <vector>

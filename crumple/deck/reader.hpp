@@ -1,6 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The deck: from LS-DYNA's keyword text to model::Model. This folder alone knows the format, its numbers and
+// its defaults; everything behind it sees the model only.
+//
+//     text      files, with those of *INCLUDE                        format/text_source.hpp
+//      |        Scanner: keywords with their lines, $crumple lines   format/scanner.hpp
+//     Block     one keyword
+//      |        find_keyword(): the row of the registry              keywords/keywords.hpp
+//      |        Cards: fields by their names, checked one by one     format/cards.hpp, format/field.hpp
+//     RawDeck   what the cards say, in user ids                      format/raw_deck.hpp
+//      |        build_model(): follows the ids, checks what belongs together
+//     Model     in indices, complete; absent if there was an error   build/build.hpp
+//
+// The source of all fields is LS-DYNA's Keyword User's Manual. A table of fields (name, default, allowed
+// values) is all that a reader needs to know of a card, and docs/keywords.md is made from the same tables.
+//
+// Faults never stop the reading: each becomes a Diagnostic with file, line, card and field, and all are
+// reported at once (format/report.hpp). A keyword is read, or left out with a reason because it changes
+// nothing that is computed (ignored_table()), or an error, unless --allow-unsupported leaves it out.
+//
+// Order of calls: read_deck() does all of it. read_recorded_deck() repeats it on the texts that a restart
+// file holds, read_deck_text() on a text in memory.
+
 #include <cstdint>
 #include <filesystem>
 #include <map>

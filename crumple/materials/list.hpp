@@ -1,6 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The constitutive laws: from the strain increments of a step to the stresses at its end. A law knows no
+// element, an element no law; they meet in one function pointer, so that F formulations and M laws cost F + M
+// kernels (docs/architecture.md).
+//
+//     formulation                          law, one call per tile (2 groups of 16 elements)
+//     -----------                          -------------------------------------------------
+//     strains()   strain increments  --->  for every point: stress(n) from stress(n-1), increment, history
+//     forces()    stresses           <---  energy += 1/2 (stress(n-1) + stress(n)) : increment
+//                                          thickness strain (shells), wave speed (solids), intact or failed
+//
+// Order of calls: once per block, through registry.cpp, which asks this list: shell_material_kind() finds the
+// law, declare_history() adds what it keeps per point, shell_material_constants() gives the numbers that its
+// kernel reads, prepare_element() sets what depends on the axes of an element. In every step the function
+// that shell_material_update(isa, kind) returns is called with a MaterialTask for each tile and each point in
+// plane. Solids have the same functions with `solid` in their names, but for the last of the preparation
+// (common/solid_material.hpp); a pressure by an equation of state is added to the deviator that the law
+// computes (eos_update.hpp).
+//
+// Rooms: laws/ has one file per law; plasticity/ the returns to the yield surface that laws share: in plane
+// stress by J.C. Simo & R.L. Taylor, IJNME 22 (1986) 649-670, of solids the radial return of M.L. Wilkins,
+// Methods in Computational Physics 3 (1964) 211-263; eos/ the equations of state; common/ tasks, stresses and
+// the loop over points (tile_update.hpp; that of solids is solid_update.hpp). The kernels,
+// kernels/shell_laws.cpp and solid_laws.cpp, compile all laws of a list once per instruction set. Equations,
+// sources and limits of each law: docs/theory. How to add one: docs/adding_a_material.md.
+
 #include "materials/eos/gruneisen.hpp"
 #include "materials/eos/linear_polynomial.hpp"
 #include "materials/laws/blatz_ko.hpp"

@@ -1,6 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The output of a run: observers that read the domain between two steps, through a View, and write nothing
+// back. A run has the same bits whatever it writes.
+//
+//     Recorder           what a run writes while it goes on
+//       |- frames        ParaviewSeries: <name>.pvd, vtu/<name>_000000.vtu ...              paraview/
+//       |                D3plotSeries: d3plot, d3plot01 ..., if asked for                   d3plot/
+//       |- tables        History: rows of a CSV file                                        histories/
+//       |                SampledHistory: also LS-DYNA's text file and a branch of
+//       |                binout0000, with the same numbers, if the deck asks for them       lsdyna/
+//       '- at the start  initial_penetrations.csv (initial_overlaps.hpp)
+//
+// Frames and every table have a Schedule of their own. The caller of a run adds the rest: run.json with the
+// state at its end (run_record.hpp), the checks by which a run is accepted (checks.hpp), restart files
+// (files/restart_file.hpp).
+//
+// Files are replaced whole or grow by whole rows (files/), so that they can be read at any moment, also after
+// the program was killed. How far each has come is declared for a restart; resume() cuts off what is beyond
+// it, so that a run that was taken up again leaves the same bytes.
+//
+// Order of calls: constructor, write_due() at time zero and after every step, write_last() at the end; for a
+// restart declare(), then resume() before the first write_due(). results/ has what several formats show
+// (stresses in global axes, masses of parts), each computed once. How to add an output:
+// docs/adding_an_output.md.
+
 #include <filesystem>
 #include <optional>
 #include <string>

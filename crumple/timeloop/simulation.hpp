@@ -1,6 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The time step: central differences with a variable step. Positions, stresses and forces belong to times n,
+// velocities to the middle between two of them:
+//
+//     x(n-1)        x(n)              x(n+1)
+//     ---|------------|------------------|-----> time
+//             v(n-1/2)        v(n+1/2)
+//        |--- step ---|--- next_step ----|
+//              |-- interval --|                  (step + next_step) / 2
+//
+//     drift            x(n) = x(n-1) + step v(n-1/2)                nodes, rigid bodies, tied nodes
+//     compute_forces   f(n) of elements, contacts, tied contacts with springs, loads, damping
+//     choose_step      next_step: TSSFAC times the smallest stable step of an element; bounds on its growth
+//     close_gaps       contacts by multipliers, which need all other forces and next_step
+//     kick             v(n+1/2) = v(n-1/2) + interval f(n) / m, then what constrains velocities: ties,
+//                      joints, prescribed motions, rigid walls, rigid bodies
+//     balance          energies of time n, and guards that end a run which has lost its stability
+//
+// The kinetic energy is 1/2 m v(n-1/2).v(n+1/2), with which the balance closes to round-off
+// (docs/theory/time_integration.md, energy.md). step.cpp has these stages on one page; docs/step.md says what
+// each of them reads and writes, in the same order.
+//
+// Simulation owns the domain and one object for each actor of the step. An actor that remembers something
+// from step to step declares it in state(); what follows from that state is rebuilt in resume(). Order of
+// calls: constructor, start() (or resume() after a restart), then step() until finished(). Between two calls
+// of step() an observer sees one moment, with velocities half a step ahead.
+
 #include <cstdint>
 #include <optional>
 #include <span>

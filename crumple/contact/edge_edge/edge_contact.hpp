@@ -1,6 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Edges against edges, and beams: what nodes on segments cannot see. Two sheets whose edges cross between
+// their nodes would pass through each other. Free edges of shells take part, with INTERIOR all of them,
+// beams, and the sharp edges of solids; AUTOMATIC_GENERAL alone asks for it.
+//
+//                second edge
+//                    |
+//                    |       The nearest points follow in closed form (C. Ericson, Real-Time Collision
+//     first  --------+----   Detection, 2005, 5.1.9). Between the ends their line is the common perpendicular
+//      edge          |       u x v, whose sign is the side; the gap is the distance along it, negative once
+//                    |       the edges have passed through each other
+//
+// A crossing belongs to the edges, an end of an edge to the node there: a node leaves its contact to an edge
+// that crosses there (relieve()). Edges that are almost parallel have no clear crossing and leave the contact
+// to their ends; between two angles the shares change linearly. Inside of a surface only edges count that
+// stand out. These rules are our own; docs/theory/contact.md has them with their reasons.
+//
+// Files: edges.hpp what takes part, edge_geometry.hpp nearest points and passages, edge_search.hpp candidates
+// (by cellsearch, as complete as those of nodes), edge_local_search.hpp all pairs of a step,
+// edge_pair_search.hpp those of one edge with edges of higher numbers, edge_pair.hpp what a pair is and what
+// of it is remembered.
+//
+// Order of calls in a step: update() (erosion, search), find(), relieve() on the pairs of nodes,
+// append_touches(); once the forces are known remember(). Forces, friction, stability and energy are those of
+// all touches, here of four nodes with the weights 1-s, s, -(1-t), -t.
+
 #include <span>
 #include <vector>
 

@@ -1,6 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Enforcement: from touches to nodal forces. A Touch is two points, each a weighted mean of nodes, that repel
+// each other; which detector found it makes no difference here.
+//
+//     force |                   /    Penalty (penalty.hpp): linear with k, the smaller stiffness of node
+//           |                 /      and segment, up to half of the reach; from there the slope grows to
+//           |               /        10 k at the mid-surface. It never exceeds the limit of stability.
+//           |           __/
+//           |      __--'             k as in LS-DYNA's Theory Manual (2006), contact-impact; stability and
+//           | __--'                  passivity are our own derivation (docs/theory/contact.md, "Forces").
+//           +-----------+------+---- penetration
+//                    reach/2  reach
+//
+// Stability: of the bound 4 on (omega dt)^2 the elements use 4 TSSFAC^2, contact a budget of the rest. Nodes
+// lend their mass to all touches of all contacts on them, in proportion to the weights (count()), so that the
+// limit on each touch holds for all of them together. Passivity: a contact spring returns no more energy than
+// it absorbed; what exceeds that is withheld and reported. Friction: Coulomb's law by a tangential spring
+// that sticks and slips, with the couple of its two points (couple.hpp), so that moment of momentum is kept.
+// Energy: work of the nodal forces by the trapezoidal rule.
+//
+// Order of calls in a step: count() for all contacts, then bound_step() and evaluate() for all, then apply()
+// for all. Multipliers (multipliers.hpp) replace count() and evaluate(): predict(), then solve() for the
+// forces that leave no penetration at the end of the next step.
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,6 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Pinballs: contact of segments with segments by balls that are embedded in them, instead of nodes and edges
+// (T. Belytschko & M.O. Neal, IJNME 31 (1991) 547-572). Balls around a segment, around its quarters, and so
+// on, are split where they overlap, down to the smallest (T. Belytschko & I.S. Yeh, CMAME 105 (1993)
+// 375-393):
+//
+//        ,-----.             (_)(_)(_)(_)     The two smallest balls that overlap most are the contact of
+//       /       \            (_)(_)(_)(_)     two segments. Penetration: the sum of their radii less the
+//       \       /    --->    (_)(_)(_)(_)     distance of their centres; force: along the line between them
+//        '-----'             (_)(_)(_)(_)
+//        level 0               level 2
+//
+// The smallest balls of shells have half the contact thickness as radius, where that is not too thin for
+// their spacing; those of faces of solids lie below the face and touch it from inside (pinballs.hpp). Which
+// balls is our own choice, as are the forces on the nodes of a face, which turn it with its normal
+// (docs/theory/contact.md).
+//
+// It tells no sides apart: beyond half of the thickness it pushes out on the far side. It is slow, and there
+// for comparison and where edges, corners and sides give trouble. The force has a potential and needs no
+// limit by passivity.
+//
+// Order of calls in a step, as for edges: update(), find(), append_touches(), remember() once the forces are
+// known. The candidates, pairs of segments, come from cellsearch and hold until two nodes have moved by the
+// margin; the skin distances of pairs work as those of nodes (search/travel.hpp).
+
 #include <array>
 #include <cstdint>
 #include <span>

@@ -1,6 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// The global search: which nodes may touch which segments until the next search. The library cellsearch finds
+// the nodes in the territory of each segment, its bounding box expanded by c on all sides (F. Wang, J. Cheng
+// & Z. Yao, Acta Mechanica Sinica 16(4) (2000), eq. 7-9):
+//
+//      - - - - - - - - - - - - -    c = h + margin
+//     |                         |   h: contact distance, half of both thicknesses
+//        .===================.      margin: 0.4 of the mean edge, or what the user's c leaves beyond h
+//     |  |      segment      |  |
+//        '==================='      As long as no two nodes have moved relative to each other by more than
+//     |                         |   the margin along any axis, no pair can touch that is not a candidate.
+//      - - - - - - - - - - - - -
+//
+// The motion itself is watched, so that no contact is missed; the interval of eq. (10) is given as a
+// prediction only. A step that moves nodes by more than the margin expands the next territories by the rest,
+// and motion_limit bounds the step where bodies close so fast.
+//
+// Candidates that are far from touching are deferred: Travel bounds the path of any two nodes relative to
+// each other by the sum of short displacements, and a pair that is g from touching is not due before that has
+// grown by g. While it is below the margin no search can be due either, so that most steps read no positions
+// for it.
+//
+// Order of calls: update() in every step, with the pairs that are remembered; then the local search walks
+// over the candidates of each node from first() on, skips those with slack() > consumed(), defers with
+// put_off(), and ends with refresh_node(). verify() compares with all nodes and segments. After a restart
+// resume() repeats the last search from the positions that declare() saved.
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+// Tied contact: nodes of a first side that are joined to segments of a second. What is tied is decided once,
+// at time zero, by the distance of the node from the nearest segment (tie_search.hpp), with the tolerances of
+// LS-DYNA's Keyword User's Manual.
+//
+//           o  node           by constraint (TIED without OFFSET): the node is put onto its segment and
+//           |                 follows it; constraints/tied_nodes.hpp
+//           |  h
+//           |                 by penalty (OFFSET, TIEBREAK): the gap stays. A spring holds the node to
+//     ------+------ segment   a = sum of w_k x_k + h n, at its own height over the segment
+//
+// The forces on the corners are the derivatives of the spring's energy by their positions, so that force and
+// moment of force sum to zero and no rigid motion makes a force (own derivation, docs/theory/tied.md). The
+// stiffness is ten times that of a contact, at most what half of the stability budget of contact allows. With
+// TIEBREAK a tie ends where tension and shear exceed its strength; all ties end with their segment, or when
+// their time is over.
+//
+// Order of calls: find_ties() before the elements are prepared, as it moves nodes; a TieSprings for each tie
+// by penalty; add_forces() in every step.
+
 #include <array>
 #include <cstdint>
 #include <optional>
