@@ -29,3 +29,12 @@ if(CRUMPLE_SANITIZE)
   add_compile_options(-fsanitize=${CRUMPLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${CRUMPLE_SANITIZE})
 endif()
+
+# For packages: addresses of functions are read-only once the program has started (full RELRO), and what reads text from
+# outside, which is all around the core, checks its stack and its calls of the C library. The core does not: its loops would
+# pay for it, and all that they read has been checked.
+option(CRUMPLE_HARDENED "Harden the program against faulty input files: for packages" OFF)
+if(CRUMPLE_HARDENED)
+  add_link_options(LINKER:-z,relro LINKER:-z,now)
+  set(CRUMPLE_HARDENING -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+endif()
