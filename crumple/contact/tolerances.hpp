@@ -24,8 +24,8 @@ inline constexpr double thickness_over_edge = 0.4;
 inline constexpr double smallest_compressibility = 0.02;
 
 /// Component of a face's unit normal along an axis, above which the face is perpendicular to it [-]: 2.6
-/// degrees. Such faces with all nodes held along the axis are on a plane of symmetry, and nothing touches
-/// them.
+/// degrees. If all its nodes are held along the axis, but not in all directions, it is on a plane of
+/// symmetry, and nothing touches it.
 inline constexpr double along_axis = 0.999;
 
 /// Distances between segments and nodes that are measured to orient pieces of shells, all pieces together
@@ -269,7 +269,7 @@ inline constexpr double tie_budget = 0.5;
 // --- Checks of the result (intersections) ---
 
 /// Distance of an end of a line from the plane of a triangle over the length of the line, within which it
-/// lies in the plane and the line goes not through [-].
+/// lies in the plane and the line does not go through [-].
 inline constexpr double in_plane = 1e-9;
 /// Depth over the height of the lower of two solids, from which on their faces cut each other [-]. Less is
 /// what the penalty needs, as faces have no thickness.
