@@ -15,6 +15,7 @@
 #include "deck/format/text_source.hpp"
 #include "deck/keywords/control/settings.hpp"
 #include "deck/keywords/keywords.hpp"
+#include "deck/keywords/nearest_keyword.hpp"
 #include "deck/keywords/read_includes.hpp"
 
 namespace crumple::deck {
@@ -119,6 +120,7 @@ void Reading::take_block(const Block& block) {
   Cards cards(block, found->heading, parameters_, report_);
   found->keyword->read(cards, deck_);
   cards.report_unread();
+  if (cards.is_damaged()) deck_.faulty.push_back(block.where.keyword);
 }
 
 std::vector<Inclusion> Reading::inclusions_of(const Block& block) {
@@ -136,20 +138,28 @@ void Reading::leave_out(const Block& block) {
     report_.error(block.where, "empty", "a keyword is missing behind the asterisk");
     return;
   } else {
-    const std::string related = related_keywords(block.name);
-    const std::string supported = related.empty() ? "" : fmt::format("; supported are {}", related);
-    report_.unsupported(block.where, "keyword",
-                        report_.allow_unsupported()
-                            ? fmt::format("this keyword is not supported and is left out{}", supported)
-                            : fmt::format("this keyword is not supported{}; remove it, or run with "
-                                          "--allow-unsupported to leave it out",
-                                          supported));
+    // All output keywords of LS-DYNA are known: another one is a mistake.
+    const std::string_view fault =
+        block.name.starts_with("DATABASE_") ? "LS-DYNA has no such keyword" : "this keyword is not supported";
+    const std::string advice = advice_on(block.name);
+    const std::string_view left_out = report_.allow_unsupported() ? ", and is left out" : "";
+    const std::string_view link = advice.ends_with('?')                ? " If not, "
+                                  : advice.starts_with("; nearest is") ? "; otherwise "
+                                                                       : "; ";
+    const std::string ending =
+        report_.allow_unsupported()
+            ? ""
+            : fmt::format("{}remove it, or leave it out with --allow-unsupported", link);
+    report_.unsupported(block.where, "keyword", fmt::format("{}{}{}{}", fault, left_out, advice, ending));
   }
+  const Omission why = row                           ? Omission::Harmless
+                       : report_.allow_unsupported() ? Omission::OnRequest
+                                                     : Omission::Refused;
   const std::string name(block.where.keyword);
   const auto known = std::find_if(ignored_.begin(), ignored_.end(),
                                   [&](const IgnoredKeyword& ignored) { return ignored.keyword == name; });
   if (known == ignored_.end())
-    ignored_.push_back({name, report_.file_name(block.where.file), block.where.line, 1, row == nullptr});
+    ignored_.push_back({name, report_.file_name(block.where.file), block.where.line, 1, why});
   else
     ++known->count;
 }
@@ -237,8 +247,10 @@ ReadResult read_deck_text(std::string_view text, const ReadOptions& options,
 }
 
 int error_count(const std::vector<Diagnostic>& diagnostics) {
-  return static_cast<int>(std::count_if(diagnostics.begin(), diagnostics.end(),
-                                        [](const Diagnostic& d) { return d.severity == Severity::Error; }));
+  int count = 0;
+  for (const Diagnostic& diagnostic : diagnostics)
+    if (diagnostic.severity == Severity::Error) count += diagnostic.count;
+  return count;
 }
 
 }  // namespace crumple::deck

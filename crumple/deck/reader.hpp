@@ -38,14 +38,20 @@
 
 namespace crumple::deck {
 
+/// Why a keyword was left out.
+enum class Omission {
+  Harmless,   ///< it does not change what is computed
+  OnRequest,  ///< it does, and allow_unsupported leaves it out
+  Refused,    ///< it does, and the deck is refused for it
+};
+
 /// A keyword that the reader left out, with the first place where it occurs.
 struct IgnoredKeyword {
   std::string keyword;  ///< with its asterisk, upper case
   std::string file;
   int line = 0;
   int count = 0;  ///< how often it occurs
-  /// False: one of those that do not change what is computed. True: left out because of allow_unsupported.
-  bool changes_physics = false;
+  Omission why = Omission::Harmless;
 };
 
 struct ReadResult {
@@ -74,7 +80,7 @@ ReadResult read_deck_text(std::string_view text, const ReadOptions& options = {}
                           const std::map<std::string, std::string>& included = {},
                           const std::string& name = "deck.k");
 
-/// How many errors there are among the diagnostics.
+/// How many errors the diagnostics stand for.
 int error_count(const std::vector<Diagnostic>& diagnostics);
 
 }  // namespace crumple::deck

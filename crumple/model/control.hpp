@@ -26,6 +26,7 @@ struct Control {
   double bulk_linear = 0.06;     ///< Q2 [-]
   bool thickness_change = false;         ///< ISTUPD: shells become thinner as they stretch
   double contact_stiffness_scale = 0.1;  ///< SLSFAC
+  bool report_distorted_shells = false;  ///< NFAIL1, NFAIL4: those with a negative Jacobian at the end
 };
 
 /// How a contact finds what touches among the candidates.

@@ -62,6 +62,10 @@ class PeakValues {
 /// The table for the present state, the end of a run, which the peaks have observed.
 std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks);
 
+/// Which shells have a negative Jacobian now, where the deck asks for them with NFAIL1 or NFAIL4: one
+/// sentence for each part.
+std::vector<std::string> distortion_warnings(const View& view);
+
 /// What the user should know about the energies: one sentence per excess, naming the part or interface.
 std::vector<std::string> energy_warnings(const View& view, const PeakValues& peaks);
 

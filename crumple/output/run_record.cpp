@@ -23,6 +23,16 @@ Json energy_of(const domain::EnergyLedger& energy) {
       {"ratio", energy.ratio()}};
 }
 
+Json left_out_list(const std::vector<LeftOut>& list) {
+  Json items = Json::array();
+  for (const LeftOut& item : list)
+    items.push_back({{"name", item.name},
+                     {"reason", name_of(item.reason)},
+                     {"count", item.count},
+                     {"place", item.place}});
+  return items;
+}
+
 Json timings_of(const domain::StageTimes& times) {
   return {{"elements", times.elements},
           {"contact_search", times.contact_search},
@@ -156,6 +166,18 @@ Json checks_of(const std::vector<Check>& checks) {
 
 }  // namespace
 
+const char* name_of(LeftOutReason reason) {
+  switch (reason) {
+    case LeftOutReason::WithoutEffect:
+      return "without effect";
+    case LeftOutReason::OnRequest:
+      return "on request";
+    case LeftOutReason::NotSupported:
+      return "not supported";
+  }
+  return "";
+}
+
 double nanoseconds_per_element_cycle(const domain::Domain& domain, double seconds) {
   const double work =
       static_cast<double>(domain::element_count(domain.shells) + domain::element_count(domain.solids) +
@@ -204,6 +226,7 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
                      {"plane_walls", plane_walls_of(view.model)},
                      {"checks", checks_of(record.checks)},
                      {"warnings", record.warnings},
+                     {"left_out", left_out_list(record.left_out)},
                      {"files", files}};
   // Titles come from decks in any encoding: bytes that are no UTF-8 must not stop the record.
   write_atomically(folder / "run.json",

@@ -11,6 +11,24 @@
 
 namespace crumple::output {
 
+/// Why something of a deck does not take part in a run.
+enum class LeftOutReason {
+  WithoutEffect,  ///< it does not change what is computed
+  OnRequest,      ///< it does: --allow-unsupported left it out
+  NotSupported,   ///< it does, and the deck is refused for it
+};
+
+/// "without effect", "on request" or "not supported".
+const char* name_of(LeftOutReason reason);
+
+/// A keyword, or a value of a field, that does not take part.
+struct LeftOut {
+  std::string name;  ///< "*DATABASE_ABSTAT", "*SECTION_SHELL ELFORM 13"
+  LeftOutReason reason = LeftOutReason::WithoutEffect;
+  int count = 1;      ///< how often it occurs
+  std::string place;  ///< the first, as "deck.k:12"
+};
+
 /// What `run.json` says beside what the model and the domain know.
 struct RunRecord {
   std::string version;
@@ -27,6 +45,7 @@ struct RunRecord {
   std::uint64_t state_hash = 0;
   std::vector<Check> checks;
   std::vector<std::string> warnings;
+  std::vector<LeftOut> left_out;
   std::vector<std::filesystem::path> files;  ///< relative to the folder
 };
 

@@ -9,14 +9,14 @@ namespace {
 
 TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
   SmallDeck deck;
-  deck.more = "*LOAD_BODY_RX\n1,9810\n*CONTROL_SHELL\n20,0,-1,4\n";
+  deck.more = "*LOAD_BODY_RX\n1,9810\n*CONTROL_SHELL\n20,0,-2,0\n";
   EXPECT_FALSE(read_deck_text(deck.text()).model);
   ReadOptions options;
   options.allow_unsupported = true;
   const ReadResult result = read_deck_text(deck.text(), options);
   ASSERT_TRUE(result.model) << listed(result.diagnostics);
   EXPECT_FALSE(result.model->control.thickness_change);
-  EXPECT_TRUE(result.ignored_keywords.at(0).changes_physics);
+  EXPECT_EQ(result.ignored_keywords.at(0).why, Omission::OnRequest);
   EXPECT_EQ(std::count_if(result.diagnostics.begin(), result.diagnostics.end(),
                           [](const Diagnostic& d) { return d.severity == Severity::Warning; }),
             2);

@@ -51,6 +51,7 @@ TEST_F(RunRecordTest, HasEveryDocumentedName) {
                            "plane_walls",
                            "checks",
                            "warnings",
+                           "left_out",
                            "files"})
     EXPECT_TRUE(json.contains(name)) << name;
   for (const char* name : {"error", "kinetic", "internal", "hourglass", "contact", "friction", "rigidwall",

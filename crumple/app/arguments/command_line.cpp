@@ -338,6 +338,9 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
   add_run_options(*run, line.options);
   add_restart_options(*run, line.options);
   add_reading_options(*check, line.options, automatic_contact);
+  check->add_flag(
+      "--json", line.options.json,
+      "Print the answer for programs: whether the deck can be run, what has no effect, what is missing");
   CLI::App* scatter =
       program.add_subcommand("scatter", "Run a deck several times, perturbed: how far results scatter");
   double scatter_perturbation = 1e-6;

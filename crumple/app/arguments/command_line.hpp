@@ -42,6 +42,7 @@ struct Options {
   bool allow_unsupported = false;
   bool allow_negative_contact_energy = false;
   bool quiet = false;
+  bool json = false;               ///< of `crumple check`: the answer for programs
   bool report = false;             ///< write a report at the end of the run
   std::optional<int> serve;        ///< port of a live page; 0 is any free one
   bool d3plot = false;             ///< write d3plot files beside ParaView's

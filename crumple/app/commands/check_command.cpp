@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <vector>
 
 #include "app/console/print.hpp"
+#include "app/preparation/left_out.hpp"
 #include "app/preparation/model_summary.hpp"
 #include "app/preparation/preparation.hpp"
 #include "base/counted.hpp"
@@ -43,9 +45,72 @@ void print_steps(std::ostream& out, const timeloop::Simulation& simulation) {
         cycles == 1 ? "cycle" : "cycles");
 }
 
+nlohmann::json json_of(const output::LeftOut& item) {
+  return {{"name", item.name}, {"count", item.count}, {"place", item.place}};
+}
+
+nlohmann::json json_of(const deck::Diagnostic& diagnostic) {
+  const char* const severity = diagnostic.severity == deck::Severity::Error     ? "error"
+                               : diagnostic.severity == deck::Severity::Warning ? "warning"
+                                                                                : "note";
+  return {{"severity", severity},
+          {"file", diagnostic.file},
+          {"line", diagnostic.line},
+          {"message", diagnostic.message},
+          {"count", diagnostic.count}};
+}
+
+/// What is left out, by reason, and how many cards that are in all.
+void add_left_out_lists(const deck::ReadResult& deck, nlohmann::json& json) {
+  using Reason = output::LeftOutReason;
+  constexpr std::pair<Reason, const char*> lists[] = {{Reason::WithoutEffect, "without_effect"},
+                                                      {Reason::OnRequest, "left_out"},
+                                                      {Reason::NotSupported, "missing"}};
+  for (const auto& [reason, name] : lists) {
+    int count = 0;
+    nlohmann::json items = nlohmann::json::array();
+    for (const output::LeftOut& item : left_out_of(deck)) {
+      if (item.reason != reason) continue;
+      items.push_back(json_of(item));
+      count += item.count;
+    }
+    json[name] = items;
+    json["counts"][name] = count;
+  }
+}
+
+/// The reading, then a start of the run, as a deck may be refused by either.
+ExitCode check_for_programs(const Options& options, const Console& console) {
+  std::ostringstream messages;
+  const deck::ReadResult deck = read_with_options(options, {messages, messages});
+  nlohmann::json json;
+  json["deck"] = options.deck.string();
+  std::string fault;
+  if (deck.model) {
+    try {
+      timeloop::Simulation simulation(*deck.model, choose_execution(options, *deck.model));
+      simulation.start();
+    } catch (const Error& error) {
+      fault = error.what();
+    }
+  }
+  const bool can_run = deck.model && fault.empty();
+  json["can_run"] = can_run;
+  json["errors"] = can_run ? 0 : std::max(1, deck::error_count(deck.diagnostics));
+  json["fault"] = fault;
+  json["files"] = nlohmann::json::array();
+  for (const auto& file : deck.files) json["files"].push_back(file.string());
+  add_left_out_lists(deck, json);
+  json["messages"] = nlohmann::json::array();
+  for (const deck::Diagnostic& diagnostic : deck.diagnostics) json["messages"].push_back(json_of(diagnostic));
+  console.out << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+  return can_run ? ExitCode::Normal : ExitCode::Input;
+}
+
 }  // namespace
 
 ExitCode check_deck(const Options& options, const Console& console) {
+  if (options.json) return check_for_programs(options, console);
   const deck::ReadResult deck = read_with_options(options, console);
   print(console.out, "{}\n", program_version());
   print_reading(console.out, deck);

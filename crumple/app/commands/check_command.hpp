@@ -8,6 +8,7 @@
 namespace crumple::app {
 
 /// `crumple check`: reads a deck and tells what it holds and what is wrong with it. Writes no file.
+/// Normal if it can be run.
 ExitCode check_deck(const Options& options, const Console& console);
 
 }  // namespace crumple::app

@@ -10,6 +10,7 @@
 
 #include "app/console/print.hpp"
 #include "deck/keywords/keyword_cards.hpp"
+#include "deck/keywords/nearest_keyword.hpp"
 
 namespace crumple::app {
 
@@ -137,12 +138,12 @@ ExitCode list_keywords(const KeywordsOptions& options, const Console& console) {
     const std::string name = upper(given);
     if (const auto found = deck::find_keyword(name)) {
       print_cards(*found->keyword, console.out);
+    } else if (const deck::IgnoredRow* form = deck::find_format_keyword(name)) {
+      print(console.out, "*{}\n  {}\n", name, form->reason);
     } else if (const deck::IgnoredRow* row = deck::find_ignored(name)) {
       print(console.out, "*{}\n  is left out with a warning: {}\n", name, row->reason);
     } else {
-      const std::string related = deck::related_keywords(name);
-      print(console.err, "crumple: *{} is not supported{}{}\n", name,
-            related.empty() ? "" : "; supported are ", related);
+      print(console.err, "crumple: *{} is not supported{}\n", name, deck::advice_on(name));
       code = ExitCode::Input;
     }
   }

@@ -6,6 +6,7 @@
 
 #include "app/console/print.hpp"
 #include "app/preparation/bounding_box.hpp"
+#include "app/preparation/left_out.hpp"
 #include "app/preparation/part_tables.hpp"
 #include "base/counted.hpp"
 
@@ -159,10 +160,7 @@ void print_conditions(std::ostream& out, const model::Model& model) {
 void print_reading(std::ostream& out, const deck::ReadResult& deck) {
   for (const auto& file : deck.files) print(out, "Read {}\n", file.string());
   if (!deck.unit_system.empty()) print(out, "Units seem to be {}\n", deck.unit_system);
-  for (const deck::IgnoredKeyword& keyword : deck.ignored_keywords)
-    print(out, "{} {} ({}, first at {}:{})\n",
-          keyword.changes_physics ? "LEFT OUT, although it changes the result:" : "Ignored:", keyword.keyword,
-          counted(keyword.count, "time"), keyword.file, keyword.line);
+  print_left_out(out, left_out_of(deck));
 }
 
 void print_model(std::ostream& out, const model::Model& model, const domain::Domain& domain) {

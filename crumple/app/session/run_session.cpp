@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "app/console/print.hpp"
+#include "app/preparation/left_out.hpp"
 #include "app/preparation/model_summary.hpp"
 #include "app/preparation/preparation.hpp"
 #include "app/session/live_pages.hpp"
@@ -281,6 +282,7 @@ void RunSession::write_record(const Ending& ending) {
   record.state_hash = simulation_.state_hash();
   record.checks = output::acceptance_checks(view(), peaks_);
   record.warnings = warnings_;
+  record.left_out = left_out_of(deck_);
   for (const auto& file : written_files()) record.files.push_back(file.lexically_relative(folder_));
   output::write_run_record(folder_, record, view());
 }
@@ -320,6 +322,7 @@ ExitCode RunSession::run() {
     if (diagnostic.severity == deck::Severity::Warning) warnings_.push_back(deck::to_string(diagnostic));
   peaks_.observe(view());
   for (std::string& warning : output::energy_warnings(view(), peaks_)) warn(std::move(warning));
+  for (std::string& warning : output::distortion_warnings(view())) warn(std::move(warning));
   finish(ending);
   if (board_ != nullptr) {
     board_->post(live_status(simulation_.domain(), monitor_->progress(), recorder_->frames()));
@@ -328,6 +331,7 @@ ExitCode RunSession::run() {
   if (!options_.quiet) {
     print_summary(console_.out, view(), loop_seconds_);
     print_checks(console_.out, output::acceptance_checks(view(), peaks_));
+    print_final_omissions(console_.out, left_out_of(deck_));
     print_files(console_.out, folder_, written_files());
   }
   if (ending.code == ExitCode::Normal)

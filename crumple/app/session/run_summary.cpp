@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/console/print.hpp"
+#include "app/preparation/left_out.hpp"
 #include "app/session/status_line.hpp"
 #include "base/counted.hpp"
 #include "base/isa.hpp"
@@ -194,6 +195,12 @@ void print_checks(std::ostream& out, const std::vector<output::Check>& checks) {
     print(out, "  {:<50} {:>11.4g} {:>9.4g} {:>9}  {}   {}\n", check.name, check.value, check.limit,
           check.source_limit ? fmt::format("{:.4g}", *check.source_limit) : "-", check.pass ? "PASS" : "FAIL",
           check.source);
+}
+
+void print_final_omissions(std::ostream& out, const std::vector<output::LeftOut>& list) {
+  if (list.empty()) return;
+  print(out, "\n");
+  print_left_out(out, list);
 }
 
 void print_files(std::ostream& out, const std::filesystem::path& folder,

@@ -7,6 +7,7 @@
 
 #include "output/checks.hpp"
 #include "output/results/view.hpp"
+#include "output/run_record.hpp"
 #include "timeloop/simulation.hpp"
 
 namespace crumple::app {
@@ -21,6 +22,9 @@ void print_summary(std::ostream& out, const output::View& view, double loop_seco
 
 /// The table of acceptance checks, with PASS or FAIL.
 void print_checks(std::ostream& out, const std::vector<output::Check>& checks);
+
+/// What of the deck did not take part, so that whoever reads the results finds it beside them.
+void print_final_omissions(std::ostream& out, const std::vector<output::LeftOut>& list);
 
 /// The files to open.
 void print_files(std::ostream& out, const std::filesystem::path& folder,

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace crumple::deck {
 
 namespace {
@@ -82,6 +84,13 @@ const UnsupportedDefinition* Build::unsupported_definition(Item item, UserId id)
   return nullptr;
 }
 
+bool Build::is_definition_faulty(Item item) const {
+  const std::string_view family = words(item).family;
+  return std::any_of(deck.faulty.begin(), deck.faulty.end(), [&](std::string_view keyword) {
+    return keyword.starts_with(family) || keyword == family.substr(0, family.size() - 1);
+  });
+}
+
 Index Build::find(Item item, const Reference& reference) {
   const Index index = find_quietly(item, reference.id);
   if (index != no_index) return index;
@@ -103,7 +112,7 @@ Index Build::find(Item item, const Reference& reference) {
     fault.hint = fmt::format("{} {} is defined by {} at {}, which is not supported", word.name, reference.id,
                              definition->where.keyword, report.place(definition->where));
     report.field_unsupported(reference.where, fault);
-  } else {
+  } else if (!is_definition_faulty(item)) {
     fault.hint = fmt::format("the deck has no {} {}; add it with {}", word.name, reference.id, word.keyword);
     report.field_error(reference.where, fault);
   }
@@ -125,6 +134,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_parts(build);
   build_shells(build);
   settle_defaults(build, options.ls_dyna_defaults);
+  settle_distorted_shells(build);
   build_solids(build);
   build_beams(build);
   build_discretes(build);
@@ -140,6 +150,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_walls(build);
   build_contacts(build, options.automatic_contact);
   build_tied_contacts(build);
+  check_contact_of_null_shells(build);
   build_output(build);
   build_cross_sections(build);
   return std::move(build.model);

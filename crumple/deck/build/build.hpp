@@ -109,6 +109,9 @@ class Build {
   /// The unsupported keyword that would define an item; null if there is none.
   const UnsupportedDefinition* unsupported_definition(Item item, UserId id) const;
 
+  /// A keyword that defines such items could not be read, so that one may be missing for that reason.
+  bool is_definition_faulty(Item item) const;
+
  private:
   struct Entries {
     IdTable table;
@@ -126,6 +129,8 @@ void check_materials(Build& build);
 // check_parts.cpp
 /// Whether the elements, the material and the equation of state of a part go together.
 void check_part(const RawPart& raw, const model::Part& part, Build& build);
+/// Warns of shells of *MAT_NULL with YM = 0 in a model with contacts, which must be there.
+void check_contact_of_null_shells(Build& build);
 // build_mesh.cpp
 void build_nodes(Build& build);
 void build_parts(Build& build);
@@ -154,6 +159,8 @@ std::optional<std::array<Vector, 3>> find_axes(Build& build, UserId id, std::str
 /// Settles what the deck leaves open about shells: with thickness change and the hourglass stiffness of their
 /// material, or as LS-DYNA does. Says so.
 void settle_defaults(Build& build, bool as_ls_dyna);
+/// NFAIL1 and NFAIL4 where the model has shells that they are about.
+void settle_distorted_shells(Build& build);
 // build_solids.cpp
 void build_solids(Build& build);
 // build_lines.cpp

@@ -55,14 +55,35 @@ model::InitialVelocity velocity_at(const RawVelocity& raw, Index node, const Vec
   return result;
 }
 
-/// Nodes of rigid bodies are held by holding the body.
-void refuse_rigid_node(Index node, Index body, const Where& where, Build& build) {
-  build.report.unsupported(
+bool are_global(const std::array<std::array<double, 3>, 3>& axes) {
+  return axes == model::RigidBody().held_axes;
+}
+
+/// What holds a node of a rigid body holds its centre of mass, as in LS-DYNA after R11.1; before, such
+/// constraints were skipped.
+void hold_body(Index node, Index index, const std::array<bool, 3>& translation,
+               const std::array<bool, 3>& rotation, const Where& where, Build& build) {
+  model::RigidBody& body = build.model.rigid_bodies[static_cast<std::size_t>(index)];
+  const UserId id = build.model.nodes.id[static_cast<std::size_t>(node)];
+  if (!are_global(body.held_axes)) {
+    build.report.unsupported(
+        where, "rigid",
+        fmt::format("node {} belongs to the rigid body {}, which CMO = -1 holds in local axes; hold the body "
+                    "with CON1 and CON2 of *MAT_RIGID alone",
+                    id, body.id));
+    return;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    body.fixed_translation[i] = body.fixed_translation[i] || translation[i];
+    body.fixed_rotation[i] = body.fixed_rotation[i] || rotation[i];
+  }
+  build.report.warning(
       where, "rigid",
-      fmt::format("node {} belongs to the rigid body {}, and degrees of freedom of its nodes cannot be held; "
-                  "hold the body with CMO, CON1 and CON2 of *MAT_RIGID",
-                  build.model.nodes.id[static_cast<std::size_t>(node)],
-                  build.model.rigid_bodies[static_cast<std::size_t>(body)].id));
+      fmt::format(
+          "node {} belongs to the rigid body {}: its degrees of freedom are held at the body's centre of "
+          "mass, as in LS-DYNA after R11.1, which skipped them before; CMO, CON1 and CON2 of *MAT_RIGID "
+          "say the same in all versions",
+          id, body.id));
 }
 
 /// The body that a weld is does not know what holds its nodes.
@@ -170,7 +191,7 @@ void build_fixed_nodes(Build& build) {
   const auto fix = [&](Index node, const std::array<bool, 3>& translation,
                        const std::array<bool, 3>& rotation, const Where& where) {
     if (const Index body = body_of_node[static_cast<std::size_t>(node)]; body != no_index) {
-      refuse_rigid_node(node, body, where, build);
+      hold_body(node, body, translation, rotation, where, build);
       return;
     }
     if (const auto weld = connections.find(node); weld != connections.end() && weld->second.is_body) {

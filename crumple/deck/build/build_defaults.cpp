@@ -29,7 +29,35 @@ OpenShells open_shells(const model::Model& model) {
   return found;
 }
 
+/// Of NFAIL1 and NFAIL4, those for which the model has shells.
+std::string deletion_in_use(const RawDistortedShells& raw, const model::Model& model) {
+  bool one_point = false;
+  bool fully_integrated = false;
+  for (const model::ShellElement& shell : model.shells) {
+    if (shell.part == no_index) continue;
+    const model::Part& part = model.parts[shell.part];
+    if (part.section == no_index || model::is_rigid(model, part)) continue;
+    const bool full =
+        model.shell_sections[part.section].formulation == model::ShellFormulation::FullyIntegrated;
+    (full ? fully_integrated : one_point) = true;
+  }
+  if (raw.one_point && one_point) return "NFAIL1";
+  return raw.fully_integrated && fully_integrated ? "NFAIL4" : "";
+}
+
 }  // namespace
+
+void settle_distorted_shells(Build& build) {
+  const RawDistortedShells& raw = build.deck.distorted_shells;
+  const std::string field = deletion_in_use(raw, build.model);
+  if (field.empty()) return;
+  build.model.control.report_distorted_shells = true;
+  build.report.warning(
+      raw.where, "distorted",
+      fmt::format("{} is not zero: LS-DYNA deletes shells with a negative Jacobian, or stops; here they "
+                  "stay, and the end of the run says whether there are any",
+                  field));
+}
 
 void settle_defaults(Build& build, bool as_ls_dyna) {
   model::Control& control = build.model.control;

@@ -68,14 +68,6 @@ void check_shells(const RawPart& raw, const RawMaterial& material, Report& repor
                                    "shells have no equation of state: their stress across is zero, and the "
                                    "pressure follows from it",
                                    "equation"});
-  const auto* skin = std::get_if<model::NullMaterial>(&material.material.law);
-  if (skin != nullptr && !(skin->youngs_modulus > 0))
-    report.field_error(material.where,
-                       {"YM", "0", "a number above zero",
-                        fmt::format("shells of part {} have this material, and their contact takes its "
-                                    "stiffness",
-                                    raw.id),
-                        "modulus"});
 }
 
 /// G and E, PR describe the same metal.
@@ -91,6 +83,26 @@ void check_shear_modulus(const RawPart& raw, const RawMaterial& material, Report
 }
 
 }  // namespace
+
+void check_contact_of_null_shells(Build& build) {
+  if (build.model.contacts.empty()) return;
+  for (const model::ShellElement& shell : build.model.shells) {
+    if (shell.part == no_index) continue;
+    const model::Part& part = build.model.parts[static_cast<std::size_t>(shell.part)];
+    if (part.material == no_index) continue;
+    const RawMaterial& raw = build.deck.materials[static_cast<std::size_t>(part.material)];
+    const auto* skin = std::get_if<model::NullMaterial>(&raw.material.law);
+    if (skin == nullptr || skin->youngs_modulus > 0) continue;
+    build.report.field_warning(
+        raw.where,
+        {"YM", "0", "a number above zero",
+         fmt::format("shells of part {} have no contact stiffness: what touches them passes through, unless "
+                     "SOFT = 1 or 2 gives them some",
+                     part.id),
+         "modulus"});
+    return;
+  }
+}
 
 void check_part(const RawPart& raw, const model::Part& part, Build& build) {
   // Beams and springs have been told which materials they take when their parts were built.

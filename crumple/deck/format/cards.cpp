@@ -68,42 +68,87 @@ Card Cards::next_filled(Layout layout) {
   return next(layout);
 }
 
-Card Cards::next(Layout layout) {
+/// A card of the layout with its defaults, at the keyword's place.
+Card Cards::empty_card(Layout layout) {
   assert(layout.size() <= max_fields);
-  if (uses_ != nullptr) uses_->push_back({layout, {}});
   Card card;
   card.layout_ = layout;
   card.where_ = block_->where;
   card.where_.card = ++card_;
-  std::string_view text;
-  const bool is_missing = !has_line();
-  if (!is_missing) {
-    const Line& line = block_->lines[next_++];
-    card.where_.line = line.number;
-    text = line.text;
-  } else {
-    if (!block_->lines.empty()) card.where_.line = block_->lines.back().number;
-    report_->error(card.where_, "missing card",
-                   fmt::format("the card is missing, expected one with {}; add it, a blank line takes all "
-                               "defaults",
-                               list_of_names(layout)));
-  }
-  slots_.fill({});
-  rest_ = {};
-  cut_by_tab_ = false;
-  free_ = is_free(text, layout);
-  if (free_)
-    split_free(text, layout);
-  else
-    split_fixed(without_tabs(text, layout, card.where_), layout);
-  const bool absent = is_missing || cut_by_tab_;
+  if (!block_->lines.empty()) card.where_.line = block_->lines.back().number;
   for (std::size_t i = 0; i < layout.size(); ++i) {
-    if (absent) card.values_[i].good = false;
+    card.values_[i].good = !is_lost_;
     card.values_[i].real = layout[i].fallback;
     if (layout[i].type == FieldType::Integer)
       card.values_[i].integer = static_cast<std::int64_t>(layout[i].fallback);
-    if (!absent) parse(i, card);
   }
+  return card;
+}
+
+/// Cuts the next line into the values of a card.
+void Cards::take_line(Layout layout, Card& card) {
+  const Line& line = block_->lines[next_++];
+  card.where_.line = line.number;
+  slots_.fill({});
+  rest_ = {};
+  cut_by_tab_ = false;
+  free_ = is_free(line.text, layout);
+  if (free_)
+    split_free(line.text, layout);
+  else
+    split_fixed(without_tabs(line.text, layout, card.where_), layout);
+}
+
+/// Whether the line at hand has values, none of which is a number: a title, or a remark, out of its place.
+bool Cards::is_stray(Layout layout) const {
+  if (layout.empty() || layout[0].type == FieldType::Text || cut_by_tab_) return false;
+  bool has_value = false;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    if (slots_[i].empty() || layout[i].type == FieldType::Text) continue;
+    if (Parameters::is_reference(slots_[i]) || parse_real(slots_[i])) return false;
+    has_value = true;
+  }
+  return has_value;
+}
+
+void Cards::report_missing(const Card& card, Layout layout) {
+  // Where a card before was damaged, that may be one too many.
+  if (is_damaged_) return;
+  report_->error(
+      card.where_, "missing card",
+      fmt::format("the card is missing, expected one with {}; add it, a blank line takes all defaults",
+                  list_of_names(layout)));
+}
+
+Card Cards::next(Layout layout) {
+  if (uses_ != nullptr) uses_->push_back({layout, {}});
+  Card card = empty_card(layout);
+  bool is_found = false;
+  while (has_line() && !is_found) {
+    take_line(layout, card);
+    is_found = !is_stray(layout);
+    if (!is_found) {
+      is_damaged_ = true;
+      const auto first = static_cast<std::size_t>(
+          std::find_if(slots_.begin(), slots_.end(), [](std::string_view slot) { return !slot.empty(); }) -
+          slots_.begin());
+      card.values_[first].text = slots_[first];
+      read_number(first, card);
+      unreadable_.resize(1);
+      report_unreadable(card);
+      is_lost_ = !has_line();
+    }
+  }
+  if (!is_found) report_missing(card, layout);
+  const bool absent = !is_found || cut_by_tab_;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    if (absent)
+      card.values_[i].good = false;
+    else
+      parse(i, card);
+  }
+  report_unreadable(card);
+  if (absent || (!layout.empty() && !card.values_[0].good)) is_damaged_ = true;
   if (!rest_.empty() && !absent) report_rest(card);
   add_offsets(card);
   if (placement().moves && !absent) place(card);
@@ -124,6 +169,10 @@ void Cards::add_offsets(Card& card) {
     const IdKind kind = field.choose != nullptr ? field.choose(card) : field.kind;
     if (kind != IdKind::None) value.integer = placement().id(kind, value.written);
   }
+}
+
+Card Cards::next_or_default(Layout layout) {
+  return has_line() ? next(layout) : empty_card(layout);
 }
 
 bool Cards::is_free(std::string_view line, Layout layout) const {
@@ -251,8 +300,8 @@ bool Cards::read_number(std::size_t index, Card& card) {
   if (!integer && !real) {
     std::string hint = place_of(index, card.layout_);
     if (substituted) hint += fmt::format(", where {} is \"{}\"", value.text, *substituted);
-    report_->field_error(card.where_, {field.name, std::string(value.text),
-                                       whole ? "a whole number" : "a number", hint, "number"});
+    unreadable_.push_back(
+        {field.name, std::string(value.text), whole ? "a whole number" : "a number", hint, "number"});
     return false;
   }
   const double number = integer ? static_cast<double>(*integer) : *real;
@@ -260,6 +309,20 @@ bool Cards::read_number(std::size_t index, Card& card) {
   value.real = number;
   value.integer = integer.value_or(0);
   return true;
+}
+
+/// Two values may be mistyped; more on one card are a card of another layout, or shifted columns.
+void Cards::report_unreadable(const Card& card) {
+  constexpr std::size_t typing_errors = 2;
+  if (unreadable_.size() > typing_errors) {
+    unreadable_.front().hint += fmt::format(
+        "; {} more fields of the card are not numbers either: does the line stand in its place, and are its "
+        "columns right?",
+        unreadable_.size() - 1);
+    unreadable_.resize(1);
+  }
+  for (const FieldFault& fault : unreadable_) report_->field_error(card.where_, fault);
+  unreadable_.clear();
 }
 
 void Cards::report_rest(const Card& card) {
@@ -309,7 +372,8 @@ Heading Cards::heading() {
 std::string Cards::text_line(std::string_view what) {
   if (uses_ != nullptr) uses_->push_back({{}, what});
   if (!has_line()) {
-    report_->error(block_->where, "missing line", fmt::format("a line is missing, expected {}", what));
+    if (!is_lost_)
+      report_->error(block_->where, "missing line", fmt::format("a line is missing, expected {}", what));
     return {};
   }
   return std::string(trimmed(block_->lines[next_++].text));

@@ -84,7 +84,11 @@ class Cards {
   /// The next line as it stands; empty if there is none.
   std::string_view peek() const { return has_line() ? block_->lines[next_].text : std::string_view(); }
   /// The next line as a card. A blank line has all defaults; a missing one is an error.
+  /// A line without any number where one is expected is reported and skipped: what follows is read again as
+  /// it was meant.
   Card next(Layout layout);
+  /// The same for a last card that may be missing: it then has all defaults.
+  Card next_or_default(Layout layout);
   /// The next line that is not blank. Call only where more() holds.
   Card next_filled(Layout layout);
   /// The heading that goes before an item; empty where the keyword's form has none.
@@ -105,6 +109,10 @@ class Cards {
   /// What the ids and coordinates of the file become.
   const Placement& placement() const;
 
+  /// A card was missing, out of its place or without a number as its first value, so that items may be
+  /// missing.
+  bool is_damaged() const { return is_damaged_; }
+
   /// The keyword as a whole.
   const Where& where() const { return block_->where; }
   Report& report() const { return *report_; }
@@ -116,7 +124,12 @@ class Cards {
   std::string_view without_tabs(std::string_view line, Layout layout, const Where& where);
   int width_of(const Field& field) const;
   std::string place_of(std::size_t field, Layout layout) const;
+  Card empty_card(Layout layout);
+  void take_line(Layout layout, Card& card);
+  bool is_stray(Layout layout) const;
+  void report_missing(const Card& card, Layout layout);
   void parse(std::size_t index, Card& card);
+  void report_unreadable(const Card& card);
   bool read_number(std::size_t index, Card& card);
   void report_rest(const Card& card);
   void add_offsets(Card& card);
@@ -132,10 +145,13 @@ class Cards {
   std::size_t next_ = 0;
   std::int32_t card_ = 0;
   bool free_ = false;
+  bool is_lost_ = false;  ///< no line was found that can be the card expected: the block is given up
+  bool is_damaged_ = false;
   bool cut_by_tab_ = false;  ///< the fields of the line at hand cannot be told apart
   std::array<std::string_view, max_fields> slots_;
-  std::string_view rest_;  ///< what follows the last field
-  std::string expanded_;   ///< the line at hand with its tabs replaced
+  std::string_view rest_;               ///< what follows the last field
+  std::vector<FieldFault> unreadable_;  ///< fields of the card at hand that are not numbers
+  std::string expanded_;                ///< the line at hand with its tabs replaced
 };
 
 }  // namespace crumple::deck

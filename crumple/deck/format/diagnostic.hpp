@@ -17,6 +17,9 @@ struct Diagnostic {
   std::string file;     ///< as the user wrote it, or as reached through *INCLUDE
   int line = 0;         ///< counted from 1; 0 is the file as a whole
   std::string message;  ///< starts with the keyword, ends with what to do
+  int count = 1;        ///< for how many of one kind it stands
+  /// What crumple lacks, such as "*SECTION_SHELL ELFORM 13"; empty if the deck is at fault.
+  std::string missing{};
 };
 
 /// `file:line: error: message`, the form that editors and compilers' users know. No newline.

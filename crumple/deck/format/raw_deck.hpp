@@ -424,6 +424,13 @@ struct UnsupportedDefinition {
   Where where;
 };
 
+/// NFAIL1 and NFAIL4 of *CONTROL_SHELL: LS-DYNA deletes shells with a negative Jacobian, or stops.
+struct RawDistortedShells {
+  Where where;
+  bool one_point = false;
+  bool fully_integrated = false;
+};
+
 struct RawDeck {
   std::size_t section_count() const {
     return sections.size() + solid_sections.size() + beam_sections.size() + discrete_sections.size();
@@ -480,6 +487,7 @@ struct RawDeck {
   std::vector<RawHistory> histories;
   std::vector<RawCrossSection> cross_sections;
   std::vector<UnsupportedDefinition> unsupported;
+  std::vector<std::string_view> faulty;  ///< keywords with asterisk, of blocks that were damaged
   model::Control control;
   model::OutputRequests output;
   model::SearchSettings search;
@@ -491,6 +499,7 @@ struct RawDeck {
   std::optional<Where> termination;
   std::optional<Where> control_shell;
   std::optional<Where> control_hourglass;
+  RawDistortedShells distorted_shells;
   std::optional<Where> sorts_solids;    ///< ESORT of *CONTROL_SOLID, where it is not zero
   bool takes_ls_dyna_defaults = false;  ///< `$crumple defaults=ls-dyna`
   std::optional<Where> search_cells;

@@ -28,14 +28,21 @@ std::string Report::place(const Where& where) const {
   return fmt::format("{}:{}", file_name(where.file), where.line);
 }
 
-void Report::add(Severity severity, const Where& where, std::string_view kind, const std::string& message) {
+void Report::add_entry(Severity severity, const Where& where, std::string_view kind, Diagnostic diagnostic) {
   if (severity == Severity::Error) ++errors_;
-  Entry entry{where, {severity, file_name(where.file), where.line, prefix(where, {}) + message}};
   Kind& counted = kinds_[fmt::format("{}|{}|{}", where.keyword, static_cast<int>(severity), kind)];
-  if (++counted.count <= shown_per_kind)
-    entries_.push_back(std::move(entry));
-  else
-    counted.last = std::move(entry);
+  counted.last = where;
+  if (++counted.count > shown_per_kind) return;
+  diagnostic.severity = severity;
+  diagnostic.file = file_name(where.file);
+  diagnostic.line = where.line;
+  entries_.push_back({where, std::move(diagnostic), &counted, counted.count == 1});
+}
+
+void Report::add(Severity severity, const Where& where, std::string_view kind, const std::string& message) {
+  Diagnostic diagnostic;
+  diagnostic.message = prefix(where, {}) + message;
+  add_entry(severity, where, kind, std::move(diagnostic));
 }
 
 void Report::error(const Where& where, std::string_view kind, const std::string& message) {
@@ -47,10 +54,14 @@ void Report::warning(const Where& where, std::string_view kind, const std::strin
 }
 
 void Report::unsupported(const Where& where, std::string_view kind, const std::string& message) {
-  add(allow_unsupported_ ? Severity::Warning : Severity::Error, where, kind, message);
+  Diagnostic diagnostic;
+  diagnostic.message = prefix(where, {}) + message;
+  diagnostic.missing =
+      kind == "keyword" ? std::string(where.keyword) : fmt::format("{} ({})", where.keyword, kind);
+  add_entry(allow_unsupported_ ? Severity::Warning : Severity::Error, where, kind, std::move(diagnostic));
 }
 
-void Report::add_field(Severity severity, const Where& where, const FieldFault& fault) {
+void Report::add_field(Severity severity, const Where& where, const FieldFault& fault, bool is_missing) {
   // The field belongs between the card and the colon, so the prefix is made here.
   Where bare = where;
   bare.keyword = {};
@@ -59,7 +70,10 @@ void Report::add_field(Severity severity, const Where& where, const FieldFault& 
   std::string message = prefix(where, fault.field) + found + ", expected " + fault.expected;
   if (!fault.hint.empty()) message += "; " + fault.hint;
   const std::string kind = fmt::format("{}|{}|{}", where.keyword, fault.field, fault.kind);
-  add(severity, bare, kind, message);
+  Diagnostic diagnostic;
+  diagnostic.message = std::move(message);
+  if (is_missing) diagnostic.missing = fmt::format("{} {} {}", where.keyword, fault.field, fault.read);
+  add_entry(severity, bare, kind, std::move(diagnostic));
 }
 
 void Report::field_error(const Where& where, const FieldFault& fault) {
@@ -67,7 +81,7 @@ void Report::field_error(const Where& where, const FieldFault& fault) {
 }
 
 void Report::field_unsupported(const Where& where, const FieldFault& fault) {
-  add_field(allow_unsupported_ ? Severity::Warning : Severity::Error, where, fault);
+  add_field(allow_unsupported_ ? Severity::Warning : Severity::Error, where, fault, true);
 }
 
 void Report::field_warning(const Where& where, const FieldFault& fault) {
@@ -75,12 +89,17 @@ void Report::field_warning(const Where& where, const FieldFault& fault) {
 }
 
 std::vector<Diagnostic> Report::sorted() const {
-  std::vector<Entry> all = entries_;
-  for (const auto& [name, kind] : kinds_) {
-    if (kind.count <= shown_per_kind) continue;
-    Entry rest = kind.last;
-    rest.diagnostic.message +=
-        fmt::format(" ({} of this kind in all, {} shown)", kind.count, shown_per_kind + 1);
+  std::vector<Entry> all;
+  for (const Entry& entry : entries_) {
+    const Kind& kind = *entry.kind;
+    const bool is_many = kind.count > shown_per_kind;
+    if (is_many && !entry.is_first) continue;
+    all.push_back(entry);
+    if (!is_many) continue;
+    Entry rest = entry;
+    rest.diagnostic.count = kind.count - 1;
+    rest.diagnostic.message =
+        fmt::format("and {} more of this kind, last at {}", kind.count - 1, place(kind.last));
     all.push_back(std::move(rest));
   }
   std::stable_sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) {

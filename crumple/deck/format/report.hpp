@@ -28,11 +28,11 @@ struct FieldFault {
   std::string_view kind{};  ///< faults of one keyword, field and kind are counted together
 };
 
-/// Collects everything that is to be said about a deck. Of each kind of fault only the first
-/// `shown_per_kind` are kept; the rest are counted.
+/// Collects everything that is to be said about a deck. Of a kind of fault that occurs more often than
+/// `shown_per_kind` times the first one is shown, and how many there are.
 class Report {
  public:
-  static constexpr int shown_per_kind = 20;
+  static constexpr int shown_per_kind = 4;
 
   explicit Report(bool allow_unsupported) : allow_unsupported_(allow_unsupported) {}
 
@@ -61,16 +61,19 @@ class Report {
   std::vector<Diagnostic> sorted() const;
 
  private:
+  struct Kind {
+    int count = 0;
+    Where last;
+  };
   struct Entry {
     Where where;
     Diagnostic diagnostic;
-  };
-  struct Kind {
-    int count = 0;
-    Entry last;  ///< the last one that was not kept
+    const Kind* kind;
+    bool is_first;  ///< of its kind
   };
 
-  void add_field(Severity severity, const Where& where, const FieldFault& fault);
+  void add_entry(Severity severity, const Where& where, std::string_view kind, Diagnostic diagnostic);
+  void add_field(Severity severity, const Where& where, const FieldFault& fault, bool is_missing = false);
 
   bool allow_unsupported_;
   int errors_ = 0;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace crumple::deck {
 
@@ -232,6 +233,8 @@ constexpr Keyword table[] = {
     {"CONTROL_SOLID", read_control_solid, none, false},
     {"CONTROL_SOLUTION", read_control_solution, none, false},
     {"CONTROL_CONTACT", read_control_contact, none, false},
+    {"CONTROL_DYNAMIC_RELAXATION", read_control_dynamic_relaxation, none, false},
+    {"CONTROL_IMPLICIT_GENERAL", read_control_implicit_general, none, false},
 
     {"DATABASE_GLSTAT", read_database<File::Glstat>, none, false},
     {"DATABASE_MATSUM", read_database<File::Matsum>, none, false},
@@ -269,32 +272,6 @@ constexpr Keyword table[] = {
     {"DATABASE_BINARY_RUNRSF", read_database_binary_runrsf, none, false},
 };
 
-constexpr std::string_view is_output = "an output that is not written";
-constexpr std::string_view is_definition = "a definition that nothing supported uses";
-
-constexpr IgnoredRow ignored[] = {
-    {"COMMENT", false, "a remark"},
-    {"KEYWORD_", true, "it names LS-DYNA's files"},
-    {"DATABASE_", true, is_output},
-    {"CONTROL_OUTPUT", false, "it is about LS-DYNA's listings"},
-    {"CONTROL_PARALLEL", false, "threads are chosen on the command line"},
-    {"CONTROL_MPP_", true, "threads are chosen on the command line"},
-    {"CONTROL_CPU", false, "the run has no limit of computing time"},
-    {"CONTROL_REQUIRE_REVISION", false, "it is about LS-DYNA's versions"},
-    {"CONTROL_STRUCTURED", true, "it is about a file that LS-DYNA writes"},
-    {"CONTROL_UNITS", false, "it names the units, which have to agree in any case"},
-    {"DEFINE_BOX_", true, is_definition},
-    {"DEFINE_COORDINATE_", true, is_definition},
-    {"DEFINE_TABLE", true, is_definition},
-    {"DEFINE_VECTOR", true, is_definition},
-    {"SENSOR_DEFINE_", true, is_definition},
-    {"SET_BEAM", true, is_definition},
-    {"SET_DISCRETE", true, is_definition},
-    {"SET_SEGMENT", true, is_definition},
-    {"SET_SHELL", true, is_definition},
-    {"SET_SOLID", true, is_definition},
-};
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -311,7 +288,7 @@ std::string with_three_digits(std::string_view name) {
                      rest.substr(digits));
 }
 
-/// An option that may stand anywhere in the names of a family; its reader looks for it.
+/// An option that may stand anywhere in a name, taken out.
 std::string without_option(std::string name, std::string_view family, std::string_view option) {
   const std::size_t at = name.starts_with(family) ? name.find(option) : std::string::npos;
   const bool is_option =
@@ -319,15 +296,41 @@ std::string without_option(std::string name, std::string_view family, std::strin
   return is_option ? name.erase(at, option.size()) : name;
 }
 
-/// An option that may stand anywhere in the names of a family, put to the end.
-std::string with_last_option(const std::string& name, std::string_view family, std::string_view option) {
-  std::string without = without_option(name, family, option);
-  return without.size() == name.size() ? name : without.append(option);
+/// The words of a name, those behind the first two sorted: options stand in any order. "NODES_TO_SURFACE" is
+/// one.
+std::vector<std::string> words_in_order(std::string_view name) {
+  std::vector<std::string> words;
+  bool goes_on = false;
+  for (std::size_t start = 0; start <= name.size();) {
+    const std::size_t end = std::min(name.find('_', start), name.size());
+    const std::string word(name.substr(start, end - start));
+    if (goes_on || (word == "TO" && !words.empty()))
+      words.back() += "_" + word;
+    else
+      words.push_back(word);
+    goes_on = word == "TO";
+    start = end + 1;
+  }
+  if (words.size() > 2) std::sort(words.begin() + 2, words.end());
+  return words;
 }
 
 const Keyword* find_exact(std::string_view name) {
   const auto found =
       std::find_if(std::begin(table), std::end(table), [&](const Keyword& k) { return k.name == name; });
+  return found == std::end(table) ? nullptr : found;
+}
+
+/// The keyword of this name, or of one whose options stand in another order. The names of materials,
+/// equations of state and controls are no lists of options.
+const Keyword* find_in_any_order(std::string_view name) {
+  if (const Keyword* keyword = find_exact(name)) return keyword;
+  for (const std::string_view family : {"MAT_", "EOS_", "CONTROL_"})
+    if (name.starts_with(family)) return nullptr;
+  const std::vector<std::string> words = words_in_order(name);
+  const auto found = std::find_if(std::begin(table), std::end(table), [&](const Keyword& keyword) {
+    return keyword.name.size() == name.size() && words_in_order(keyword.name) == words;
+  });
   return found == std::end(table) ? nullptr : found;
 }
 
@@ -337,54 +340,20 @@ std::span<const Keyword> keyword_table() {
   return table;
 }
 
-std::span<const IgnoredRow> ignored_table() {
-  return ignored;
+std::string canonical_name(std::string_view name) {
+  return without_option(without_option(with_three_digits(name), "SET_", "_COLLECT"), "CONTACT_", "_MPP");
 }
 
 std::optional<FoundKeyword> find_keyword(std::string_view name) {
-  const std::string number_form =
-      without_option(without_option(with_three_digits(name), "SET_", "_COLLECT"), "CONTACT_", "_MPP");
-  const std::string full = with_last_option(number_form, "RIGIDWALL_", "_ID");
-  if (const Keyword* keyword = find_exact(full)) return FoundKeyword{keyword, none};
-  for (const std::string_view suffix : {"_TITLE", "_ID"}) {
-    if (!full.ends_with(suffix)) continue;
-    const Keyword* keyword = find_exact(std::string_view(full).substr(0, full.size() - suffix.size()));
-    const bool has_form =
-        keyword && (keyword->heading == identity || (keyword->heading == title && suffix == "_TITLE"));
-    if (has_form) return FoundKeyword{keyword, keyword->heading};
-  }
+  const std::string full = canonical_name(name);
+  if (const Keyword* keyword = find_in_any_order(full)) return FoundKeyword{keyword, none};
+  const std::string titled = without_option(full, "", "_TITLE");
+  const std::string named = without_option(titled, "", "_ID");
+  const Keyword* keyword = titled == full ? nullptr : find_in_any_order(titled);
+  if (keyword && keyword->heading != none) return FoundKeyword{keyword, keyword->heading};
+  keyword = named == titled ? nullptr : find_in_any_order(named);
+  if (keyword && keyword->heading == identity) return FoundKeyword{keyword, identity};
   return std::nullopt;
-}
-
-const IgnoredRow* find_ignored(std::string_view name) {
-  const auto found = std::find_if(std::begin(ignored), std::end(ignored), [&](const IgnoredRow& row) {
-    return row.is_prefix ? name.starts_with(row.name)
-                         : name == row.name || name == fmt::format("{}_TITLE", row.name);
-  });
-  return found == std::end(ignored) ? nullptr : found;
-}
-
-std::string related_keywords(std::string_view name) {
-  // The longest common beginning that ends at an underscore, but not less than the first word.
-  std::string_view stem = name;
-  while (!stem.empty()) {
-    const std::size_t cut = stem.rfind('_');
-    stem = cut == std::string_view::npos ? std::string_view() : stem.substr(0, cut);
-    if (stem.empty()) break;
-    std::string names;
-    for (const Keyword& keyword : table) {
-      const bool related =
-          keyword.name == stem || (keyword.name.starts_with(stem) && keyword.name[stem.size()] == '_');
-      const bool has_number = keyword.name.starts_with("MAT_0") || keyword.name.starts_with("EOS_0") ||
-                              keyword.name.starts_with("MAT_S0");
-      const bool is_spring =
-          keyword.name.starts_with("MAT_SPRING_") || keyword.name.starts_with("MAT_DAMPER_");
-      if (related && !has_number && !(is_spring && stem == "MAT"))
-        names += fmt::format("{}*{}", names.empty() ? "" : ", ", keyword.name);
-    }
-    if (!names.empty()) return names;
-  }
-  return {};
 }
 
 }  // namespace crumple::deck

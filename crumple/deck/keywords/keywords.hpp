@@ -43,7 +43,7 @@ struct Keyword {
   bool repeats = true;                      ///< false: a second one replaces the first, with a warning
 };
 
-/// A keyword, or all that start with `name` where `is_prefix`, that may be left out.
+/// A keyword, or all whose name begins with the words of `name` where `is_prefix`, that may be left out.
 struct IgnoredRow {
   std::string_view name;
   bool is_prefix;
@@ -62,14 +62,18 @@ std::span<const Keyword> keyword_table();
 /// All keywords that may be left out.
 std::span<const IgnoredRow> ignored_table();
 
+/// A keyword that the scanner or the reader itself reads, with what it does; null for any other name.
+const IgnoredRow* find_format_keyword(std::string_view name);
+
+/// A name without the options that may stand anywhere and belong to no reader, numbers of materials with
+/// three digits.
+std::string canonical_name(std::string_view name);
+
 /// Looks a name up (upper case, without asterisk); _TITLE and _ID are understood where the keyword has them,
-/// materials may have their number with or without leading zeros.
+/// materials may have their number with or without leading zeros, options may stand in any order.
 std::optional<FoundKeyword> find_keyword(std::string_view name);
 
 /// The row of a keyword that does not change what is computed; null for any other.
 const IgnoredRow* find_ignored(std::string_view name);
-
-/// Names of the supported keywords nearest to one that is not, for the hint; may be empty.
-std::string related_keywords(std::string_view name);
 
 }  // namespace crumple::deck

@@ -118,7 +118,7 @@ void read_section_discrete(Cards& cards, RawDeck& deck) {
     RawDiscreteSection raw;
     raw.section.title = cards.heading().title;
     const Card card = cards.next(section_card);
-    cards.next(section_second_card);
+    cards.next_or_default(section_second_card);
     raw.section.id = card.integer("SECID");
     raw.section.torsional = card.real("DRO") == 1;
     raw.where = card.where();

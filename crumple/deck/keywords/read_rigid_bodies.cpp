@@ -153,8 +153,8 @@ void read_mat_rigid(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(rigid_card);
-    const Card constraint = cards.next(constraint_card);
-    cards.next(output_axes_card);
+    const Card constraint = cards.next_or_default(constraint_card);
+    cards.next_or_default(output_axes_card);
     RawMaterial raw = material_of(heading, card);
     raw.material.law = model::Elastic{card.real("E"), card.real("PR")};
     const Held held = held_of(constraint, cards.report());

@@ -26,7 +26,15 @@ TEST_F(Keywords, SaysWhyOneIsLeftOutAndWhichAreNearToAnUnknownOne) {
   EXPECT_NE(known.out.find("is left out with a warning"), std::string::npos);
   const Result unknown = run({"keywords", "SECTION_SEATBELT"});
   EXPECT_EQ(unknown.code, ExitCode::Input);
-  EXPECT_NE(unknown.err.find("*SECTION_SHELL"), std::string::npos);
+  EXPECT_NE(unknown.err.find("nearest is *SECTION_DISCRETE: "), std::string::npos) << unknown.err;
+}
+
+TEST_F(Keywords, KnowsThoseOfTheFormat) {
+  for (const char* name : {"PARAMETER", "PARAMETER_EXPRESSION", "INCLUDE", "END", "*keyword"}) {
+    const Result result = run({"keywords", name});
+    EXPECT_EQ(result.code, ExitCode::Normal) << name;
+    EXPECT_TRUE(result.err.empty()) << result.err;
+  }
 }
 
 TEST_F(Keywords, TellsProgramsEverything) {

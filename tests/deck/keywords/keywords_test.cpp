@@ -331,7 +331,7 @@ TEST(Unsupported, HarmlessKeywordsAreListed) {
   EXPECT_EQ(result.ignored_keywords[0].keyword, "*DATABASE_SPHOUT");
   EXPECT_EQ(result.ignored_keywords[0].line, 22);
   EXPECT_EQ(result.ignored_keywords[0].count, 2);
-  EXPECT_FALSE(result.ignored_keywords[0].changes_physics);
+  EXPECT_EQ(result.ignored_keywords[0].why, Omission::Harmless);
 }
 
 TEST(Unsupported, CardsBehindTheLastKnownOne) {

@@ -233,9 +233,38 @@ TEST(RigidBodies, WholeBodiesGetTheVelocitiesOfTheirParts) {
   EXPECT_EQ(read_clean(deck.text()).initial_velocities.size(), 5U);
 }
 
-TEST(RigidBodies, NodesOfBodiesAreNeitherHeldNorMovedByThemselves) {
-  const std::string held = message_with("*BOUNDARY_SPC_NODE\n         5         0         1\n");
-  EXPECT_TRUE(has(held, "node 5 belongs to the rigid body 2") && has(held, "CON1")) << held;
+TEST(RigidBodies, NodesThatAreHeldHoldTheirBody) {
+  SmallDeck deck = rigid_deck();
+  deck.material.replace(deck.material.find("       1.0         4"), 20, "       0.0         0");
+  // Node 5 by the keyword, node 6 by the codes of *NODE: z, and the rotations about x and y.
+  deck.more = "*BOUNDARY_SPC_NODE\n         5         0         1\n";
+  const std::string last = "       6             2.0             1.0             0.0";
+  deck.nodes.replace(deck.nodes.find(last), last.size(), last + "       3       4");
+  const ReadResult result = read_deck_text(deck.text());
+  ASSERT_TRUE(result.model.has_value()) << listed(result.diagnostics);
+  const model::RigidBody& body = result.model->rigid_bodies.at(0);
+  EXPECT_EQ(body.fixed_translation, (Axes{true, false, true}));
+  EXPECT_EQ(body.fixed_rotation, (Axes{true, true, false}));
+  EXPECT_TRUE(result.model->fixed_nodes.empty());
+  EXPECT_TRUE(has(
+      listed(result.diagnostics),
+      "warning: *BOUNDARY_SPC_NODE card 1: node 5 belongs to the rigid body 2: its degrees of freedom are "
+      "held at the body's centre of mass, as in LS-DYNA after R11.1"));
+}
+
+TEST(RigidBodies, NodesOfBodiesInLocalAxesAreNotHeldInGlobalOnes) {
+  SmallDeck deck = rigid_deck();
+  deck.material.replace(deck.material.find("       1.0         4         7"), 30,
+                        "      -1.0         9    100000");
+  deck.more =
+      "*DEFINE_COORDINATE_SYSTEM\n9,0,0,0,1,1,0\n-1,1,0\n*BOUNDARY_SPC_NODE\n         5         0         "
+      "1\n";
+  const std::vector<std::string> found = messages(deck);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(has(found[0], "error: *BOUNDARY_SPC_NODE") && has(found[0], "local axes")) << found[0];
+}
+
+TEST(RigidBodies, NodesOfBodiesAreNotMovedByThemselves) {
   const std::string moved =
       message_with("*BOUNDARY_PRESCRIBED_MOTION_NODE\n         5         1         0         1\n");
   EXPECT_TRUE(has(moved, "node 5 belongs to the rigid body 2") && has(moved, "_RIGID")) << moved;

@@ -81,6 +81,8 @@ export interface RunRecord {
   contact?: Record<string, unknown>[];
   checks?: Check[];
   warnings?: string[];
+  /** what of the deck did not take part */
+  left_out?: { name: string; reason: string; count: number; place: string }[];
   parts?: { id: number; title: string }[];
   plane_walls?: PlaneWall[];
 }

@@ -149,8 +149,15 @@ function warnings(run: Run): HTMLElement | null {
   return block("Warnings", h("ul", {}, ...list.map((text) => h("li", {}, text))), true);
 }
 
+function leftOut(run: Run): HTMLElement | null {
+  const list = run.meta.run?.left_out;
+  if (!list || list.length === 0) return null;
+  const rows = list.map((item): Cell[] => [item.name, item.reason, String(item.count), item.place]);
+  return block("Left out of the deck", table(["what", "why", "times", "first at"], rows), true);
+}
+
 export function tables(run: Run): HTMLElement {
-  const blocks = [checks, warnings, parts, contacts, worstElements, facts, energies, timings].map((make) => make(run));
+  const blocks = [checks, warnings, leftOut, parts, contacts, worstElements, facts, energies, timings].map((make) => make(run));
   const data = run.meta;
   const exactness = Math.max(...run.axes.map((axis) => axis.step)) / 2;
   const coarse = data.fields.filter((field) => field.bits === 8).length > 0;

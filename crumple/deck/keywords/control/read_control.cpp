@@ -84,6 +84,28 @@ constexpr Field solid_card[] = {
     unused("TET13K"),  // of implicit runs
 };
 
+constexpr Field relaxation_card[] = {
+    unused("NRCYCK"),
+    unused("DRTOL"),
+    unused("DRFCTR"),
+    unused("DRTERM"),
+    unused("TSSFDR"),
+    unused("IRELAL"),
+    unused("EDTTL"),
+    only("IDRFLG", {0, -999}, "there is no dynamic relaxation before the run; 0 and -999 are without it"),
+};
+
+constexpr Field implicit_card[] = {
+    only("IMFLAG", {0}, "the run is explicit"),
+    unused("DT0"),
+    unused("IMFORM"),
+    unused("NSBS"),
+    unused("IGS"),
+    unused("CNSTN"),
+    unused("FORM"),
+    unused("ZERO_V"),
+};
+
 }  // namespace
 
 void read_title(Cards& cards, RawDeck& deck) {
@@ -104,7 +126,7 @@ void read_control_termination(Cards& cards, RawDeck& deck) {
 }
 
 void read_control_timestep(Cards& cards, RawDeck& deck) {
-  const Card card = cards.next(timestep_card);
+  const Card card = cards.next_or_default(timestep_card);
   deck.control.initial_step = card.real("DTINIT");
   deck.control.step_scale = card.real("TSSFAC");
   constexpr double usual = 0.9;
@@ -118,11 +140,11 @@ void read_control_timestep(Cards& cards, RawDeck& deck) {
 }
 
 void read_control_energy(Cards& cards, RawDeck&) {
-  cards.next(energy_card);
+  cards.next_or_default(energy_card);
 }
 
 void read_control_hourglass(Cards& cards, RawDeck& deck) {
-  const Card card = cards.next(hourglass_card);
+  const Card card = cards.next_or_default(hourglass_card);
   deck.control_hourglass = card.where();
   model::HourglassControl& control = deck.control.hourglass;
   control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
@@ -132,13 +154,23 @@ void read_control_hourglass(Cards& cards, RawDeck& deck) {
 }
 
 void read_control_bulk_viscosity(Cards& cards, RawDeck& deck) {
-  const Card card = cards.next(bulk_viscosity_card);
+  const Card card = cards.next_or_default(bulk_viscosity_card);
   deck.control.bulk_quadratic = card.real("Q1");
   deck.control.bulk_linear = card.real("Q2");
 }
 
 void read_control_accuracy(Cards& cards, RawDeck&) {
-  cards.next(accuracy_card);
+  cards.next_or_default(accuracy_card);
+}
+
+/// The following card is about implicit relaxation.
+void read_control_dynamic_relaxation(Cards& cards, RawDeck&) {
+  cards.next_or_default(relaxation_card);
+  cards.skip_rest();
+}
+
+void read_control_implicit_general(Cards& cards, RawDeck&) {
+  cards.next_or_default(implicit_card);
 }
 
 void read_control_solution(Cards& cards, RawDeck&) {

@@ -70,7 +70,7 @@ constexpr Field card_6[] = {
 }  // namespace
 
 void read_control_contact(Cards& cards, RawDeck& deck) {
-  const Card first = cards.next(card_1);
+  const Card first = cards.next_or_default(card_1);
   deck.control.contact_stiffness_scale = first.real("SLSFAC");
   deck.contact_thickness_option = static_cast<int>(first.real("SHLTHK"));
   for (const Layout layout : {Layout(card_2), Layout(card_3), Layout(card_4), Layout(card_5), Layout(card_6)})

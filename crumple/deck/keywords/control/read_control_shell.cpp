@@ -15,10 +15,10 @@ constexpr Field card_1[] = {
     unused("WRPANG"),  // limit of a warning
     unused("ESORT"),   // triangles are always sorted out
     only("IRNXX", {-1, 0}, "the fibres of Hughes-Liu shells are recomputed in every cycle"),
-    only("ISTUPD", {0, 1},
-         "1 lets the thickness follow the membrane strain; 4, which leaves the elastic part out, is not "
-         "supported, "
-         "take 1"),
+    only("ISTUPD", {0, 1, 2, 3, 4},
+         "1 and 3 let the thickness follow the membrane strain, 0 and 2 do not; 4 would leave out the "
+         "elastic part, "
+         "and is taken as 1"),
     only("THEORY", {2, 0, 1, 4, 6, 10, 16},
          "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 6 Hughes-Liu selectively reduced, 10 "
          "Belytschko-Wong-Chiang, 16 fully integrated"),
@@ -47,8 +47,8 @@ constexpr Field card_3[] = {
 };
 
 constexpr Field card_4[] = {
-    only("NFAIL1", {0}, no_deletion),
-    only("NFAIL4", {0}, no_deletion),
+    only("NFAIL1", {0, 1, 2}, "shells with a negative Jacobian are reported, and stay"),
+    only("NFAIL4", {0, 1, 2}, "shells with a negative Jacobian are reported, and stay"),
     unused("PSNFAIL"),  // for NFAIL1 and NFAIL4
     unused("KEEPCS"),   // for failed elements
     only("DELFR", {0}, no_deletion),
@@ -62,17 +62,32 @@ constexpr Field card_5[] = {
     unused("NLOCDT"),  // for NLOC of *SECTION_SHELL
 };
 
+/// ISTUPD. 2 and 3 add thick shells, which there are none of.
+bool follows_strain(const Card& card, Report& report) {
+  const double option = card.real("ISTUPD");
+  if (option == 4)
+    report.field_warning(
+        card.where(), {"ISTUPD", "4", "0 to 3",
+                       "it is taken as 1: the elastic strain, some thousandths of the thickness in metals, "
+                       "changes it as well",
+                       "elastic thickness"});
+  return option == 1 || option == 3 || option == 4;
+}
+
 }  // namespace
 
 void read_control_shell(Cards& cards, RawDeck& deck) {
-  const Card card = cards.next(card_1);
+  const Card card = cards.next_or_default(card_1);
   deck.control_shell = card.where();
-  deck.control.thickness_change = card.real("ISTUPD") == 1;
+  deck.control.thickness_change = follows_strain(card, cards.report());
   deck.default_formulation = shell_formulation(static_cast<std::int64_t>(card.real("THEORY")));
   deck.warping_stiffness = card.real("BWC") == 1;
   if (cards.has_line()) deck.lobatto_points = cards.next(card_2).real("INTGRD") == 1;
   if (cards.has_line()) cards.next(card_3);
-  if (cards.has_line()) cards.next(card_4);
+  if (cards.has_line()) {
+    const Card failure = cards.next(card_4);
+    deck.distorted_shells = {failure.where(), failure.real("NFAIL1") != 0, failure.real("NFAIL4") != 0};
+  }
   if (cards.has_line()) cards.next(card_5);
 }
 

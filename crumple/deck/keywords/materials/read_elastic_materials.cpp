@@ -86,7 +86,7 @@ void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck) {
     const Card card = cards.next(orthotropic_card);
     const Card second = cards.next(orthotropic_second_card);
     const Card third = cards.next(orthotropic_third_card);
-    const Card fourth = cards.next(orthotropic_fourth_card);
+    const Card fourth = cards.next_or_default(orthotropic_fourth_card);
     RawMaterial raw = material_of(heading, card);
     model::OrthotropicElastic law;
     law.modulus_a = card.real("EA");

@@ -42,7 +42,7 @@ void read_eos_linear_polynomial(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(polynomial_card);
-    const Card second = cards.next(polynomial_second_card);
+    const Card second = cards.next_or_default(polynomial_second_card);
     RawEquationOfState raw = equation_of(heading, card);
     raw.equation.law =
         model::LinearPolynomial{{card.real("C0"), card.real("C1"), card.real("C2"), card.real("C3"),
@@ -57,7 +57,7 @@ void read_eos_gruneisen(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(gruneisen_card);
-    const Card second = cards.next(gruneisen_second_card);
+    const Card second = cards.next_or_default(gruneisen_second_card);
     RawEquationOfState raw = equation_of(heading, card);
     raw.equation.law = model::Gruneisen{card.real("C"),
                                         {card.real("S1"), card.real("S2"), card.real("S3")},

@@ -166,7 +166,7 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(plastic_kinematic_card);
-    const Card rate = cards.next(plastic_kinematic_rate_card);
+    const Card rate = cards.next_or_default(plastic_kinematic_rate_card);
     RawMaterial raw = material_of(heading, card);
     model::PlasticKinematic law;
     law.youngs_modulus = card.real("E");
@@ -189,9 +189,9 @@ void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(piecewise_card);
-    const Card rate = cards.next(piecewise_rate_card);
-    const Card strain = cards.next(strain_card);
-    const Card stress = cards.next(stress_card);
+    const Card rate = cards.next_or_default(piecewise_rate_card);
+    const Card strain = cards.next_or_default(strain_card);
+    const Card stress = cards.next_or_default(stress_card);
     RawMaterial raw = material_of(heading, card);
     model::PiecewiseLinearPlasticity law;
     law.youngs_modulus = card.real("E");

@@ -159,7 +159,7 @@ void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(power_card);
-    const Card second = cards.next(power_second_card);
+    const Card second = cards.next_or_default(power_second_card);
     RawMaterial raw = material_of(heading, card);
     model::PowerLawPlasticity law;
     law.youngs_modulus = card.real("E");
@@ -183,8 +183,8 @@ void read_mat_johnson_cook(Cards& cards, RawDeck& deck) {
     const Heading heading = cards.heading();
     const Card card = cards.next(johnson_cook_card);
     const Card second = cards.next(johnson_cook_second_card);
-    const Card third = cards.next(johnson_cook_third_card);
-    const Card fourth = cards.next(johnson_cook_fourth_card);
+    const Card third = cards.next_or_default(johnson_cook_third_card);
+    const Card fourth = cards.next_or_default(johnson_cook_fourth_card);
     RawMaterial raw = material_of(heading, card);
     model::JohnsonCook law;
     law.poissons_ratio = card.real("PR");

@@ -66,7 +66,7 @@ void read_mat_mooney_rivlin_rubber(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(mooney_rivlin_card);
-    const Card second = cards.next(mooney_rivlin_second_card);
+    const Card second = cards.next_or_default(mooney_rivlin_second_card);
     RawMaterial raw = material_of(heading, card);
     model::MooneyRivlin law;
     law.first = card.real("A");

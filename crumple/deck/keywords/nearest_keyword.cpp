@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What to take instead of a keyword that is not supported, and what would be different then.
+#include "deck/keywords/nearest_keyword.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "deck/keywords/keywords.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+struct Substitute {
+  std::string_view name;     ///< of keywords that begin with it
+  std::string_view keyword;  ///< that is supported; empty if none is near
+  std::string_view change;
+};
+
+// The first that fits counts.
+constexpr Substitute substitutes[] = {
+    {"MAT_VISCOELASTIC", "MAT_ELASTIC",
+     "stresses do not relax, so that the stiffness must be chosen for the time of the impact"},
+    {"MAT_006", "MAT_ELASTIC",
+     "stresses do not relax, so that the stiffness must be chosen for the time of the impact"},
+    {"MAT_GENERAL_VISCOELASTIC", "MAT_ELASTIC", "stresses do not relax"},
+    {"MAT_076", "MAT_ELASTIC", "stresses do not relax"},
+    {"MAT_ELASTIC_PLASTIC_HYDRO", "MAT_JOHNSON_COOK",
+     "takes the equation of state as well; hardening is a power law, without rate effect where C is 0"},
+    {"MAT_010", "MAT_JOHNSON_COOK",
+     "takes the equation of state as well; hardening is a power law, without rate effect where C is 0"},
+    {"MAT_ISOTROPIC_ELASTIC_PLASTIC", "MAT_PLASTIC_KINEMATIC",
+     "the same hardening with BETA = 1, iterated to the end"},
+    {"MAT_012", "MAT_PLASTIC_KINEMATIC", "the same hardening with BETA = 1, iterated to the end"},
+    {"MAT_SOIL_AND_FOAM", "MAT_CRUSHABLE_FOAM",
+     "yield depends on the volume alone, not on shear under pressure"},
+    {"MAT_005", "MAT_CRUSHABLE_FOAM", "yield depends on the volume alone, not on shear under pressure"},
+    {"MAT_STRAIN_RATE_DEPENDENT_PLASTICITY", "MAT_PIECEWISE_LINEAR_PLASTICITY",
+     "yield over strain rate becomes a table in LCSS; modulus and failure do not depend on the rate"},
+    {"MAT_019", "MAT_PIECEWISE_LINEAR_PLASTICITY",
+     "yield over strain rate becomes a table in LCSS; modulus and failure do not depend on the rate"},
+    {"MAT_HONEYCOMB", "MAT_CRUSHABLE_FOAM", "crushing is the same in all directions"},
+    {"MAT_026", "MAT_CRUSHABLE_FOAM", "crushing is the same in all directions"},
+    {"MAT_MODIFIED_HONEYCOMB", "MAT_CRUSHABLE_FOAM", "crushing is the same in all directions"},
+    {"MAT_126", "MAT_CRUSHABLE_FOAM", "crushing is the same in all directions"},
+    {"MAT_FABRIC", "MAT_ORTHOTROPIC_ELASTIC", "the fabric also carries compression, and has no leakage"},
+    {"MAT_034", "MAT_ORTHOTROPIC_ELASTIC", "the fabric also carries compression, and has no leakage"},
+    {"MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC", "MAT_PIECEWISE_LINEAR_PLASTICITY",
+     "yield is the same in all directions"},
+    {"MAT_037", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield is the same in all directions"},
+    {"MAT_3-PARAMETER_BARLAT", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield is the same in all directions"},
+    {"MAT_036", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield is the same in all directions"},
+    {"MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_ORTHOTROPIC_ELASTIC", "the laminate does not fail"},
+    {"MAT_054", "MAT_ORTHOTROPIC_ELASTIC", "the laminate does not fail"},
+    {"MAT_055", "MAT_ORTHOTROPIC_ELASTIC", "the laminate does not fail"},
+    {"MAT_COMPOSITE_DAMAGE", "MAT_ORTHOTROPIC_ELASTIC", "the laminate does not fail"},
+    {"MAT_022", "MAT_ORTHOTROPIC_ELASTIC", "the laminate does not fail"},
+    {"MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_ORTHOTROPIC_ELASTIC", "the laminate does not fail"},
+    {"MAT_058", "MAT_ORTHOTROPIC_ELASTIC", "the laminate does not fail"},
+    {"MAT_LOW_DENSITY_FOAM", "MAT_CRUSHABLE_FOAM", "the foam stays crushed instead of springing back"},
+    {"MAT_057", "MAT_CRUSHABLE_FOAM", "the foam stays crushed instead of springing back"},
+    {"MAT_FU_CHANG_FOAM", "MAT_CRUSHABLE_FOAM",
+     "the foam stays crushed, and its strength does not depend on the rate"},
+    {"MAT_083", "MAT_CRUSHABLE_FOAM", "the foam stays crushed, and its strength does not depend on the rate"},
+    {"MAT_MODIFIED_CRUSHABLE_FOAM", "MAT_CRUSHABLE_FOAM", "the strength does not depend on the strain rate"},
+    {"MAT_163", "MAT_CRUSHABLE_FOAM", "the strength does not depend on the strain rate"},
+    {"MAT_BILKHU/DUBOIS_FOAM", "MAT_CRUSHABLE_FOAM",
+     "yield in shear follows from the curve of uniaxial crushing"},
+    {"MAT_075", "MAT_CRUSHABLE_FOAM", "yield in shear follows from the curve of uniaxial crushing"},
+    {"MAT_OGDEN_RUBBER", "MAT_MOONEY-RIVLIN_RUBBER", "two constants instead of a series, and no relaxation"},
+    {"MAT_077", "MAT_MOONEY-RIVLIN_RUBBER", "two constants instead of a series, and no relaxation"},
+    {"MAT_HYPERELASTIC_RUBBER", "MAT_MOONEY-RIVLIN_RUBBER",
+     "two constants instead of a series, and no relaxation"},
+    {"MAT_SIMPLIFIED_RUBBER", "MAT_MOONEY-RIVLIN_RUBBER",
+     "two constants instead of the measured curve, without strain rate"},
+    {"MAT_181", "MAT_MOONEY-RIVLIN_RUBBER",
+     "two constants instead of the measured curve, without strain rate"},
+    {"MAT_PLASTICITY_WITH_DAMAGE", "MAT_PIECEWISE_LINEAR_PLASTICITY",
+     "elements fail at once instead of softening before"},
+    {"MAT_081", "MAT_PIECEWISE_LINEAR_PLASTICITY", "elements fail at once instead of softening before"},
+    {"MAT_082", "MAT_PIECEWISE_LINEAR_PLASTICITY", "elements fail at once instead of softening before"},
+    {"MAT_SIMPLIFIED_JOHNSON_COOK_ORTHOTROPIC_DAMAGE", "MAT_SIMPLIFIED_JOHNSON_COOK",
+     "there is no damage by direction"},
+    {"MAT_099", "MAT_SIMPLIFIED_JOHNSON_COOK", "there is no damage by direction"},
+    {"MAT_SPOTWELD", "CONSTRAINED_SPOTWELD",
+     "welds are rigid links of two nodes with a failure force instead of deformable elements"},
+    {"MAT_100", "CONSTRAINED_SPOTWELD",
+     "welds are rigid links of two nodes with a failure force instead of deformable elements"},
+    {"MAT_GURSON", "MAT_PIECEWISE_LINEAR_PLASTICITY", "no voids grow; failure is by plastic strain alone"},
+    {"MAT_120", "MAT_PIECEWISE_LINEAR_PLASTICITY", "no voids grow; failure is by plastic strain alone"},
+    {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "MAT_PIECEWISE_LINEAR_PLASTICITY",
+     "failure by thinning (EPSTHIN) and by in-plane major strain (EPSMAJ) is lost; FAIL stays"},
+    {"MAT_123", "MAT_PIECEWISE_LINEAR_PLASTICITY",
+     "failure by thinning (EPSTHIN) and by in-plane major strain (EPSMAJ) is lost; FAIL stays"},
+    {"MAT_PLASTICITY_COMPRESSION_TENSION", "MAT_PIECEWISE_LINEAR_PLASTICITY",
+     "yield is the same in tension and compression"},
+    {"MAT_124", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield is the same in tension and compression"},
+    {"MAT_SAMP-1", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield does not depend on the pressure"},
+    {"MAT_187", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield does not depend on the pressure"},
+    {"MAT_TABULATED_JOHNSON_COOK", "MAT_JOHNSON_COOK", "hardening and failure by formulas instead of tables"},
+    {"MAT_224", "MAT_JOHNSON_COOK", "hardening and failure by formulas instead of tables"},
+    {"MAT_COHESIVE", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK",
+     "the bond breaks at its strength, without fracture energy"},
+    {"MAT_138", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK",
+     "the bond breaks at its strength, without fracture energy"},
+    {"MAT_ARUP_ADHESIVE", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK",
+     "the bond breaks at its strength, without fracture energy"},
+    {"MAT_169", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK",
+     "the bond breaks at its strength, without fracture energy"},
+    {"MAT_240", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK",
+     "the bond breaks at its strength, without fracture energy"},
+    {"MAT_ADD_", "MAT_PIECEWISE_LINEAR_PLASTICITY",
+     "its FAIL erodes shells by plastic strain alone, whatever the stress"},
+    {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", "MAT_SPRING_ELASTIC",
+     "one *ELEMENT_DISCRETE for each direction instead of one beam for six"},
+    {"MAT_066", "MAT_SPRING_ELASTIC", "one *ELEMENT_DISCRETE for each direction instead of one beam for six"},
+    {"MAT_NONLINEAR_", "MAT_SPRING_NONLINEAR_ELASTIC",
+     "one *ELEMENT_DISCRETE for each direction instead of one beam for six"},
+    {"MAT_067", "MAT_SPRING_NONLINEAR_ELASTIC",
+     "one *ELEMENT_DISCRETE for each direction instead of one beam for six"},
+    {"MAT_119", "MAT_SPRING_NONLINEAR_ELASTIC",
+     "one *ELEMENT_DISCRETE for each direction instead of one beam for six"},
+    {"MAT_GENERAL_NONLINEAR_", "MAT_SPRING_NONLINEAR_ELASTIC",
+     "one *ELEMENT_DISCRETE for each direction instead of one beam for six"},
+    {"MAT_CABLE_DISCRETE_BEAM", "MAT_SPRING_NONLINEAR_ELASTIC",
+     "the curve says that there is no force in compression"},
+    {"MAT_071", "MAT_SPRING_NONLINEAR_ELASTIC", "the curve says that there is no force in compression"},
+    {"MAT_SPRING_MAXWELL", "MAT_SPRING_ELASTIC", "the force does not relax"},
+    {"MAT_S07", "MAT_SPRING_ELASTIC", "the force does not relax"},
+    {"MAT_SPRING_GENERAL_NONLINEAR", "MAT_SPRING_NONLINEAR_ELASTIC",
+     "unloading follows the curve of loading"},
+    {"MAT_S06", "MAT_SPRING_NONLINEAR_ELASTIC", "unloading follows the curve of loading"},
+    {"MAT_SPRING_INELASTIC", "MAT_SPRING_NONLINEAR_ELASTIC", "unloading follows the curve of loading"},
+    {"MAT_S08", "MAT_SPRING_NONLINEAR_ELASTIC", "unloading follows the curve of loading"},
+    {"MAT_SEATBELT", "MAT_SPRING_NONLINEAR_ELASTIC",
+     "a spring instead of a belt, without retractor and slip ring"},
+    {"MAT_B01", "MAT_SPRING_NONLINEAR_ELASTIC",
+     "a spring instead of a belt, without retractor and slip ring"},
+    {"ELEMENT_SEATBELT", "ELEMENT_DISCRETE", "a spring instead of a belt, without retractor and slip ring"},
+    {"SECTION_SEATBELT", "SECTION_DISCRETE", "a spring instead of a belt, without retractor and slip ring"},
+    {"ELEMENT_TSHELL", "ELEMENT_SOLID", "several solids through the thickness are needed for bending"},
+    {"SECTION_TSHELL", "SECTION_SOLID", "several solids through the thickness are needed for bending"},
+    {"ELEMENT_SHELL_", "ELEMENT_SHELL_THICKNESS",
+     "offsets and layers of single elements are lost; NLOC of *SECTION_SHELL moves those of a part"},
+    {"ELEMENT_BEAM_", "ELEMENT_BEAM", "the section of the part holds for all of its beams"},
+    {"ELEMENT_SOLID_", "ELEMENT_SOLID", "the axes of the material follow the element"},
+    {"ELEMENT_DISCRETE_", "ELEMENT_DISCRETE", "the spring is straight between its nodes"},
+    {"PART_COMPOSITE", "PART", "one material through the thickness, from *SECTION_SHELL"},
+    {"PART_CONTACT", "PART", "friction and contact thickness come from the contact"},
+    {"PART_", "PART", "the part lacks what the option adds"},
+    {"INTEGRATION_", "SECTION_SHELL", "QR and NIP give Gauss or Lobatto points"},
+    {"INITIAL_STRESS_", "", "the run begins without the stresses and strains of forming"},
+    {"INITIAL_STRAIN_", "", "the run begins without the stresses and strains of forming"},
+    {"INITIAL_VELOCITY_RIGID_BODY", "PART_INERTIA",
+     "its velocities hold at the centre of mass, and mass and inertia must be given"},
+    {"INITIAL_VELOCITY_GENERATION_START_TIME", "INITIAL_VELOCITY_GENERATION",
+     "the velocity holds from time zero"},
+    {"DAMPING_", "", "nothing damps the motion but contact, plasticity and bulk viscosity"},
+    {"BOUNDARY_SPC_", "BOUNDARY_SPC_SET", "the nodes are held during the whole run"},
+    {"BOUNDARY_PRESCRIBED_MOTION_", "BOUNDARY_PRESCRIBED_MOTION_SET",
+     "the motion is along or about a global axis"},
+    {"BOUNDARY_NON_REFLECTING", "", "waves are reflected at the boundary"},
+    {"CONSTRAINED_JOINT_", "CONSTRAINED_RIGID_BODIES", "the bodies do not move against each other"},
+    {"CONSTRAINED_INTERPOLATION", "CONSTRAINED_NODAL_RIGID_BODY",
+     "the independent nodes become rigid as well"},
+    {"CONSTRAINED_TIED_NODES_FAILURE", "CONTACT_TIEBREAK_NODES_TO_SURFACE",
+     "failure is by force instead of plastic strain"},
+    {"CONSTRAINED_LINEAR", "CONSTRAINED_NODE_SET", "the motions are equal instead of in a given ratio"},
+    {"CONSTRAINED_SPOTWELD_", "CONSTRAINED_SPOTWELD", "failure is by the forces of single steps"},
+    {"CONSTRAINED_SHELL_TO_SOLID", "CONTACT_TIED_SHELL_EDGE_TO_SURFACE",
+     "ties the edge of shells to the faces of solids"},
+    {"CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE",
+     "nodes of both sides are stopped, not those of the first alone"},
+    {"CONTACT_ONE_WAY_SURFACE_TO_SURFACE", "CONTACT_SURFACE_TO_SURFACE",
+     "nodes of both sides are stopped, not those of the first alone"},
+    {"CONTACT_AUTOMATIC_BEAMS_TO_SURFACE", "CONTACT_AUTOMATIC_GENERAL",
+     "all parts named touch each other, shells with themselves too"},
+    {"CONTACT_AUTOMATIC_SINGLE_SURFACE_", "CONTACT_AUTOMATIC_SINGLE_SURFACE",
+     "the penalty acts at nodes, not over the area of segments, and nothing is smoothed or tied"},
+    {"CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE",
+     "the penalty acts at nodes, not over the area of segments, and nothing is smoothed or tied"},
+    {"CONTACT_AIRBAG_SINGLE_SURFACE", "CONTACT_AUTOMATIC_SINGLE_SURFACE",
+     "layers of a folded airbag count as any other shells"},
+    {"CONTACT_SPOTWELD", "CONTACT_TIED_SHELL_EDGE_TO_SURFACE",
+     "ties beams to shells in translation and rotation without the weld's failure"},
+    {"CONTACT_TIED_SHELL_EDGE_", "CONTACT_TIED_SHELL_EDGE_TO_SURFACE_BEAM_OFFSET",
+     "springs instead of constraints"},
+    {"CONTACT_TIED_", "CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET", "springs instead of constraints"},
+    {"CONTACT_INTERIOR", "", "solids that are crushed flat stop the run"},
+    {"CONTACT_FORCE_TRANSDUCER_", "CONTACT_FORCE_TRANSDUCER_PENALTY",
+     "forces of all contacts are summed, those by constraint too"},
+    {"CONTACT_ENTITY", "RIGIDWALL_GEOMETRIC_SPHERE", "the shape is fixed in space or moves by a curve"},
+    {"LOAD_BODY_R", "", "the frame does not rotate; there are no centrifugal forces"},
+    {"LOAD_BODY_", "LOAD_BODY_Z", "the acceleration acts on all parts"},
+    {"LOAD_GRAVITY_PART", "LOAD_BODY_Z", "gravity acts on all parts"},
+    {"LOAD_BLAST", "LOAD_SEGMENT_SET",
+     "the pressure is given as a curve over time, the same on all segments"},
+    {"LOAD_THERMAL_", "", "nothing expands with temperature"},
+    {"LOAD_", "LOAD_NODE_SET", "forces on nodes are given as curves over time"},
+    {"RIGIDWALL_PLANAR_", "RIGIDWALL_PLANAR", "friction is the same in all directions"},
+    {"RIGIDWALL_", "RIGIDWALL_PLANAR", "the wall is a plane"},
+    {"AIRBAG_", "LOAD_SEGMENT_SET", "the pressure is given over time, and does not depend on the volume"},
+    {"DEFORMABLE_TO_RIGID", "MAT_RIGID", "the part is rigid during the whole run"},
+    {"DEFINE_CURVE_", "DEFINE_CURVE", "the curve is given by points"},
+    {"DEFINE_FUNCTION", "DEFINE_CURVE", "the function is given by points"},
+    {"DEFINE_FRICTION", "CONTACT_AUTOMATIC_SINGLE_SURFACE",
+     "friction is the same between all parts of a contact"},
+    {"DEFINE_HAZ_", "", "material is the same near welds as elsewhere"},
+    {"DEFINE_CONNECTION_PROPERTIES", "CONSTRAINED_SPOTWELD", "welds fail by normal and shear force"},
+    {"CONTROL_ADAPTIVE", "", "the mesh is not refined during the run"},
+    {"CONTROL_ADAPT", "", "the mesh is not refined during the run"},
+    {"INTERFACE_", "DATABASE_HISTORY_NODE_SET",
+     "motions are written as histories, and cannot drive another run"},
+    {"SECTION_SPH", "", "there are no particles"},
+    {"ELEMENT_SPH", "", "there are no particles"},
+    {"SECTION_", "SECTION_SHELL", "its shells are of uniform material and thickness through the section"},
+};
+
+/// Letters to insert, remove or replace to make one text of another.
+std::size_t edit_distance(std::string_view one, std::string_view other) {
+  std::vector<std::size_t> row(other.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < other.size(); ++j) {
+      const std::size_t replaced = diagonal + (one[i] == other[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+/// MAT_024 and MAT_S02 are numbers: the next one is another law.
+bool is_numbered(std::string_view name) {
+  return name.starts_with("MAT_") || name.starts_with("EOS_")
+             ? name.size() == 7 && name.substr(5).find_first_not_of("0123456789") == std::string_view::npos
+             : false;
+}
+
+/// The keyword whose name differs by at most a few letters; empty if there is none.
+std::string_view mistyped(std::string_view name) {
+  constexpr std::size_t letters_by_error = 8;
+  std::size_t least = std::clamp<std::size_t>(name.size() / letters_by_error, 1, 2) + 1;
+  std::string_view best;
+  if (is_numbered(name)) return best;
+  for (const Keyword& keyword : keyword_table()) {
+    const std::size_t longer = std::max(keyword.name.size(), name.size());
+    if (longer - std::min(keyword.name.size(), name.size()) >= least || is_numbered(keyword.name)) continue;
+    const std::size_t distance = edit_distance(name, keyword.name);
+    if (distance >= least) continue;
+    least = distance;
+    best = keyword.name;
+  }
+  return best;
+}
+
+/// The longest keyword of which the name is a form with more options; empty if there is none.
+std::string_view without_options(std::string_view name) {
+  std::string_view best;
+  for (const Keyword& keyword : keyword_table())
+    if (name.starts_with(keyword.name) && name.size() > keyword.name.size() &&
+        name[keyword.name.size()] == '_' && keyword.name.size() > best.size())
+      best = keyword.name;
+  return best;
+}
+
+}  // namespace
+
+NearestKeyword nearest_keyword(std::string_view name) {
+  const std::string full = canonical_name(name);
+  const bool has_heading = full.ends_with("_TITLE") || full.ends_with("_ID");
+  const std::string_view bare =
+      std::string_view(full).substr(0, has_heading ? full.rfind('_') : std::string_view::npos);
+  // Names of laws and families come before likeness: MAT_025 is not a mistyped MAT_024, BODY_RX no BODY_X.
+  const auto found = std::find_if(std::begin(substitutes), std::end(substitutes), [&](const Substitute& row) {
+    if (!bare.starts_with(row.name)) return false;
+    return bare.size() == row.name.size() || row.name.ends_with('_') || bare[row.name.size()] == '_' ||
+           row.name == "LOAD_BODY_R";
+  });
+  const bool is_broad = found != std::end(substitutes) && found->name.ends_with('_');
+  if (found != std::end(substitutes) && !is_broad) return {found->keyword, std::string(found->change)};
+  if (const std::string_view near = mistyped(bare); !near.empty()) return {near, {}};
+  if (found != std::end(substitutes)) return {found->keyword, std::string(found->change)};
+  if (const std::string_view near = without_options(bare); !near.empty())
+    return {near, fmt::format("it is without what {} adds", bare.substr(near.size()))};
+  return {};
+}
+
+std::string advice_on(std::string_view name) {
+  const NearestKeyword nearest = nearest_keyword(name);
+  if (nearest.keyword.empty())
+    return nearest.change.empty() ? "" : fmt::format("; without it, {}", nearest.change);
+  if (nearest.change.empty()) return fmt::format("; did you mean *{}?", nearest.keyword);
+  return fmt::format("; nearest is *{}: {}", nearest.keyword, nearest.change);
+}
+
+}  // namespace crumple::deck

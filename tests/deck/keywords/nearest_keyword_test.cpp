@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What messages name instead of a keyword that is not supported.
+#include "deck/keywords/nearest_keyword.hpp"
+
+#include <gtest/gtest.h>
+
+#include "deck/keywords/keywords.hpp"
+
+namespace crumple::deck::test::nearest_keyword_test {
+namespace {
+
+TEST(NearestKeyword, OfMistypedNames) {
+  EXPECT_EQ(nearest_keyword("DATABASE_RWFORCE").keyword, "DATABASE_RWFORC");
+  EXPECT_EQ(nearest_keyword("ELEMENT_SHEL").keyword, "ELEMENT_SHELL");
+  EXPECT_EQ(nearest_keyword("CONTACT_AUTOMATIC_SINGEL_SURFACE").keyword, "CONTACT_AUTOMATIC_SINGLE_SURFACE");
+  EXPECT_EQ(advice_on("NODEE"), "; did you mean *NODE?");
+}
+
+TEST(NearestKeyword, OfOtherLawsSaysWhatChanges) {
+  for (const char* name : {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "MAT_123", "MAT_123_TITLE"}) {
+    const NearestKeyword nearest = nearest_keyword(name);
+    EXPECT_EQ(nearest.keyword, "MAT_PIECEWISE_LINEAR_PLASTICITY") << name;
+    EXPECT_NE(nearest.change.find("EPSTHIN"), std::string::npos) << name;
+  }
+  // A number is no mistyped other number.
+  EXPECT_EQ(nearest_keyword("MAT_025").keyword, "");
+  EXPECT_EQ(nearest_keyword("LOAD_BODY_RX").keyword, "");
+  EXPECT_NE(advice_on("LOAD_BODY_RX").find("centrifugal"), std::string::npos);
+  EXPECT_NE(advice_on("DAMPING_GLOBAL").find("damps"), std::string::npos);
+}
+
+TEST(NearestKeyword, OfAFormWithMoreOptionsIsThatWithFewer) {
+  EXPECT_EQ(nearest_keyword("LOAD_NODE_POINT_RAMPED").keyword, "LOAD_NODE_SET");
+  EXPECT_EQ(nearest_keyword("HOURGLASS_SPECIAL").keyword, "HOURGLASS");
+}
+
+TEST(NearestKeyword, NoUnrelatedOne) {
+  EXPECT_EQ(advice_on("BATTERY_ECHEM_CELL"), "");
+}
+
+TEST(NearestKeyword, IsItselfSupported) {
+  for (const char* name : {"MAT_006",
+                           "MAT_026",
+                           "MAT_034",
+                           "MAT_054",
+                           "MAT_057",
+                           "MAT_083",
+                           "MAT_077",
+                           "MAT_100",
+                           "MAT_138",
+                           "MAT_S07",
+                           "MAT_ADD_EROSION",
+                           "ELEMENT_SEATBELT",
+                           "PART_COMPOSITE",
+                           "CONSTRAINED_JOINT_REVOLUTE",
+                           "CONTACT_SPOTWELD",
+                           "AIRBAG_SIMPLE_PRESSURE_VOLUME",
+                           "SECTION_SEATBELT",
+                           "INTEGRATION_SHELL",
+                           "CONTACT_ENTITY",
+                           "INTERFACE_SSI",
+                           "DEFINE_FUNCTION",
+                           "DEFORMABLE_TO_RIGID",
+                           "LOAD_BLAST_ENHANCED",
+                           "BOUNDARY_SPC_SET_BIRTH_DEATH"}) {
+    const NearestKeyword nearest = nearest_keyword(name);
+    EXPECT_TRUE(find_keyword(nearest.keyword)) << name << " " << nearest.keyword;
+    EXPECT_FALSE(nearest.change.empty()) << name;
+  }
+}
+
+TEST(FormatKeywords, AreKnown) {
+  for (const char* name : {"PARAMETER", "PARAMETER_EXPRESSION", "INCLUDE", "END", "KEYWORD"})
+    EXPECT_NE(find_format_keyword(name), nullptr) << name;
+  EXPECT_EQ(find_format_keyword("NODE"), nullptr);
+}
+
+}  // namespace
+}  // namespace crumple::deck::test::nearest_keyword_test
