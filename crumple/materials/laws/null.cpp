@@ -9,7 +9,10 @@ namespace crumple::materials {
 
 std::vector<double> NullLaw::constants(const model::Material& material) {
   const auto& law = std::get<Model>(material.law);
-  require_elastic(material, law.youngs_modulus, law.poissons_ratio);
+  // For contact alone, which takes no stiffness from shells without one.
+  require(law.youngs_modulus >= 0, material, "Young's modulus must not be negative");
+  require(law.poissons_ratio > -1 && law.poissons_ratio < 0.5, material,
+          "Poisson's ratio must be above -1 and below 0.5");
   return {0};
 }
 

@@ -92,5 +92,18 @@ TEST_F(Check, ShellsThatAreInsideOutAtTheEndAreReported) {
   EXPECT_NE(result.err.find("1 shell of part 1 has a negative Jacobian"), std::string::npos) << result.err;
 }
 
+TEST_F(Check, NullShellsWithoutStiffnessRun) {
+  deck::test::SmallDeck deck;
+  deck.termination = "*CONTROL_TERMINATION\n    0.01\n";
+  deck.part = "*PART\nplate\n         1         1         1\n*PART\nskin\n         2         1         2\n";
+  deck.shells = "*ELEMENT_SHELL\n11,1,1,2,3,4\n12,2,2,5,6,3\n";
+  deck.material += "*MAT_NULL\n2,1.0E-6\n";
+  for (const char* contact : {"", "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n\n\n"}) {
+    deck.more = std::string("*INITIAL_VELOCITY\n\n0,0,1\n") + contact;
+    const Result result = run({"run", write("deck.k", deck.text()), "-o", path("out")});
+    EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+  }
+}
+
 }  // namespace
 }  // namespace crumple::app::check_test
