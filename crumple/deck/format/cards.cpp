@@ -289,7 +289,7 @@ bool Cards::read_number(std::size_t index, Card& card) {
       report_->field_error(card.where_, {field.name, std::string(text), "a parameter that is defined",
                                          "define it with *PARAMETER before this line, or give it on the "
                                          "command line with --parameter NAME=NUMBER",
-                                         "parameter"});
+                                         "parameter", upper_case(text)});
       return false;
     }
     text = *substituted;

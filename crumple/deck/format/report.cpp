@@ -69,7 +69,8 @@ void Report::add_field(Severity severity, const Where& where, const FieldFault& 
   const std::string found = fault.read.empty() ? "is blank" : fmt::format("read \"{}\"", fault.read);
   std::string message = prefix(where, fault.field) + found + ", expected " + fault.expected;
   if (!fault.hint.empty()) message += "; " + fault.hint;
-  const std::string kind = fmt::format("{}|{}|{}", where.keyword, fault.field, fault.kind);
+  const std::string kind =
+      fault.cause.empty() ? fmt::format("{}|{}|{}", where.keyword, fault.field, fault.kind) : fault.cause;
   Diagnostic diagnostic;
   diagnostic.message = std::move(message);
   if (is_missing) diagnostic.missing = fmt::format("{} {} {}", where.keyword, fault.field, fault.read);

@@ -26,6 +26,7 @@ struct FieldFault {
   std::string expected;     ///< after "expected "
   std::string hint;         ///< what to do; may be empty
   std::string_view kind{};  ///< faults of one keyword, field and kind are counted together
+  std::string cause{};      ///< those of one cause are, whatever the keyword and field; empty if unknown
 };
 
 /// Collects everything that is to be said about a deck. Of a kind of fault that occurs more often than

@@ -62,6 +62,16 @@ TEST(Resynchronise, ManyOfAKindAreTwoLines) {
   EXPECT_EQ(errors[1], "deck.k:12: error: and 881 more of this kind, last at deck.k:1774");
 }
 
+TEST(Resynchronise, AParameterThatIsNotDefinedIsTwoLinesWhereverItStands) {
+  SmallDeck deck;
+  deck.section = "*SECTION_SHELL\n         1         2\n&thick,&thick,&thick,&thick\n";
+  deck.more = "*CONTROL_TIMESTEP\n0.0,&thick\n";
+  const std::vector<std::string> errors = errors_of(deck);
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_NE(errors[0].find("field T1: read \"&thick\""), std::string::npos) << errors[0];
+  EXPECT_NE(errors[1].find("and 4 more of this kind"), std::string::npos) << errors[1];
+}
+
 TEST(MissingCards, AtTheEndOfAMaterialAreDefaults) {
   for (const char* material :
        {"*MAT_PLASTIC_KINEMATIC\n1,7.83E-6,207.0,0.3,0.2\n",
