@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "deck/format/raw_loads.hpp"
 #include "deck/format/raw_transformation.hpp"
 #include "deck/format/report.hpp"
 #include "model/model.hpp"
@@ -282,28 +283,6 @@ struct RawTiedContact {
   Where where;
 };
 
-/// A force or a moment on a node or on every node of a set.
-struct RawNodalLoad {
-  UserId target = 0;
-  bool is_set = false;
-  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
-  UserId curve = 0;
-  double scale = 1;
-  Where where;
-};
-
-/// A pressure on a segment, or on a shell.
-struct RawPressureLoad {
-  std::array<UserId, 4> node{};
-  UserId shell = 0;        ///< the nodes are this shell's; 0: they are given
-  UserId shell_set = 0;    ///< on all shells of a set
-  UserId segment_set = 0;  ///< on all segments of a set
-  UserId curve = 0;
-  double scale = 1;
-  double arrival = 0;
-  Where where;
-};
-
 /// Two rigid bodies that are one.
 struct RawRigidMerge {
   UserId leading = 0;
@@ -351,35 +330,6 @@ struct RawConstrainedSet {
   UserId node_set = 0;
   std::array<bool, 3> direction{};
   double failure_time = 0;
-  Where where;
-};
-
-struct RawPrescribedMotion {
-  enum class Target { Node, NodeSet, Body };
-  Target target = Target::Node;
-  UserId id = 0;
-  UserId curve = 0;
-  model::PrescribedMotion motion;
-  Where where;
-};
-
-struct RawBodyLoad {
-  model::BodyLoad load;
-  UserId curve = 0;
-  Where where;
-};
-
-struct RawMassDamping {
-  model::MassDamping damping;
-  UserId curve = 0;  ///< 0 is none
-  Where where;
-};
-
-struct RawRigidBodyLoad {
-  UserId body = 0;
-  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
-  UserId curve = 0;
-  double scale = 1;
   Where where;
 };
 
