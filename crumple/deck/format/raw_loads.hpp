@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "base/index.hpp"
 #include "deck/format/report.hpp"
