@@ -160,9 +160,15 @@ constexpr IgnoredRow format_rows[] = {
     {"KEYWORD", false, "begins a deck: LONG=Y, I10=Y"},
     {"END", false, "ends its file"},
     {"INCLUDE", false, "reads other files in this place, their names on the lines below"},
+    {"INCLUDE_PATH", false, "folders in which included files are looked for, one on a line"},
+    {"INCLUDE_PATH_RELATIVE", false, "the same, relative to the folder of this file"},
+    {"INCLUDE_TRANSFORM", false, "reads a file with offsets of its ids and in another place: docs/deck.md"},
     {"PARAMETER", false,
      "defines numbers, type and name in one field, value in the next; &name stands for them"},
-    {"PARAMETER_EXPRESSION", false, "the same with an expression, one on a line"},
+    {"PARAMETER_LOCAL", false, "the same for this file and those that it includes"},
+    {"PARAMETER_EXPRESSION", false, "the same as *PARAMETER with an expression, one on a line"},
+    {"PARAMETER_EXPRESSION_LOCAL", false, "both"},
+    {"PARAMETER_DUPLICATION", false, "DFLAG: what a second value of a parameter does"},
 };
 
 template <std::size_t Count>
