@@ -142,7 +142,7 @@ endfunction()
 set(CRUMPLE_UNITY_LAYERS app compare constraints contact deck domain elements live loads materials model output report
   timeloop)
 set(CRUMPLE_COMPILED_ALONE _history _reader beam_kernels comparison d3plot_state edge_geometry edge_search
-  element_constants forces global_search multipliers numbers page quantity_names read_conditions read_control
+  element_constants forces global_search mass_damping multipliers numbers page quantity_names read_conditions read_control
   read_control_shell read_discretes read_mesh read_parts read_sets read_solids read_walls report_command
   rigid_motion run_record solid_benchmark solid_overlaps sprague_geers stable_steps stop_signals text_file)
 function(crumple_compile_together target layer)
