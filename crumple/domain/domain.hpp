@@ -20,7 +20,7 @@
 // has a slot for each of them; gather_interface() sums the slots in the order of the chunks, so that the
 // sums have the same bits for any number of threads.
 //
-// State: whoever owns an array that changes declares it once to a StateList (state_list.hpp), by name, unit
+// State: the owner of an array that changes declares it once to a StateList (state_list.hpp), by name, unit
 // and entity. The hash, restart files and StateSnapshot follow from the list.
 //
 // Order of calls: build() makes numbering, nodes, conditions, blocks and assembly. Ties and

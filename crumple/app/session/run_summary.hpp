@@ -23,7 +23,7 @@ void print_summary(std::ostream& out, const output::View& view, double loop_seco
 /// The table of acceptance checks, with PASS or FAIL.
 void print_checks(std::ostream& out, const std::vector<output::Check>& checks);
 
-/// What of the deck did not take part, so that whoever reads the results finds it beside them.
+/// What of the deck did not take part, listed beside the results.
 void print_final_omissions(std::ostream& out, const std::vector<output::LeftOut>& list);
 
 /// The files to open.

@@ -11,7 +11,7 @@
 // function for all instruction sets, and the linker would keep any of them.
 namespace crumple::elements {
 
-/// Arrays of one tile, on the stack of whoever works it off.
+/// Arrays of one tile, on the stack of the thread that processes it.
 template <class Real>
 struct TileScratch {
   Real* strain;

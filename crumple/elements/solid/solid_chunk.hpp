@@ -10,7 +10,7 @@
 // As in chunk.hpp every template has the pack among its parameters.
 namespace crumple::elements {
 
-/// Arrays of one tile of solids, on the stack of whoever works it off.
+/// Arrays of one tile of solids, on the stack of the thread that processes it.
 template <class Real>
 struct SolidScratch {
   Real* strain;
