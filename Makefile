@@ -59,11 +59,11 @@ test-full:
 	@$(use_ccache) tools/test_full
 
 nightly:
-	@tools/setup build viewer package test check
+	@tools/setup build viewer package test check docs
 	@$(use_ccache) tools/nightly
 
 check:
-	@tools/setup build test check
+	@tools/setup build test check docs
 	@$(use_ccache) tools/check
 
 docs:

@@ -77,5 +77,6 @@ static_checks() {
   step "style" tools/check_style
   step "format" tools/check_format
   step "headers" tools/check_headers
+  step "documentation" tools/build_docs
   step "tidy" tools/check_tidy "$@"
 }
