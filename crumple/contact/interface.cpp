@@ -131,6 +131,7 @@ struct Interface::Implementation {
     remembered.clear();
     penetrations.clear();
     stored_energy = 0;
+    some_are_behind = false;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const ContactPair& pair = pairs[i];
       const Touch& touch = touches[i];
@@ -140,6 +141,7 @@ struct Interface::Implementation {
       memory.segment = pair.segment;
       memory.side = pair.side;
       memory.wrong = pair.wrong;
+      some_are_behind = some_are_behind || pair.wrong != 0;
       memory.let_go = pair.let_go;
       memory.weight = pair.weight;
       memory.offset = pair.offset;
@@ -227,8 +229,9 @@ struct Interface::Implementation {
       pinballs->find(motion, started == 0);
     } else {
       pairs = local.find(motion, search, remembered, started == 0, deep);
-      count_lost_nodes({&surface, {motion.position.data(), motion.velocity.data(), 0}}, remembered, pairs,
-                       ragged, domain.clock.cycle, domain.contacts[report].lost);
+      if (some_are_behind)
+        count_lost_nodes({&surface, {motion.position.data(), motion.velocity.data(), 0}}, remembered, pairs,
+                         ragged, domain.clock.cycle, domain.contacts[report].lost);
       book_eroded(ragged.lost_energy(remembered, pairs, domain), domain);
       edges.find(motion, started == 0);
       edges.relieve(pairs);
@@ -344,6 +347,7 @@ struct Interface::Implementation {
   double stored_energy = 0;  ///< by the penalties now [energy]
   std::int64_t started = 0;  ///< 1 once the penetrations at the start are known
   RaggedNodes ragged;
+  bool some_are_behind = false;          ///< nodes of `remembered`
   std::span<ContactPair> present_pairs;  ///< between the stages of a step
   std::vector<Touch> touches;
   std::vector<RememberedPair> remembered;
@@ -434,6 +438,7 @@ void Interface::resume(const domain::Domain& domain) {
   const Kinematics motion = present(domain);
   follow_erosion(own.surface, domain);
   own.ragged.resume();
+  own.some_are_behind = std::ranges::any_of(own.remembered, [](const auto& pair) { return pair.wrong != 0; });
   if (own.pinballs) {
     own.pinballs->resume(motion);
     return;

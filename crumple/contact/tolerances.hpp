@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Every tolerance and limit of contact: its value, its unit in brackets, the reason, and what happens beyond
+// The tolerances and limits of contact, each with its unit in brackets, the reason, and what happens beyond
 // it. Ratios have the unit [-] and say what they are over. Most are our own choice; docs/theory/contact.md
 // has the methods in which they stand, and the tests that hold them. The golden hashes depend on nearly all
 // of them.
@@ -81,6 +81,8 @@ inline constexpr double margin_over_edge = 0.4;
 /// Stretch of the path bound over the margin, at which its displacements are measured again [-]. Shorter
 /// ones are measured more often, longer ones bound less tightly. No result depends on it.
 inline constexpr double leg_over_margin = 0.01;
+/// Displacement that ends a stretch when it is measured, over the length up to which it grows unmeasured [-].
+inline constexpr double ended_leg = 0.5;
 /// Steps for which the bound of each step is added up before a stretch is measured again, where measuring
 /// gained little [1].
 inline constexpr int steps_per_sample = 64;
@@ -218,6 +220,8 @@ inline constexpr double borrowed_mass = 0.05;
 /// rotate within a step. Beyond, the force is reduced, and what is withheld is reported.
 inline constexpr double passivity = 5e-4;
 
+/// Budget that normal force and friction use together, over that of a pair that begins [-]: at least so much.
+inline constexpr double budget_with_friction = 2.0;
 /// Least budget of friction over that of a pair that begins [-], whatever the normal force uses.
 inline constexpr double least_friction_budget = 0.1;
 /// Moment of a normal force over force and arm, below which it is round-off and no couple takes it up [-].

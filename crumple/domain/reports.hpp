@@ -72,7 +72,7 @@ struct WithheldForces {
 /// Nodes that were beyond a mid-surface or behind the face of a solid when their contact ended, though
 /// nothing released them: they are where they should not be, and nothing pushes them back.
 struct LostNodes {
-  long count = 0;  ///< pairs
+  long count = 0;
   long cycle = 0;  ///< of the first
   UserId node = 0;
   UserId segment = 0;  ///< shell or solid

@@ -39,6 +39,7 @@ double MassDamping::damp_nodes(domain::Domain& domain) {
   const double half_step = 0.5 * domain.clock.step;
   taken_.assign(static_cast<std::size_t>(pieces(nodes.count(), piece)), 0.0);
   parallel_for(pieces(nodes.count(), piece), domain.execution.threads, [&](Index p) {
+    double taken = 0;
     for (Index i = p * piece; i < std::min((p + 1) * piece, nodes.count()); ++i) {
       if (!nodes.is_free(i)) continue;
       const Push now{-nodes.mass[i] * scaled(nodes.velocity[i], along),
@@ -48,11 +49,11 @@ double MassDamping::damp_nodes(domain::Domain& domain) {
         nodes.force[i].moment[axis] += now.moment[axis];
       }
       Push& last = on_nodes_[static_cast<std::size_t>(i)];
-      taken_[static_cast<std::size_t>(p)] -=
-          half_step * (dot(last.force + now.force, nodes.velocity[i]) +
-                       dot(last.moment + now.moment, nodes.angular_velocity[i]));
+      taken -= half_step * (dot(last.force + now.force, nodes.velocity[i]) +
+                            dot(last.moment + now.moment, nodes.angular_velocity[i]));
       last = now;
     }
+    taken_[static_cast<std::size_t>(p)] = taken;
   });
   double sum = 0;
   for (const double part : taken_) sum += part;
@@ -90,7 +91,6 @@ double MassDamping::stable_share(double undamped_step) const {
 
 void MassDamping::declare(domain::StateList& list) {
   if (!model_->mass_damping) return;
-  list.keep("mass_damping", "1/time", domain::Entity::Run, factor_);
   list.keep_list("mass_damping_nodes", "force", domain::Entity::Node, 6, on_nodes_);
   list.keep_list("mass_damping_bodies", "force", domain::Entity::RigidBody, 6, on_bodies_);
 }

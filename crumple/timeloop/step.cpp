@@ -106,8 +106,8 @@ void Simulation::choose_step() {
   const model::Control& control = model_->control;
   const bool first = domain_.clock.cycle == 0;
   next_step_ = control.step_scale * domain_.clock.element_limit;
-  next_step_ *= mass_damping_.stable_share(domain_.clock.element_limit);
   if (first) largest_step_ = step_growth_limit * next_step_;
+  next_step_ *= mass_damping_.stable_share(domain_.clock.element_limit);
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
   next_step_ = std::min(next_step_, largest_step_);
   for (const contact::Interface& contact : contacts_)

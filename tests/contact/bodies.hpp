@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -253,6 +254,25 @@ inline Vec3 total_moment(const domain::Domain& made) {
   Vec3 sum;
   for (Index i = 0; i < made.nodes.count(); ++i) sum += cross(made.nodes.position[i], made.contact_force[i]);
   return sum;
+}
+
+/// Gives all shells the item that says whether they are active, as if their material could fail.
+inline void make_erodible(domain::Domain& made) {
+  for (domain::ShellBlock& block : made.shells) {
+    const Index active = domain::add_item(block, "active", "-", 1);
+    block.double_state.assign(static_cast<std::size_t>(block.groups()) * block.components * lanes, 0.0);
+    for (Index place = 0; place < block.elements; ++place) block.set_state(place, active, 1);
+  }
+}
+
+/// Lets these shells of the model fail.
+inline void erode(domain::Domain& made, const std::vector<Index>& shells) {
+  for (domain::ShellBlock& block : made.shells)
+    for (Index place = 0; place < block.elements; ++place) {
+      if (std::find(shells.begin(), shells.end(), block.element[place]) == shells.end()) continue;
+      block.set_state(place, block.find("active")->first, 0);
+      ++block.eroded;
+    }
 }
 
 }  // namespace crumple::test

@@ -35,6 +35,15 @@ class CountPlaces(unittest.TestCase):
         self.assertEqual(status, 1, output)
         self.assertIn("crumple/materials/list.hpp: the place to add to is not there", output)
 
+    def test_a_place_that_is_new(self):
+        folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        shutil.copytree(ROOT / "crumple", folder / "crumple")
+        (folder / "crumple" / "app" / "new_place.cpp").write_text("// if this is a CrushableFoam\n")
+        status, output = count(folder)
+        self.assertEqual(status, 1, output)
+        self.assertIn("crumple/app/new_place.cpp: names a sibling", output)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -25,6 +25,7 @@ void apply_options(const Options& options, model::Model& model) {
 deck::ReadOptions reading_of(const Options& options) {
   deck::ReadOptions reading;
   reading.allow_unsupported = options.allow_unsupported;
+  reading.end_time = options.end_time;
   reading.parameters = options.parameters;
   reading.automatic_contact = options.automatic_contact;
   reading.ls_dyna_defaults = options.ls_dyna_defaults;

@@ -3,7 +3,8 @@
 
 // Edges against edges, and beams: what nodes on segments cannot see. Two sheets whose edges cross between
 // their nodes would pass through each other. Free edges of shells take part, with INTERIOR all of them,
-// beams, and the sharp edges of solids; AUTOMATIC_GENERAL alone asks for it.
+// beams, and the sharp edges of solids; AUTOMATIC_GENERAL asks for it, and SOFT = 2
+// with a DEPTH that ends in 5.
 //
 //                second edge
 //                    |

@@ -282,8 +282,9 @@ double Forces::slope_limit(const PenaltyMemory& before, double inverse, double s
 
 /// What a normal force that uses `used` of (omega dt)^2 leaves to friction.
 double Forces::friction_budget(double used) const {
-  return budget_ * std::clamp(std::max(2.0, largest_budget_ / budget_) - used / budget_,
-                              tolerances::least_friction_budget, 1.0);
+  return budget_ *
+         std::clamp(std::max(tolerances::budget_with_friction, largest_budget_ / budget_) - used / budget_,
+                    tolerances::least_friction_budget, 1.0);
 }
 
 /// Friction acts at the two points, which are an arm apart: the nodes of the second take the couple of the

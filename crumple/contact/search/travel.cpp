@@ -35,7 +35,7 @@ void Travel::update(std::span<const Vec3> position, double step_way) {
     return;
   }
   measure(position);
-  if (measured_ <= 0.5 * leg_limit_) return;
+  if (measured_ <= tolerances::ended_leg * leg_limit_) return;
   const bool worth_it = measured_ < tolerances::worth_measuring * steps_;
   end_leg(position);
   if (!worth_it) steps_as_legs_ = tolerances::steps_per_sample;

@@ -126,7 +126,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build.model.output = deck.output;
   build.model.search = deck.search;
   build.model.run = deck.run;
-  build_properties(build);
+  build_properties(build, options);
   check_materials(build);
   build_nodes(build);
   move_nodes(build);

@@ -123,7 +123,7 @@ class Build {
 };
 
 // build_properties.cpp
-void build_properties(Build& build);
+void build_properties(Build& build, const ReadOptions& options);
 // check_materials.cpp
 void check_materials(Build& build);
 // check_parts.cpp

@@ -73,12 +73,17 @@ void hold_body(Index node, Index index, const std::array<bool, 3>& translation,
                     id, body.id));
     return;
   }
+  bool holds_more = false;
   for (std::size_t i = 0; i < 3; ++i) {
+    holds_more = holds_more || (translation[i] && !body.fixed_translation[i]) ||
+                 (rotation[i] && !body.fixed_rotation[i]);
     body.fixed_translation[i] = body.fixed_translation[i] || translation[i];
     body.fixed_rotation[i] = body.fixed_rotation[i] || rotation[i];
   }
+  if (!holds_more) return;
+  // Each body is named, however many there are in a set.
   build.report.warning(
-      where, "rigid",
+      where, "rigid " + std::to_string(body.id),
       fmt::format(
           "node {} belongs to the rigid body {}: its degrees of freedom are held at the body's centre of "
           "mass, as in LS-DYNA after R11.1, which skipped them before; CMO, CON1 and CON2 of *MAT_RIGID "

@@ -3,7 +3,8 @@
 //
 // The run knows curves of points alone, so that the function is sampled: in equal intervals, each of them
 // halved as long as the straight line between its ends is off. That is seen at three places without a common
-// divisor, so that a wave which vanishes at one is seen at another.
+// divisor, so that a wave which vanishes at one is seen at another. Where the function jumps the smallest
+// interval keeps the jump; one that needs more such intervals, points or time than there are is an error.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -26,11 +27,14 @@ class FunctionSampler {
 
  private:
   static constexpr int intervals = 128;
-  static constexpr int most_halvings = 12;
-  static constexpr std::size_t most_points = 200000;
-  static constexpr double tolerance = 1e-5;  ///< of the largest value
+  static constexpr int most_halvings = 13;
+  static constexpr std::size_t most_points = 1000000;
+  static constexpr int most_jumps = 100;
+  static constexpr std::size_t most_work = 200000000;  ///< characters evaluated: some seconds
+  static constexpr double tolerance = 1e-5;            ///< of the largest value
 
   double value_at(double time);
+  void give_up();
   bool is_straight(double from, double at_from, double to, double at_to);
   void refine(double from, double at_from, double to, double at_to, int halvings);
 
@@ -39,6 +43,8 @@ class FunctionSampler {
   Report* report_;
   model::Curve curve_;
   double largest_ = 0;
+  int jumps_ = 0;
+  std::size_t work_ = 0;
   bool failed_ = false;
 };
 
@@ -51,6 +57,7 @@ double FunctionSampler::value_at(double time) {
     if (name == "RTOD") return Number{180 / std::numbers::pi, false};
     return std::nullopt;
   };
+  work_ += raw_->function.size();
   const Evaluated result = evaluate(raw_->function, find, WholeNumbers::AsReal);
   if (result.fault.empty()) return result.number.value;
   failed_ = true;
@@ -60,6 +67,16 @@ double FunctionSampler::value_at(double time) {
                   "and PI",
                   raw_->function, time, result.fault));
   return 0;
+}
+
+void FunctionSampler::give_up() {
+  if (failed_) return;
+  failed_ = true;
+  report_->error(
+      raw_->where, "function",
+      fmt::format("\"{}\" changes too fast or is too long to become a curve of {} points until the end "
+                  "time {}; give its points with *DEFINE_CURVE",
+                  raw_->function, most_points, end_time_));
 }
 
 bool FunctionSampler::is_straight(double from, double at_from, double to, double at_to) {
@@ -72,8 +89,11 @@ bool FunctionSampler::is_straight(double from, double at_from, double to, double
 }
 
 void FunctionSampler::refine(double from, double at_from, double to, double at_to, int halvings) {
-  const bool may_halve = halvings < most_halvings && curve_.abscissa.size() < most_points && !failed_;
-  if (may_halve && !is_straight(from, at_from, to, at_to)) {
+  const bool is_bent = !failed_ && !is_straight(from, at_from, to, at_to);
+  const bool is_jump = is_bent && halvings == most_halvings;
+  jumps_ += is_jump ? 1 : 0;
+  if (jumps_ > most_jumps || curve_.abscissa.size() > most_points || work_ > most_work) give_up();
+  if (is_bent && !is_jump && !failed_) {
     const double middle = from + 0.5 * (to - from);
     const double at_middle = value_at(middle);
     refine(from, at_from, middle, at_middle, halvings + 1);

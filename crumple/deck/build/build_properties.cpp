@@ -234,12 +234,13 @@ void build_spring_materials(Build& build) {
 
 }  // namespace
 
-void build_properties(Build& build) {
+void build_properties(Build& build, const ReadOptions& options) {
   const RawDeck& deck = build.deck;
   model::Model& model = build.model;
+  double end_time = options.end_time.value_or(deck.control.end_time);
+  if (!(end_time > 0)) end_time = 1;
   for (const RawCurve& raw : deck.curves) {
     build.enter(Item::Curve, {raw.curve.id, "LCID", raw.where}, model.curves.size());
-    const double end_time = deck.control.end_time > 0 ? deck.control.end_time : 1;
     model.curves.push_back(raw.function.empty() ? raw.curve : sample_function(raw, end_time, build.report));
   }
   for (std::size_t i = 0; i < deck.tables.size(); ++i)

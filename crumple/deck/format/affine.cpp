@@ -41,6 +41,13 @@ bool Affine::is_shift() const {
   return true;
 }
 
+bool Affine::keeps_axes() const {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (i != j && std::fabs(linear[i][j]) > hardly_any * std::fabs(linear[j][j])) return false;
+  return true;
+}
+
 bool Affine::keeps_lengths() const {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)

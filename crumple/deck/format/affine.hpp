@@ -17,6 +17,8 @@ struct Affine {
   double determinant() const;
   /// It moves without turning, mirroring and scaling.
   bool is_shift() const;
+  /// Whether directions along the global axes stay along them, each its own or the opposite one.
+  bool keeps_axes() const;
   /// It moves, turns and mirrors, but lengths stay.
   bool keeps_lengths() const;
   bool mirrors() const { return determinant() < 0; }

@@ -165,6 +165,7 @@ void Cards::add_offsets(Card& card) {
     const Field& field = card.layout_[i];
     Card::Value& value = card.values_[i];
     value.written = value.integer;
+    value.written_real = value.real;
     if (!field.is_id()) continue;
     const IdKind kind = field.choose != nullptr ? field.choose(card) : field.kind;
     if (kind != IdKind::None) value.integer = placement().id(kind, value.written);

@@ -26,6 +26,8 @@ class Card {
   bool good(std::string_view name) const { return value(name).good; }
   /// An id as the card has it, without the offset of its file.
   std::int64_t written(std::string_view name) const { return value(name).written; }
+  /// A number as the card has it, before the transformation of its file.
+  double written_real(std::string_view name) const { return value(name).written_real; }
   /// By position, for cards that are lists of the same kind of value.
   std::int64_t integer(std::size_t field) const { return values_[field].integer; }
   bool good(std::size_t field) const { return values_[field].good; }
@@ -38,6 +40,7 @@ class Card {
     double real = 0;
     std::int64_t integer = 0;
     std::int64_t written = 0;
+    double written_real = 0;
     std::string_view text;  ///< as written, parameters not replaced
     bool good = true;
   };

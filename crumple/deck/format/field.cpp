@@ -65,6 +65,7 @@ CheckResult check_field(const Field& field, double value, std::string_view text)
   result.fault =
       FieldFault{field.name, std::string(text), expectation(field), std::string(field.check.text), "value"};
   result.is_unsupported = field.check.kind == Check::Kind::Only;
+  result.fault->is_code = result.is_unsupported && field.check.count > 1;
   result.is_harmless = field.check.kind == Check::Kind::Harmless;
   return result;
 }

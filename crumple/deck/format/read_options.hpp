@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@ struct ReadOptions {
   bool automatic_contact = false;
   /// What the deck leaves open about shells is as in LS-DYNA: constant thickness, viscous hourglass control.
   bool ls_dyna_defaults = false;
+  /// The end of the run, in place of that of the deck, for functions of time.
+  std::optional<double> end_time;
   /// Parameters with their values, which go before those of the deck.
   std::vector<std::pair<std::string, std::string>> parameters;
   /// Names that `$crumple method=` may have; empty accepts any.

@@ -69,11 +69,14 @@ void Report::add_field(Severity severity, const Where& where, const FieldFault& 
   const std::string found = fault.read.empty() ? "is blank" : fmt::format("read \"{}\"", fault.read);
   std::string message = prefix(where, fault.field) + found + ", expected " + fault.expected;
   if (!fault.hint.empty()) message += "; " + fault.hint;
-  const std::string kind =
+  std::string kind =
       fault.cause.empty() ? fmt::format("{}|{}|{}", where.keyword, fault.field, fault.kind) : fault.cause;
+  // Each code that is not supported is something else that is missing; a parameter's name is one of the deck.
+  const std::string code = fault.is_code && fault.read.find('&') == std::string::npos ? " " + fault.read : "";
+  kind += code;
   Diagnostic diagnostic;
   diagnostic.message = std::move(message);
-  if (is_missing) diagnostic.missing = fmt::format("{} {} {}", where.keyword, fault.field, fault.read);
+  if (is_missing) diagnostic.missing = fmt::format("{} {}{}", where.keyword, fault.field, code);
   add_entry(severity, bare, kind, std::move(diagnostic));
 }
 

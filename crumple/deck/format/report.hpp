@@ -27,6 +27,7 @@ struct FieldFault {
   std::string hint;         ///< what to do; may be empty
   std::string_view kind{};  ///< faults of one keyword, field and kind are counted together
   std::string cause{};      ///< those of one cause are, whatever the keyword and field; empty if unknown
+  bool is_code = false;     ///< the value is one of a list, and says nothing of the deck it is in
 };
 
 /// Collects everything that is to be said about a deck. Of a kind of fault that occurs more often than

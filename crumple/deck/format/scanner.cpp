@@ -211,17 +211,23 @@ std::vector<Scanner::Name> Scanner::names_of(const Block& block, std::string_vie
     const std::string_view text = trimmed(line.text);
     if (text.empty()) continue;
     if (name.text.empty()) name.where.line = line.number;
-    // A name that needs more than one line goes on behind " +".
-    const bool goes_on = text.ends_with(" +");
-    name.text += goes_on ? trimmed(text.substr(0, text.size() - 2)) : text;
-    if (goes_on) continue;
+    if (append_name(name.text, text)) continue;
     names.push_back(name);
     name.text.clear();
   }
-  if (!name.text.empty())
-    report_->error(name.where, "name",
-                   fmt::format("the name of the {} goes on behind \" +\", but there is no other line", what));
+  if (!name.text.empty()) report_unfinished_name(name.where, what, *report_);
   return names;
+}
+
+bool append_name(std::string& name, std::string_view text) {
+  const bool goes_on = text.ends_with(" +");
+  name += goes_on ? trimmed(text.substr(0, text.size() - 2)) : text;
+  return goes_on;
+}
+
+void report_unfinished_name(const Where& where, std::string_view what, Report& report) {
+  report.error(where, "name",
+               fmt::format("the name of the {} goes on behind \" +\", but there is no other line", what));
 }
 
 void Scanner::read_include(const Block& block, const OpenFile& file) {

@@ -93,4 +93,10 @@ class Scanner {
   std::uint64_t hash_ = 14695981039346656037ULL;
 };
 
+/// Appends a line of a file's or folder's name. True if it goes on in the next line, behind " +".
+bool append_name(std::string& name, std::string_view text);
+
+/// The error of a name that goes on where there is no next line; `what` it is the name of.
+void report_unfinished_name(const Where& where, std::string_view what, Report& report);
+
 }  // namespace crumple::deck

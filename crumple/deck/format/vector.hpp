@@ -31,7 +31,7 @@ inline bool is_finite(const Vector& a) {
 }
 
 /// Right-handed axes of unit length: the first along `first`, the second in the plane that `first` and
-/// `other` span, on the side of `other`. Absent if the two span no plane.
+/// `other` span, on the side of `other`. Absent if the two span no plane, but for rounding.
 inline std::optional<std::array<Vector, 3>> local_axes(const Vector& first, const Vector& other) {
   const auto of_length_one = [](const Vector& a) -> std::optional<Vector> {
     const double length = length_of(a);
@@ -39,8 +39,10 @@ inline std::optional<std::array<Vector, 3>> local_axes(const Vector& first, cons
     return Vector{a[0] / length, a[1] / length, a[2] / length};
   };
   const std::optional<Vector> x = of_length_one(first);
-  const std::optional<Vector> z = of_length_one(cross(first, other));
-  if (!x || !z) return std::nullopt;
+  constexpr double parallel = 1e-9;  // sine of the angle between the two
+  const Vector normal = cross(first, other);
+  const std::optional<Vector> z = of_length_one(normal);
+  if (!x || !z || length_of(normal) <= parallel * length_of(first) * length_of(other)) return std::nullopt;
   return std::array{*x, cross(*z, *x), *z};
 }
 

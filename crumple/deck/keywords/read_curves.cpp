@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/counted.hpp"
+#include "deck/format/numbers.hpp"
 #include "deck/keywords/families.hpp"
 
 namespace crumple::deck {
@@ -88,7 +89,14 @@ bool replace_parameters(std::string& text, const Where& where, const Cards& card
                       name));
       return false;
     }
-    text.replace(at, end - at, fmt::format("({})", *value));
+    // As a number: "1.5+3" is 1500 in a field, and would be a sum in an expression.
+    const std::optional<double> number = parse_real(*value);
+    if (!number) {
+      cards.report().error(where, "parameter",
+                           fmt::format("the parameter {} is \"{}\", expected a number", name, *value));
+      return false;
+    }
+    text.replace(at, end - at, fmt::format("({})", *number));
   }
   return true;
 }

@@ -18,7 +18,7 @@ constexpr Field element_card[] = {
     sized(8, reference("VID")),  // zero: from N1 to N2
     sized(16, real_or_default("S", 1)),
     sized(8, unused("PF")),  // of LS-DYNA's listings
-    sized(16, real("OFFSET")),
+    sized(16, length(real("OFFSET"))),
 };
 
 constexpr Field inertia_card[] = {

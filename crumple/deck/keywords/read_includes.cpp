@@ -44,16 +44,15 @@ constexpr Field unit_card[] = {
 
 constexpr Field transform_card[] = {reference("TRANID")};
 
-/// The name of the file, which may go on behind " +".
+/// The name of the file; empty if it is not finished.
 std::string name_of_file(Cards& cards) {
   std::string name;
   while (cards.has_line()) {
     const std::string line = cards.text_line("the name of a file");
-    const bool goes_on = line.ends_with(" +");
-    name += goes_on ? std::string(trimmed(std::string_view(line).substr(0, line.size() - 2))) : line;
-    if (!line.empty() && !goes_on) break;
+    if (!append_name(name, line) && !line.empty()) return name;
   }
-  return name;
+  if (!name.empty()) report_unfinished_name(cards.where(), "file", cards.report());
+  return {};
 }
 
 void take_offsets(const Card& first, const Card& second, IdOffsets& offsets) {
@@ -72,12 +71,14 @@ void take_offsets(const Card& first, const Card& second, IdOffsets& offsets) {
 }
 
 /// FCTTEM names a change of the unit of temperature.
-void check_temperature(const Card& card, Report& report) {
+void check_temperature(const Card& card, const Cards& cards) {
   const std::string_view text = card.text("FCTTEM");
-  const std::optional<double> number = parse_real(text);
+  const std::optional<std::string> value =
+      Parameters::is_reference(text) ? cards.parameters().substitute(text) : std::nullopt;
+  const std::optional<double> number = parse_real(value ? std::string_view(*value) : text);
   if (text.empty() || (number && (*number == 0 || *number == 1))) return;
-  report.field_unsupported(card.where(), {"FCTTEM", std::string(text), "1, or nothing",
-                                          "the units of a file cannot be changed", "value"});
+  cards.report().field_unsupported(card.where(), {"FCTTEM", std::string(text), "1, or nothing",
+                                                  "the units of a file cannot be changed", "value"});
 }
 
 /// The file goes where the transformation puts it, and from there with the file around it.
@@ -105,12 +106,13 @@ std::vector<Inclusion> read_include_transform(Cards& cards, const RawDeck& deck,
   };
   while (cards.more()) {
     Inclusion inclusion{name_of_file(cards), cards.where(), nullptr};
+    if (inclusion.name.empty()) return inclusions;
     Placement placement = cards.placement();
     const Card first = cards.next(offset_card);
     inclusion.where.line = first.where().line - 1;
     if (const auto second = next_or_blank(other_offset_card)) {
       take_offsets(first, *second, placement.offsets);
-      if (const auto units = next_or_blank(unit_card)) check_temperature(*units, cards.report());
+      if (const auto units = next_or_blank(unit_card)) check_temperature(*units, cards);
       if (const auto transform = next_or_blank(transform_card))
         take_transformation(*transform, deck, placement, cards.report());
     } else if (first.good("IDNOFF")) {

@@ -33,7 +33,7 @@ IdKind kind_of_constraint(const Card& card) {
 constexpr Field constraint_card[] = {
     only("CMO", {0, 1, -1}, "0 is free, 1 holds global axes, -1 those of a coordinate system"),
     signed_id("CON1", kind_of_constraint),
-    axes(integer("CON2")),
+    integer("CON2"),
 };
 
 constexpr Field output_axes_card[] = {
@@ -109,9 +109,23 @@ void take_digits(const Card& card, Held& held, Report& report) {
                         "digits"});
 }
 
-Held held_of(const Card& card, Report& report) {
+/// Those of a coordinate system (CMO = -1) turn with the file; global ones cannot.
+void warn_of_global_axes(const Card& card, const Cards& cards) {
+  const bool holds = card.integer("CON1") != 0 || card.integer("CON2") != 0;
+  if (!holds || cards.placement().map.is_shift()) return;
+  cards.report().field_warning(
+      card.where(),
+      {"CMO", std::string(card.text("CMO")), "axes that turn with the file",
+       "the global axes are taken, though *INCLUDE_TRANSFORM turns or scales the file", "placed"});
+}
+
+Held held_of(const Card& card, const Cards& cards) {
+  Report& report = cards.report();
   Held held;
-  if (card.real("CMO") == 1) take_codes(card, held, report);
+  if (card.real("CMO") == 1) {
+    take_codes(card, held, report);
+    warn_of_global_axes(card, cards);
+  }
   if (card.real("CMO") == -1) take_digits(card, held, report);
   return held;
 }
@@ -133,7 +147,7 @@ void read_nodal_bodies(Cards& cards, RawDeck& deck, const NodalBodyOptions& opti
                                               : cards.placement().id(IdKind::Set, card.written("PID"));
     body.where = card.where();
     if (options.constraints) {
-      const Held held = held_of(cards.next(constraint_card), cards.report());
+      const Held held = held_of(cards.next(constraint_card), cards);
       body.held = held.axes;
       body.held_system = held.system;
     }
@@ -157,7 +171,7 @@ void read_mat_rigid(Cards& cards, RawDeck& deck) {
     cards.next_or_default(output_axes_card);
     RawMaterial raw = material_of(heading, card);
     raw.material.law = model::Elastic{card.real("E"), card.real("PR")};
-    const Held held = held_of(constraint, cards.report());
+    const Held held = held_of(constraint, cards);
     raw.material.rigid = held.axes;
     raw.held_system = held.system;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));

@@ -243,8 +243,13 @@ void add_general(const Card& card, std::span<const Option> options, const Affine
   if (option == options.end()) {
     std::string names;
     for (const Option& known : options) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-    report.field_unsupported(card.where(), {"OPTION", std::string(card.text("OPTION")), "one of " + names,
-                                            "others are not supported", "option"});
+    report.field_unsupported(card.where(), {"OPTION",
+                                            std::string(card.text("OPTION")),
+                                            "one of " + names,
+                                            "others are not supported",
+                                            "option",
+                                            {},
+                                            true});
     return;
   }
   RawMember member = member_of(card, "OPTION", 0);
@@ -276,15 +281,12 @@ void read_general(Cards& cards, std::vector<RawSet>& sets, std::span<const Optio
 
 /// The box in the place to which its file goes; it has its sides along the global axes there, too.
 void place_box(const Card& card, const Affine& map, RawBox& box, Report& report) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (i != j && map.linear[i][j] != 0) {
-        report.error(
-            card.where(), "placed",
-            "*INCLUDE_TRANSFORM turns the file, and boxes have their sides along the global axes; give "
-            "the box outside of the file");
-        return;
-      }
+  if (!map.keeps_axes()) {
+    report.error(card.where(), "placed",
+                 "*INCLUDE_TRANSFORM turns the file, and boxes have their sides along the global axes; give "
+                 "the box outside of the file");
+    return;
+  }
   const Vector one = map.of_point(box.lowest);
   const Vector other = map.of_point(box.highest);
   for (std::size_t i = 0; i < 3; ++i) {

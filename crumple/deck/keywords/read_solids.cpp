@@ -104,7 +104,7 @@ model::SolidFormulation formulation_of(const Card& card, Report& report) {
                                ? std::string(take_hexahedron)
                                : fmt::format("{} is {}; {}", number, form->name, form->instead);
   report.field_unsupported(card.where(),
-                           {"ELFORM", std::string(card.text("ELFORM")), supported, hint, "value"});
+                           {"ELFORM", std::string(card.text("ELFORM")), supported, hint, "value", {}, true});
   return fallback;
 }
 

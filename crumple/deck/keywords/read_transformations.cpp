@@ -26,7 +26,8 @@ constexpr Field node_transform_card[] = {
     unused("IMMED"),  // when in the reading the nodes are moved
 };
 
-/// A point that lines of a transformation refer to, with the coordinates that its line has.
+/// A point that lines of a transformation refer to, with the coordinates that its line has. Codes differ in
+/// what the lines before make of it, so that it can only be used where none has moved anything.
 struct NamedPoint {
   double id = 0;
   Vector x{};
@@ -43,7 +44,10 @@ class TransformationLines {
 
  private:
   Vector values(const Card& card, std::size_t first) const;
-  void apply(const Affine& step) { map_ = then(map_, step); }
+  void apply(const Affine& step) {
+    map_ = then(map_, step);
+    has_moved_ = true;
+  }
   void scale(const Card& card);
   void rotate(const Card& card);
   void mirror(const Card& card);
@@ -52,6 +56,7 @@ class TransformationLines {
 
   Report* report_;
   Affine map_;
+  bool has_moved_ = false;
   std::vector<NamedPoint> points_;
 };
 
@@ -77,12 +82,15 @@ void TransformationLines::take(const Card& card) {
   else if (option == "POS6P")
     place_by_points(card);
   else
-    report_->field_unsupported(
-        card.where(),
-        {"OPTION", std::string(card.text("OPTION")), "TRANSL, ROTATE, SCALE, MIRROR, POINT or POS6P",
-         "others are not supported; two POINTs and ROTATE, or six and POS6P, "
-         "do what those by nodes do",
-         "option"});
+    report_->field_unsupported(card.where(),
+                               {"OPTION",
+                                std::string(card.text("OPTION")),
+                                "TRANSL, ROTATE, SCALE, MIRROR, POINT or POS6P",
+                                "others are not supported; two POINTs and ROTATE, or six and POS6P, "
+                                "do what those by nodes do",
+                                "option",
+                                {},
+                                true});
 }
 
 void TransformationLines::scale(const Card& card) {
@@ -93,8 +101,9 @@ void TransformationLines::scale(const Card& card) {
 }
 
 void TransformationLines::rotate(const Card& card) {
-  const bool by_points =
-      card.real("A4") == 0 && card.real("A5") == 0 && card.real("A6") == 0 && card.real("A7") == 0;
+  // By points A1 and A2 are ids and A3 is the angle; an angle A7 of zero leaves the same fields blank.
+  const bool by_points = card.real("A1") != 0 && card.real("A2") != 0 && card.real("A4") == 0 &&
+                         card.real("A5") == 0 && card.real("A6") == 0 && card.real("A7") == 0;
   Vector axis = values(card, 0);
   Vector point = values(card, 3);
   double degrees = card.real("A7");
@@ -160,7 +169,15 @@ std::optional<Vector> TransformationLines::point_of(const Card& card, std::strin
   const double id = card.real(field);
   const auto found =
       std::find_if(points_.begin(), points_.end(), [&](const NamedPoint& point) { return point.id == id; });
-  if (found != points_.end()) return found->x;
+  if (found != points_.end()) {
+    if (has_moved_)
+      report_->field_unsupported(
+          card.where(), {field, std::string(card.text(field)), "a point before all lines that move",
+                         "whether such a line moves the point as well differs from code to code; put lines "
+                         "with points first, or give the axis by its direction",
+                         "moved point"});
+    return found->x;
+  }
   if (card.good(field))
     report_->field_error(card.where(), {field, std::string(card.text(field)), "the id of a point",
                                         "define it with a line POINT before this one", "point"});

@@ -36,24 +36,6 @@ std::vector<Index> gone() {
 
 constexpr Index lonely_node = 9 * 7 + 4 * 7 + 3;
 
-/// Gives all shells the item that says whether they are active.
-void prepare(domain::Domain& made) {
-  for (domain::ShellBlock& block : made.shells) {
-    const Index active = domain::add_item(block, "active", "-", 1);
-    block.double_state.assign(static_cast<std::size_t>(block.groups()) * block.components * lanes, 0.0);
-    for (Index place = 0; place < block.elements; ++place) block.set_state(place, active, 1);
-  }
-}
-
-void erode(domain::Domain& made, const std::vector<Index>& shells) {
-  for (domain::ShellBlock& block : made.shells)
-    for (Index place = 0; place < block.elements; ++place) {
-      if (std::find(shells.begin(), shells.end(), block.element[place]) == shells.end()) continue;
-      block.set_state(place, block.find("active")->first, 0);
-      ++block.eroded;
-    }
-}
-
 /// Positions by model node: every sheet swings on its own.
 std::vector<Vec3> swing(const Bodies& bodies, int cycle) {
   std::vector<Vec3> x;
@@ -85,11 +67,11 @@ void expect_as_if_never_been(model::LocalSearchKind kind) {
                 : shell + 1;
   domain::Domain eroded = whole.build();
   domain::Domain never = holed.build();
-  prepare(eroded);
+  test::make_erodible(eroded);
   contact::Interface one = whole.attach(eroded);
   contact::Interface other = holed.attach(never);
   one.verify_search_every(1);
-  erode(eroded, without);
+  test::erode(eroded, without);
   double largest = 0;
   double difference = 0;
   for (int cycle = 0; cycle < 60; ++cycle) {
@@ -123,7 +105,7 @@ TEST(Eroded, PinballsTouchAsIfTheyHadNeverBeen) {
 TEST(Eroded, ShellsLetGoAtOnceAndTheirLonelyNodesToo) {
   const Bodies bodies = stack();
   domain::Domain made = bodies.build();
-  prepare(made);
+  test::make_erodible(made);
   contact::Interface touching = bodies.attach(made);
   touching.verify_search_every(1);
   for (int cycle = 0; cycle < 10; ++cycle) move_to(touching, made, swing(bodies, cycle));
@@ -138,7 +120,7 @@ TEST(Eroded, ShellsLetGoAtOnceAndTheirLonelyNodesToo) {
   EXPECT_TRUE(gone_touches());
   EXPECT_GT(norm(made.contact_force[test::at(made, lonely_node)]), 0);
   const long searches = made.contacts[0].searches;
-  erode(made, gone());
+  test::erode(made, gone());
   for (int cycle = 10; cycle < 30; ++cycle) {
     ASSERT_NO_THROW(move_to(touching, made, swing(bodies, cycle)));
     EXPECT_FALSE(gone_touches());
@@ -151,14 +133,14 @@ TEST(Eroded, ShellsLetGoAtOnceAndTheirLonelyNodesToo) {
 TEST(Eroded, NeighboursHaveFreeEdges) {
   const Bodies bodies = stack();
   domain::Domain made = bodies.build();
-  prepare(made);
+  test::make_erodible(made);
   contact::Surface surface = contact::build_surface(bodies.model, made, bodies.contact);
   const auto free_edges = [&] {
     return std::count(surface.topology.kind.begin(), surface.topology.kind.end(), contact::EdgeKind::Free);
   };
   const auto before = free_edges();
   EXPECT_FALSE(contact::follow_erosion(surface, made));
-  erode(made, gone());
+  test::erode(made, gone());
   EXPECT_TRUE(contact::follow_erosion(surface, made));
   EXPECT_FALSE(contact::follow_erosion(surface, made));
   // The hole has a rim of 8; the corner shell takes two free edges along and leaves two.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/bodies.hpp"
+#include "support/meshes.hpp"
 
 namespace crumple::lost_nodes_test {
 namespace {
@@ -19,7 +20,8 @@ constexpr double step = 1e-4;
 /// A sheet of 6 x 4 unit squares in z = 0 and a triangle above it that stands on its tip, which is then shot
 /// through the sheet in one step, to {1.45, 1.3, -0.09}.
 struct ShotTip {
-  ShotTip() : bodies(0.1) {
+  explicit ShotTip(double release_depth = 0) : bodies(0.1) {
+    bodies.contact.release_depth = release_depth;
     sheet = bodies.sheet(6, 4, [](double u, double v) { return Vec3{6 * u, 4 * v, 0}; });
     const Vec3 start{1.4, 1.3, 0.3};
     tip = bodies.node(start);
@@ -81,6 +83,73 @@ TEST(LostNodes, OneThatSlidesOverAFreeEdgeIsNot) {
   scene.move({1.5, -0.4, -0.09});
   EXPECT_EQ(scene.touching[0].statistics().nodes_astray, 0);
   EXPECT_EQ(scene.lost().count, 0);
+}
+
+/// PENMAX lets a node go that is too deep: that is no loss.
+TEST(LostNodes, OneThatIsTooDeepIsNot) {
+  ShotTip scene(0.1);
+  ASSERT_EQ(scene.lost().count, 0);
+  scene.move({4.6, 2.4, -0.09});
+  EXPECT_EQ(scene.lost().count, 0);
+}
+
+TEST(LostNodes, OneWhoseShellErodesIsNot) {
+  ShotTip scene;
+  test::make_erodible(scene.made);
+  test::erode(scene.made, {1 * 4 + 1});
+  scene.move({1.45, 1.3, -0.1});
+  EXPECT_EQ(scene.touching[0].statistics().nodes_astray, 0);
+  EXPECT_EQ(scene.lost().count, 0);
+}
+
+/// A block of 6 x 2 x 1 elements, 6 x 2 x 1 in size, below z = 0, and a small one whose lowest nodes are 0.01
+/// above it and then 0.05 below its upper side.
+struct SunkBlock {
+  SunkBlock() : bodies(0.1) {
+    bodies.model.solid_sections.resize(1);
+    bodies.model.parts.push_back({.id = 2, .title = "second"});
+    for (model::Part& part : bodies.model.parts) {
+      part.section = no_index;
+      part.solid_section = 0;
+      part.material = 0;
+    }
+    bodies.contact.side[0].parts = {0, 1};
+    test::add_box(bodies.model, 0, 6, 2, 1, [](double u, double v, double w) {
+      return test::Point{6 * u, 2 * v, w - 1};
+    });
+    small = test::add_box(bodies.model, 1, 1, 1, 1, [](double u, double v, double w) {
+      return test::Point{0.4 + 0.2 * u, 0.4 + 0.2 * v, 0.01 + 0.2 * w};
+    });
+    made = bodies.build();
+    touching.emplace_back(bodies.attach(made));
+    test::add_forces(touching[0], made);
+    move({0, 0, -0.06});
+  }
+  void move(const Vec3& by) {
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    for (Index n = small; n < small + 8; ++n) x[at(made, n)] += by;
+    test::move_to(touching[0], made, x, step);
+  }
+
+  Bodies bodies;
+  Index small = 0;
+  domain::Domain made;
+  std::vector<contact::Interface> touching;
+};
+
+TEST(LostNodes, OnesThatLeaveTheirFaceWithinTheSolidAreCounted) {
+  SunkBlock scene;
+  ASSERT_GT(scene.made.contacts[0].penetration, 0.04);
+  EXPECT_EQ(scene.made.contacts[0].lost.count, 0);
+  scene.move({4.05, 0, 0});
+  EXPECT_EQ(scene.made.contacts[0].lost.count, 4);
+}
+
+TEST(LostNodes, OnesThatLeaveOverTheRimOfTheirFaceAreNot) {
+  SunkBlock scene;
+  scene.move({0, -3, 0});
+  EXPECT_EQ(scene.made.contacts[0].lost.count, 0);
+  EXPECT_EQ(scene.made.contacts[0].penetration, 0);
 }
 
 }  // namespace

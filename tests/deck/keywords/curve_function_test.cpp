@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "../small_deck.hpp"
 
@@ -48,6 +49,39 @@ TEST(CurveFunction, WavesThatVanishAtEqualIntervalsAreSeen) {
   // Zero at all of 128 intervals of 2.5.
   const model::Curve curve = curve_of("sin(128*2*pi*TIME/2.5)");
   EXPECT_NEAR(curve.at(2.5 / 128 / 4), 1, 1e-3);
+}
+
+TEST(CurveFunction, FastOnesAreFollowedToTheEndOrRefused) {
+  const model::Curve curve = curve_of("sin(1000*TIME)");
+  double worst = 0;
+  for (int i = 0; i <= 99991; ++i) {
+    const double t = 2.5 * i / 99991;
+    worst = std::max(worst, std::fabs(curve.at(t) - std::sin(1000 * t)));
+  }
+  EXPECT_LT(worst, 2e-5);
+  const std::vector<std::string> refused = messages_with("*DEFINE_CURVE_FUNCTION\n5\nsin(1e6*TIME)\n");
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_NE(refused[0].find("changes too fast"), std::string::npos) << refused[0];
+}
+
+TEST(CurveFunction, JumpsAreKept) {
+  const model::Curve curve = curve_of("sign(1, TIME - 1.2345)");
+  EXPECT_NEAR(curve.at(1.2344), -1, 1e-12);
+  EXPECT_NEAR(curve.at(1.2346), 1, 1e-12);
+}
+
+TEST(CurveFunction, ParametersAreNumbersAsInFields) {
+  EXPECT_NEAR(curve_of("&rate*TIME", "*PARAMETER\nR rate,1.5+3\n").at(2), 3000, 1e-9);
+}
+
+TEST(CurveFunction, ReachesTheEndOfTheRunNotOfTheDeck) {
+  SmallDeck deck;
+  deck.more = "*DEFINE_CURVE_FUNCTION\n5\nTIME\n*LOAD_NODE_POINT\n5,1,5\n";
+  ReadOptions options;
+  options.end_time = 10;
+  const ReadResult result = read_deck_text(deck.text(), options);
+  ASSERT_TRUE(result.model.has_value());
+  EXPECT_NEAR(result.model->curves.at(0).at(8), 8, 1e-12);
 }
 
 }  // namespace

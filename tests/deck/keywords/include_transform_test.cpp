@@ -247,5 +247,75 @@ TEST(IncludePath, RelativeToTheFileOnDisk) {
   EXPECT_EQ(result.model->shells.size(), 2U);
 }
 
+// Whether TRANSL moves the points differs from code to code.
+TEST(IncludeTransform, PointsAreTakenBeforeAllLinesThatMove) {
+  const std::string points = "POINT,1,0,0,0\nPOINT,2,0,0,1\n";
+  const ReadResult result = read(including(points + "TRANSL,100,0,0\nROTATE,1,2,90\n"), SmallDeck().text());
+  EXPECT_TRUE(has_error(result, "differs from code to code")) << listed(result.diagnostics);
+  expect_position(model_of(including(points + "ROTATE,1,2,90\nTRANSL,100,0,0\n"), SmallDeck().text()), 1,
+                  {100, 1, 0});
+}
+
+TEST(IncludeTransform, PointsOnALineButForRoundingSpanNoPlane) {
+  const std::string lines =
+      "POINT,1,0,0,0\nPOINT,2,0.1,0.2,0.3\nPOINT,3,0.3,0.6,0.9\nPOINT,4,0,0,0\nPOINT,5,1,0,0\nPOINT,6,0,1,0\n"
+      "POS6P,1,2,3,4,5,6\n";
+  EXPECT_TRUE(has_error(read(including(lines), SmallDeck().text()), "they lie on one line"));
+}
+
+TEST(IncludeTransform, AnAngleOfZeroTurnsNothing) {
+  expect_position(model_of(including("ROTATE,0,0,1,0,0,0,0\n"), SmallDeck().text()), 1, {1, 0, 0});
+}
+
+TEST(IncludeTransform, HalfATurnKeepsBoxes) {
+  SmallDeck deck;
+  deck.more = "*DEFINE_BOX\n4,0.5,9,-9,9,-9,9\n*SET_NODE_GENERAL\n3\nBOX,4\n";
+  const model::Model model = model_of(including("ROTATE,0,0,1,0,0,0,180\n"), deck.text());
+  const model::Model straight = model_of(including(""), deck.text());
+  ASSERT_EQ(model.node_sets.size(), 1U);
+  EXPECT_FALSE(model.node_sets[0].nodes.empty());
+  EXPECT_EQ(model.node_sets[0].nodes, straight.node_sets.at(0).nodes);
+}
+
+// The codes of CON1 and CON2 name global axes, which do not turn; digits for a system of the file do.
+TEST(IncludeTransform, RigidBodiesHeldAlongGlobalAxesAreNamedWhereTheFileTurns) {
+  SmallDeck deck;
+  deck.material = "*MAT_RIGID\n1,7.83E-6,207.0,0.3\n1.0,4,7\n\n";
+  const std::string warning = "the global axes are taken";
+  EXPECT_NE(listed(read(including("ROTATE,0,0,1,0,0,0,90\n"), deck.text()).diagnostics).find(warning),
+            std::string::npos);
+  EXPECT_EQ(listed(read(including("TRANSL,1,0,0\n"), deck.text()).diagnostics).find(warning),
+            std::string::npos);
+}
+
+// NX = -999 means two nodes; so does a parameter of that value, which a transformation must not turn.
+TEST(IncludeTransform, AnAxisByTwoNodesIsRefusedInAnyForm) {
+  SmallDeck deck;
+  for (const char* nx : {"-999", "-999.0", "&axis"}) {
+    deck.more = "*PARAMETER\nI axis,-999\n*INITIAL_VELOCITY_GENERATION\n1,2,1.0,0,0,0\n0,0,0," +
+                std::string(nx) + ",0,1\n";
+    const ReadResult result = read(including("ROTATE,0,0,1,0,0,0,90\n"), deck.text());
+    EXPECT_TRUE(has_error(result, "an axis through two nodes")) << nx << listed(result.diagnostics);
+  }
+}
+
+TEST(IncludeTransform, ANameMustEnd) {
+  const ReadResult result = read_deck_text("*KEYWORD\n*INCLUDE_TRANSFORM\npart +\n*END\n");
+  EXPECT_TRUE(has_error(result, "there is no other line")) << listed(result.diagnostics);
+}
+
+// 8^12 members if each were followed again.
+TEST(NodeTransform, ReadsNestedSetsOnce) {
+  std::string sets = "*SET_NODE_LIST\n1\n1\n";
+  for (int level = 2; level <= 13; ++level) {
+    sets += "*SET_NODE_ADD\n" + std::to_string(level) + "\n";
+    for (int i = 0; i < 8; ++i) sets += (i > 0 ? "," : "") + std::to_string(level - 1);
+    sets += "\n";
+  }
+  const model::Model model =
+      read_with("*DEFINE_TRANSFORMATION\n9\nTRANSL,0,0,0.1\n" + sets + "*NODE_TRANSFORM\n9,13\n");
+  expect_position(model, 0, {0, 0, 0.1});
+}
+
 }  // namespace
 }  // namespace crumple::deck::test::include_transform_test

@@ -252,6 +252,29 @@ TEST(RigidBodies, NodesThatAreHeldHoldTheirBody) {
       "held at the body's centre of mass, as in LS-DYNA after R11.1"));
 }
 
+TEST(RigidBodies, EachBodyThatIsHeldIsNamedOnce) {
+  SmallDeck deck = rigid_deck();
+  deck.material.replace(deck.material.find("       1.0         4"), 20, "       0.0         0");
+  deck.part.replace(deck.part.find("         1         1         1"), 30, "         1         1         3");
+  deck.material += "*MAT_RIGID\n         3   7.83E-6     207.0       0.3\n\n\n";
+  deck.shells =
+      "*ELEMENT_SHELL\n"
+      "      11       1       1       2       3       4\n"
+      "      12       2       5       6       7       8\n";
+  deck.nodes +=
+      "       7             3.0             1.0             0.0\n"
+      "       8             3.0             0.0             0.0\n";
+  deck.more =
+      "*SET_NODE_LIST\n         1\n         1         2         5         6\n"
+      "*BOUNDARY_SPC_SET\n         1         0         1\n";
+  std::vector<std::string> held;
+  for (const std::string& message : messages(deck))
+    if (has(message, "degrees of freedom are held at")) held.push_back(message);
+  ASSERT_EQ(held.size(), 2U);
+  EXPECT_TRUE(has(held[0], "node 1 belongs to the rigid body 1")) << held[0];
+  EXPECT_TRUE(has(held[1], "node 5 belongs to the rigid body 2")) << held[1];
+}
+
 TEST(RigidBodies, NodesOfBodiesInLocalAxesAreNotHeldInGlobalOnes) {
   SmallDeck deck = rigid_deck();
   deck.material.replace(deck.material.find("       1.0         4         7"), 30,

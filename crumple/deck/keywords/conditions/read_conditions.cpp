@@ -93,7 +93,7 @@ void take_rotation(const Card& card, double omega, RawVelocity& velocity, Report
   constexpr double nodes_give_axis = -999;
   std::array<double, 3> axis = {card.real("NX"), card.real("NY"), card.real("NZ")};
   const double length = std::hypot(axis[0], axis[1], axis[2]);
-  if (parse_real(card.text("NX")) == nodes_give_axis) {
+  if (card.written_real("NX") == nodes_give_axis) {
     report.field_unsupported(card.where(), {"NX", "-999", "the direction of the axis",
                                             "an axis through two nodes is not supported", "axis"});
     return;

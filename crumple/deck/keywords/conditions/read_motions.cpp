@@ -48,12 +48,12 @@ constexpr Field rigid_body_load_card[] = {
 constexpr Field damping_card[] = {
     reference("LCID"),
     real("VALDMP", 0, not_negative),
-    real("STX", 0, not_negative),
-    real("STY", 0, not_negative),
-    real("STZ", 0, not_negative),
-    real("SRX", 0, not_negative),
-    real("SRY", 0, not_negative),
-    real("SRZ", 0, not_negative),
+    axes(real("STX", 0, not_negative)),
+    axes(real("STY", 0, not_negative)),
+    axes(real("STZ", 0, not_negative)),
+    axes(real("SRX", 0, not_negative)),
+    axes(real("SRY", 0, not_negative)),
+    axes(real("SRZ", 0, not_negative)),
 };
 
 bool check_direction(const Card& card, Report& report) {

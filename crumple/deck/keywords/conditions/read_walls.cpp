@@ -53,7 +53,7 @@ constexpr Field flat_card[] = {
     length(real("LENM", 0, not_negative)),
 };
 
-constexpr Field moving_card[] = {real("MASS", 0, above_zero), real("V0")};
+constexpr Field moving_card[] = {real("MASS", 0, above_zero), length(real("V0"))};
 
 constexpr Field prism_card[] = {
     point(real("XHEV")),
