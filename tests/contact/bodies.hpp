@@ -41,6 +41,18 @@ class Bodies {
     return current_part;
   }
 
+  /// Turns the model into two parts of solids of the one material, both of them in the contact.
+  void take_two_parts_of_solids() {
+    model.solid_sections.resize(1);
+    model.parts.push_back({.id = 2, .title = "second"});
+    for (model::Part& one : model.parts) {
+      one.section = no_index;
+      one.solid_section = 0;
+      one.material = 0;
+    }
+    contact.side[0].parts = {0, 1};
+  }
+
   Index node(const Vec3& x) {
     model.nodes.id.push_back(1000 + model.nodes.count());
     model.nodes.position.push_back({x.x, x.y, x.z});

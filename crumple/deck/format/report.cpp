@@ -88,6 +88,11 @@ void Report::field_unsupported(const Where& where, const FieldFault& fault) {
   add_field(allow_unsupported_ ? Severity::Warning : Severity::Error, where, fault, true);
 }
 
+void Report::code_unsupported(const Where& where, FieldFault fault) {
+  fault.is_code = true;
+  field_unsupported(where, fault);
+}
+
 void Report::field_warning(const Where& where, const FieldFault& fault) {
   add_field(Severity::Warning, where, fault);
 }

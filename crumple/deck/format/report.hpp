@@ -51,6 +51,8 @@ class Report {
 
   void field_error(const Where& where, const FieldFault& fault);
   void field_unsupported(const Where& where, const FieldFault& fault);
+  /// The same of a value that is one of a list of codes: each of them is something else that is missing.
+  void code_unsupported(const Where& where, FieldFault fault);
   void field_warning(const Where& where, const FieldFault& fault);
 
   bool allow_unsupported() const { return allow_unsupported_; }

@@ -95,13 +95,9 @@ std::optional<model::BeamFormulation> formulation_of(const Card& card, Report& r
   if (form != std::end(forms) && form->formulation) return form->formulation;
   std::string hint = form == std::end(forms) ? "" : fmt::format("{} is {}; ", number, form->name);
   hint += "give A, ISS, ITT and J of the section with ELFORM 2";
-  report.field_unsupported(card.where(), {"ELFORM",
-                                          std::string(card.text("ELFORM")),
-                                          "2 (the Belytschko-Schwer beam of resultants) or 3 (the truss)",
-                                          hint,
-                                          "value",
-                                          {},
-                                          true});
+  report.code_unsupported(card.where(),
+                          {"ELFORM", std::string(card.text("ELFORM")),
+                           "2 (the Belytschko-Schwer beam of resultants) or 3 (the truss)", hint, "value"});
   return {};
 }
 

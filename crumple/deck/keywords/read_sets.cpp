@@ -243,13 +243,8 @@ void add_general(const Card& card, std::span<const Option> options, const Affine
   if (option == options.end()) {
     std::string names;
     for (const Option& known : options) names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
-    report.field_unsupported(card.where(), {"OPTION",
-                                            std::string(card.text("OPTION")),
-                                            "one of " + names,
-                                            "others are not supported",
-                                            "option",
-                                            {},
-                                            true});
+    report.code_unsupported(card.where(), {"OPTION", std::string(card.text("OPTION")), "one of " + names,
+                                           "others are not supported", "option"});
     return;
   }
   RawMember member = member_of(card, "OPTION", 0);

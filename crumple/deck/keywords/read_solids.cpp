@@ -103,8 +103,8 @@ model::SolidFormulation formulation_of(const Card& card, Report& report) {
   const std::string hint = form == std::end(forms)
                                ? std::string(take_hexahedron)
                                : fmt::format("{} is {}; {}", number, form->name, form->instead);
-  report.field_unsupported(card.where(),
-                           {"ELFORM", std::string(card.text("ELFORM")), supported, hint, "value", {}, true});
+  report.code_unsupported(card.where(),
+                          {"ELFORM", std::string(card.text("ELFORM")), supported, hint, "value"});
   return fallback;
 }
 

@@ -82,15 +82,12 @@ void TransformationLines::take(const Card& card) {
   else if (option == "POS6P")
     place_by_points(card);
   else
-    report_->field_unsupported(card.where(),
-                               {"OPTION",
-                                std::string(card.text("OPTION")),
-                                "TRANSL, ROTATE, SCALE, MIRROR, POINT or POS6P",
-                                "others are not supported; two POINTs and ROTATE, or six and POS6P, "
-                                "do what those by nodes do",
-                                "option",
-                                {},
-                                true});
+    report_->code_unsupported(
+        card.where(),
+        {"OPTION", std::string(card.text("OPTION")), "TRANSL, ROTATE, SCALE, MIRROR, POINT or POS6P",
+         "others are not supported; two POINTs and ROTATE, or six and POS6P, "
+         "do what those by nodes do",
+         "option"});
 }
 
 void TransformationLines::scale(const Card& card) {

@@ -24,14 +24,7 @@ class Blocks {
  public:
   Blocks(double height, double bottom, const model::Contact& contact = {}) {
     bodies_.contact = contact;
-    bodies_.model.solid_sections.resize(1);
-    for (int part = 0; part < 2; ++part) {
-      if (part == 1) bodies_.model.parts.push_back({.id = 2, .title = "second"});
-      bodies_.model.parts[part].section = no_index;
-      bodies_.model.parts[part].solid_section = 0;
-      bodies_.model.parts[part].material = 0;
-    }
-    bodies_.contact.side[0].parts = {0, 1};
+    bodies_.take_two_parts_of_solids();
     test::add_box(bodies_.model, 0, 1, 1, 1, [&](double u, double v, double w) {
       return test::Point{2 * u - 1, 2 * v - 1, height * w};
     });
@@ -154,14 +147,7 @@ class TwoBoxes {
   using Place = std::function<test::Point(double, double, double)>;
   TwoBoxes(std::array<Index, 3> first, const Place& first_place, std::array<Index, 3> second,
            const Place& second_place) {
-    bodies_.model.solid_sections.resize(1);
-    bodies_.model.parts.push_back({.id = 2, .title = "second"});
-    for (model::Part& part : bodies_.model.parts) {
-      part.section = no_index;
-      part.solid_section = 0;
-      part.material = 0;
-    }
-    bodies_.contact.side[0].parts = {0, 1};
+    bodies_.take_two_parts_of_solids();
     test::add_box(bodies_.model, 0, first[0], first[1], first[2], first_place);
     second_ = test::add_box(bodies_.model, 1, second[0], second[1], second[2], second_place);
     made_ = bodies_.build();

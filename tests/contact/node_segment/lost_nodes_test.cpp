@@ -106,14 +106,7 @@ TEST(LostNodes, OneWhoseShellErodesIsNot) {
 /// above it and then 0.05 below its upper side.
 struct SunkBlock {
   SunkBlock() : bodies(0.1) {
-    bodies.model.solid_sections.resize(1);
-    bodies.model.parts.push_back({.id = 2, .title = "second"});
-    for (model::Part& part : bodies.model.parts) {
-      part.section = no_index;
-      part.solid_section = 0;
-      part.material = 0;
-    }
-    bodies.contact.side[0].parts = {0, 1};
+    bodies.take_two_parts_of_solids();
     test::add_box(bodies.model, 0, 6, 2, 1, [](double u, double v, double w) {
       return test::Point{6 * u, 2 * v, w - 1};
     });

@@ -220,14 +220,7 @@ TEST(Pinballs, AFlatMeshOfAnyThicknessIsAtRest) {
 Bodies two_cubes(double gap, double thickness = 0) {
   Bodies bodies;
   bodies.model.search.local = LocalSearchKind::Pinballs;
-  bodies.model.solid_sections.resize(1);
-  bodies.model.parts.push_back({.id = 2, .title = "second"});
-  for (model::Part& part : bodies.model.parts) {
-    part.section = no_index;
-    part.solid_section = 0;
-    part.material = 0;
-  }
-  bodies.contact.side[0].parts = {0, 1};
+  bodies.take_two_parts_of_solids();
   bodies.contact.solid_thickness = thickness;
   for (const int part : {0, 1})
     test::add_box(bodies.model, part, 2, 2, 2, [&](double u, double v, double w) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *DEFINE_CURVE_FUNCTION.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,6 +63,18 @@ TEST(CurveFunction, FastOnesAreFollowedToTheEndOrRefused) {
   const std::vector<std::string> refused = messages_with("*DEFINE_CURVE_FUNCTION\n5\nsin(1e6*TIME)\n");
   ASSERT_EQ(refused.size(), 1U);
   EXPECT_NE(refused[0].find("changes too fast"), std::string::npos) << refused[0];
+}
+
+// Of an interval, 1/128 of the run, the ends and three places are seen; the widest gap, 0.29 of it, is passed
+// by nothing as long as 1/440 of the run, wherever it begins.
+TEST(CurveFunction, PulsesOfOnePartIn440AreSeen) {
+  constexpr double interval = 2.5 / 128;
+  for (const double begin : {40.001, 40.292, 40.502, 40.731}) {
+    const double from = begin * interval;
+    const double to = from + 2.5 / 440;
+    const model::Curve curve = curve_of(fmt::format("sign(0.5, TIME-{}) + sign(0.5, {}-TIME)", from, to));
+    EXPECT_NEAR(curve.at(0.5 * (from + to)), 1, 1e-9) << begin;
+  }
 }
 
 TEST(CurveFunction, JumpsAreKept) {
