@@ -272,6 +272,11 @@ RigidBodies::RigidBodies(const model::Model& model, Domain& domain) {
     for (std::size_t axis = 0; axis < 3; ++axis) body.held_axes.column[axis] = to_vec3(given.held_axes[axis]);
     body.has_given_inertia = given.inertia.has_value();
     if (given.inertia) take_given_inertia(*given.inertia, in_domain(given.added_nodes), domain, body);
+    if (given.initial_motion) {
+      body.velocity = to_vec3(given.initial_motion->velocity);
+      body.angular_momentum =
+          inertia_tensor(body, body.turn) * to_vec3(given.initial_motion->angular_velocity);
+    }
     add_body(domain, std::move(body));
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "base/index.hpp"
 #include "base/lanes.hpp"
 #include "base/precision.hpp"
+#include "model/erosion.hpp"
 
 namespace crumple::domain {
 
@@ -40,7 +42,8 @@ struct ElementBlock {
   double hourglass_energy = 0;             ///< accumulated, of the whole block [energy]
   double eroded_energy = 0;                ///< part of both that elements had when they failed [energy]
   Index eroded = 0;                        ///< elements that have failed
-  bool rigid = false;                      ///< its elements have mass and a surface, but no forces
+  std::optional<model::ErosionCriteria> erosion;  ///< its item "erosion" is [point][failed, strain, impulse]
+  bool rigid = false;                             ///< its elements have mass and a surface, but no forces
 
   Index groups() const { return (elements + lanes - 1) / lanes; }
 

@@ -33,6 +33,9 @@ void for_each_solid_number(Constants& constants, const Visit& visit) {
   visit(constants.wave_speed);
   visit(constants.present_wave_speed);
   visit(constants.equation_of_state);
+  visit(constants.interior_modulus);
+  visit(constants.interior_volume);
+  visit(constants.interior_speed_square);
   visit(constants.bulk_quadratic);
   visit(constants.bulk_linear);
 }

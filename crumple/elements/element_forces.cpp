@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "elements/common/chunk_task.hpp"
+#include "elements/common/erosion_check.hpp"
 #include "elements/elements.hpp"
 #include "elements/energy_trace.hpp"
 #include "elements/line/beam_kernel_list.hpp"
@@ -34,6 +35,9 @@ class Pass {
       bytes += domain::state_of<Real>(block).size() * sizeof(Real);
     }
     from_memory_ = bytes > most_cached_bytes;
+    for (const domain::ElementBlock* block : domain.blocks())
+      erosion_.push_back(block->erosion ? erosion_check(*block, domain.clock.time, domain.clock.step)
+                                        : ErosionCheck{});
     for (const domain::BeamBlock& block : domain.beams)
       beams_.push_back(beam_constants(block.element_constants));
   }
@@ -58,6 +62,7 @@ class Pass {
     auto task = chunk_task<ShellTask, Real>(domain_, block, chunk);
     task.from_memory = from_memory_;
     task.constants = constants;
+    task.erosion = erosion_of(chunk);
     task.material = materials::shell_material_update<Real>(domain_.execution.isa, constants.material);
     shell_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
   }
@@ -66,6 +71,7 @@ class Pass {
     auto task = chunk_task<SolidTask, Real>(domain_, block, chunk);
     task.from_memory = from_memory_;
     task.constants = constants;
+    task.erosion = erosion_of(chunk);
     task.material = materials::solid_material_update<Real>(domain_.execution.isa, constants.material);
     solid_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
   }
@@ -85,6 +91,11 @@ class Pass {
     beam_kernel(domain_.execution.isa, block.formulation)(task, sums);
   }
 
+  const ErosionCheck* erosion_of(const Chunk& chunk) const {
+    const ErosionCheck& check = erosion_[static_cast<std::size_t>(chunk.block)];
+    return check.criteria == nullptr ? nullptr : &check;
+  }
+
   /// What a core's caches hold of a step's way through nodes and elements. Below it, asking ahead costs a
   /// tenth of the time.
   static constexpr std::size_t most_cached_bytes = std::size_t{16} << 20;
@@ -95,6 +106,7 @@ class Pass {
   std::vector<ShellConstants<Real>> shells_;
   std::vector<SolidConstants<Real>> solids_;
   std::vector<BeamConstants> beams_;
+  std::vector<ErosionCheck> erosion_;  ///< by block
 };
 
 template <class Real>

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "elements/common/erosion_check.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
 #include "elements/shell/shell_geometry.hpp"
@@ -92,7 +93,7 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.formulation = kind.kind;
   constants.planes = kind.planes;
   constants.material = law;
-  constants.can_fail = materials::can_fail(material);
+  constants.can_fail = materials::can_fail(material) || material.erosion;
   constants.thickness_change = model.control.thickness_change;
   constants.shear_root = std::sqrt(section.shear_factor);
   constants.slowness = 1 / elastic.plate_wave_speed();
@@ -109,6 +110,8 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.history = materials::declare_history(material.law, block);
   constants.own = block.components;
   declare_own_items(constants.can_fail, block);
+  block.erosion = material.erosion;
+  if (block.erosion) declare_erosion(block);
   block.allocate(domain.execution.precision);
   block.material_constants = materials::shell_material_constants(material);
   if (!materials::has_stiffness(material.law))

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "elements/common/erosion_check.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
 #include "elements/solid/nodal_average.hpp"
@@ -64,6 +65,16 @@ Index add_equation(const model::Material& material, const model::EquationOfState
   return place;
 }
 
+void set_interior(const model::Part& part, SolidConstants<double>& constants) {
+  if (!part.interior) return;
+  const double confined = constants.density * constants.wave_speed * constants.wave_speed;
+  const double modulus = part.interior->modulus > 0 ? part.interior->modulus : confined;
+  constants.interior_modulus = part.interior->scale * modulus;
+  constants.interior_volume = part.interior->relative_volume;
+  constants.interior_speed_square =
+      constants.interior_modulus * constants.interior_volume / constants.density;
+}
+
 SolidConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
                                      SolidBlock& block) {
   const model::Part& part = model.parts[block.part];
@@ -80,7 +91,7 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.formulation = kind.kind;
   constants.points = kind.points;
   constants.material = law;
-  constants.can_fail = materials::solid_can_fail(material);
+  constants.can_fail = materials::solid_can_fail(material) || material.erosion;
   constants.density = start.density;
   constants.wave_speed = start.wave_speed;
   const double modulus = start.density * start.wave_speed * start.wave_speed;
@@ -91,6 +102,7 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.bulk_linear = std::max(control.bulk_linear > 0 ? control.bulk_linear : model.control.bulk_linear,
                                    start.linear_viscosity);
   set_hourglass(control, elastic, constants);
+  set_interior(part, constants);
   if (block.formulation != model::SolidFormulation::OnePointHexahedron) constants.exact_volume = true;
   block.points = kind.points;
   domain::add_item(block, "stress", "stress", materials::solid_components * block.points);
@@ -101,6 +113,8 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   if (start.varies) constants.present_wave_speed = domain::add_item(block, "wave_speed", "length/time", 1);
   constants.own = block.components;
   declare_own_items(constants.can_fail, kind.kept, block);
+  block.erosion = material.erosion;
+  if (block.erosion) declare_erosion(block);
   block.allocate(domain.execution.precision);
   block.element_constants = to_numbers(constants);
   if (kind.averages) prepare_average(block);

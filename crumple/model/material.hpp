@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "model/erosion.hpp"
 
 namespace crumple::model {
 
@@ -200,6 +201,7 @@ struct Material {
   ConstitutiveLaw law;
   /// Present: parts of this material are rigid bodies, and the law serves the stiffness of contact alone.
   std::optional<RigidMaterial> rigid{};
+  std::optional<ErosionCriteria> erosion{};  ///< beside what the law itself has of failure
 };
 
 }  // namespace crumple::model

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,13 @@ enum class ElementKind { Shell, Solid, Beam, Discrete };
 /// decks one that repeats its third node (2).
 int repeated_entry(const std::array<Index, 4>& node);
 
+/// What holds the faces of squeezed solids apart (*CONTACT_INTERIOR), docs/theory/interior_contact.md.
+struct InteriorContact {
+  double relative_volume = 0.1;  ///< below which the pressure acts [-]
+  double scale = 1;              ///< factor on the modulus [-]
+  double modulus = 0;            ///< [stress]; 0 is that of confined compression of the material
+};
+
 struct Part {
   UserId id = 0;
   std::string title;
@@ -75,7 +83,10 @@ struct Part {
   Index material = no_index;          ///< in Model::materials; no_index for a part of springs
   Index spring_material = no_index;   ///< in Model::spring_materials, for a part of springs
   Index hourglass = no_index;  ///< in Model::hourglass_controls; no_index takes Model::control.hourglass
-  Index equation_of_state = no_index;  ///< in Model::equations_of_state; no_index is none
+  Index equation_of_state = no_index;         ///< in Model::equations_of_state; no_index is none
+  std::optional<InteriorContact> interior{};  ///< of solids
+  double contact_thickness = 0;        ///< OPTT of *PART_CONTACT, of shells [length]; 0: see the contact
+  double contact_thickness_scale = 1;  ///< SFT: factor on the true thickness of shells in contact [-]
 };
 
 /// The kind of elements that a part's section is for.

@@ -21,6 +21,12 @@ struct RigidInertia {
   bool velocity_from_nodes = false;          ///< IRIGID: initial velocities of the nodes replace these two
 };
 
+/// How a rigid body moves at time zero, whatever its nodes do (*INITIAL_VELOCITY_RIGID_BODY).
+struct RigidMotion {
+  std::array<double, 3> velocity{};          ///< of the centre of mass [length/time]
+  std::array<double, 3> angular_velocity{};  ///< global axes [1/time]
+};
+
 /// Nodes that move as one: those of parts of rigid material, and others that are tied to them.
 struct RigidBody {
   UserId id = 0;  ///< of the leading part, or the body's own
@@ -31,7 +37,8 @@ struct RigidBody {
   std::array<bool, 3> fixed_rotation{};     ///< about each of held_axes
   /// Of unit length, right-handed, fixed in space; prescribed motions are along and about them as well.
   std::array<std::array<double, 3>, 3> held_axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  std::optional<RigidInertia> inertia{};  ///< absent: of the masses at the nodes
+  std::optional<RigidMotion> initial_motion{};  ///< goes before all other initial velocities
+  std::optional<RigidInertia> inertia{};        ///< absent: of the masses at the nodes
   /// Nodes whose masses are added to a given inertia (IFLAG of *CONSTRAINED_EXTRA_NODES), ascending.
   std::vector<Index> added_nodes{};
 };

@@ -23,16 +23,32 @@ constexpr double speed = 40.0;  // mm/ms each way
 constexpr Index columns = 20;
 constexpr Index rows = 3;
 
-model::Model strip(model::ShellFormulation formulation) {
-  model::Model model = test::one_part(test::elastic_steel(), test::shell_section(thickness, 3, formulation));
+/// What makes the middle fail.
+enum class Failure {
+  Law,       ///< the law's own plastic strain
+  Criterion  ///< a principal strain (*MAT_ADD_EROSION)
+};
+
+struct Case {
+  model::ShellFormulation formulation;
+  Failure failure;
+};
+
+model::Model strip(const Case& of) {
+  model::Model model =
+      test::one_part(test::elastic_steel(), test::shell_section(thickness, 3, of.formulation));
   model::PlasticKinematic soft;
   soft.youngs_modulus = 210;
   soft.poissons_ratio = 0.3;
   soft.yield_stress = 0.25;
   soft.tangent_modulus = 1;
   soft.isotropic_fraction = 0.5;
-  soft.failure_strain = 0.04;
-  model.materials.push_back({.id = 2, .title = "soft", .density = 7.85e-6, .law = soft});
+  model::Material middle{.id = 2, .title = "soft", .density = 7.85e-6, .law = soft};
+  if (of.failure == Failure::Law)
+    std::get<model::PlasticKinematic>(middle.law).failure_strain = 0.04;
+  else
+    middle.erosion = model::ErosionCriteria{.largest_principal_strain = 0.04};
+  model.materials.push_back(middle);
   model.parts.push_back({.id = 2, .title = "middle", .section = 0, .material = 1});
   test::add_grid(model, 0, columns, rows, [](double u, double v) {
     return test::Point{u * columns * size, v * rows * size, 0};
@@ -59,7 +75,7 @@ void add_clock(model::Model& model) {
   });
 }
 
-class Strip : public ::testing::TestWithParam<model::ShellFormulation> {};
+class Strip : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Strip, PulledApartLosesNothing) {
   model::Model model = strip(GetParam());
@@ -119,6 +135,7 @@ TEST_P(Strip, PulledApartLosesNothing) {
     const double momentum_of_half = 0.5 * initial_mass * speed;
     EXPECT_LT(worst_momentum, (precision == Precision::Double ? 1e-11 : 1e-5) * momentum_of_half);
     test::verified(std::string("strip torn apart by erosion, ") +
+                       (GetParam().failure == Failure::Law ? "" : "*MAT_ADD_EROSION, ") +
                        (precision == Precision::Double ? "double" : "mixed") +
                        ": energy over the initial one",
                    "conservation")
@@ -128,11 +145,18 @@ TEST_P(Strip, PulledApartLosesNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulations, Strip,
-                         ::testing::Values(model::ShellFormulation::BelytschkoTsay,
-                                           model::ShellFormulation::HughesLiu),
+                         ::testing::Values(Case{model::ShellFormulation::BelytschkoTsay, Failure::Law},
+                                           Case{model::ShellFormulation::HughesLiu, Failure::Law},
+                                           Case{model::ShellFormulation::BelytschkoTsay, Failure::Criterion},
+                                           Case{model::ShellFormulation::FullyIntegrated,
+                                                Failure::Criterion}),
                          [](const auto& test) {
-                           return test.param == model::ShellFormulation::BelytschkoTsay ? "BelytschkoTsay"
-                                                                                        : "HughesLiu";
+                           const auto formulation = test.param.formulation;
+                           const std::string name =
+                               formulation == model::ShellFormulation::BelytschkoTsay ? "BelytschkoTsay"
+                               : formulation == model::ShellFormulation::HughesLiu    ? "HughesLiu"
+                                                                                      : "FullyIntegrated";
+                           return name + (test.param.failure == Failure::Law ? "" : "ByCriterion");
                          });
 
 }  // namespace

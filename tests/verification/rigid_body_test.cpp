@@ -446,6 +446,32 @@ TEST(RigidBody, GivenInertiaGoesBeforeThatOfTheNodes) {
   EXPECT_NEAR(mass, 2, 1e-12);
 }
 
+TEST(RigidBody, InitialMotionGoesBeforeThatOfItsNodesAndOfItsInertia) {
+  for (const bool given : {false, true}) {
+    model::Model model = block();
+    if (given) {
+      model::RigidInertia inertia;
+      inertia.mass = 2;
+      inertia.centre = {1, 2, 3};
+      inertia.tensor = {5, 1, 0, 6, 0, 7};
+      inertia.velocity = {4, 0, 0};
+      model.rigid_bodies[0].inertia = inertia;
+    }
+    for (Index i = 0; i < model.nodes.count(); ++i)
+      model.initial_velocities.push_back({.node = i, .velocity = {9, 8, 7}});
+    model.rigid_bodies[0].initial_motion = model::RigidMotion{{1, 2, 3}, {0.1, -0.2, 0.3}};
+    timeloop::Simulation simulation(model, test::execution());
+    const domain::Domain& domain = simulation.domain();
+    const domain::RigidBody& body = domain.rigid_bodies[0];
+    EXPECT_LT(norm(body.velocity - Vec3{1, 2, 3}), 1e-14);
+    EXPECT_LT(norm(body.spin - Vec3{0.1, -0.2, 0.3}), 1e-14);
+    const Vec3 at_corner = Vec3{1, 2, 3} + cross(body.spin, domain.nodes.position[0] - body.centre);
+    EXPECT_LT(norm(domain.nodes.velocity[0] - at_corner), 1e-13);
+    const double energy = 0.5 * (body.mass * 14 + dot(body.spin, body.angular_momentum));
+    EXPECT_NEAR(domain.energy.initial_total, energy, 1e-12 * energy);
+  }
+}
+
 TEST(RigidBody, GivenInertiaMayMoveAsItsNodesDo) {
   model::Model model = block();
   model::RigidInertia inertia;

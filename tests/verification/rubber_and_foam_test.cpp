@@ -135,5 +135,57 @@ TEST_P(Soft, FoamTakesTheEnergyOfItsCurve) {
   EXPECT_LT(spread, 0.05);
 }
 
+/// A plate of three times the energy that the foam's curve can take until nothing is left of it.
+TEST_P(Soft, InteriorContactHoldsWhatItsLawLetsCollapse) {
+  model::CrushableFoam law;
+  law.youngs_modulus = 2e-3;  // kg, mm, ms: GPa
+  law.crush = {0, 1};
+  law.yield_stress = {0.2e-3, 0.2e-3};
+  law.tensile_stress = 0.1e-3;
+  law.damping = 0.1;
+  model::Material foam{.id = 1, .title = "foam", .density = 6e-8, .law = law};
+  model::Model model = test::one_solid_part(foam);
+  model.parts[0].interior = model::InteriorContact{};
+  model.control.end_time = 4;
+  test::add_box(model, 0, 2, 2, 4, [](double u, double v, double w) {
+    return test::Point{20 * u, 20 * v, 40 * w};
+  });
+  constexpr double plate = 0.2;
+  constexpr double velocity = 10;
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    const auto& x = model.nodes.position[i];
+    model.fixed_nodes.push_back({.node = i, .translation = {true, true, x[2] == 0}});
+    if (x[2] != 40) continue;
+    const double share = (x[0] == 10 ? 2 : 1) * (x[1] == 10 ? 2 : 1) / 16.0;
+    model.lumped_masses.push_back({.id = i, .node = i, .mass = plate * share});
+    model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -velocity}});
+  }
+  timeloop::Simulation simulation(model, {GetParam(), default_isa(), 1});
+  double lowest = 40;
+  double worst = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    for (Index i = 0; i < domain.nodes.count(); ++i)
+      if (domain.nodes.reference[i].z == 40) lowest = std::min(lowest, domain.nodes.position[i].z);
+    worst = test::larger_of(worst, energy_error(domain, domain.energy.initial_total));
+  });
+  // m v^2 / 2 is what the foam takes at its yield stress and the interior pressure behind a tenth of the
+  // volume, V = r V0: V0 (sigma (1 - r) + K (0.1 ln(0.1 / r) - (0.1 - r))), K = E without lateral strain.
+  const double volume = 20 * 20 * 40;
+  const auto taken = [&](double r) {
+    return volume * (0.2e-3 * (1 - r) + 2e-3 * (0.1 * std::log(0.1 / r) - (0.1 - r)));
+  };
+  double low = 1e-200;
+  double high = 0.1;
+  for (int i = 0; i < 2000; ++i) {
+    const double middle = std::sqrt(low * high);
+    (taken(middle) > 0.5 * plate * velocity * velocity ? low : high) = middle;
+  }
+  std::printf("crushed to %.3g of its height, %.3g by the energies, energy error %.1e\n", lowest / 40, low,
+              worst);
+  EXPECT_LT(lowest, 0.1 * 40);
+  EXPECT_GT(lowest, 0);
+  test::verified("foam crushed flat: energy error with interior contact", "conservation").below(worst, 1e-3);
+}
+
 }  // namespace
 }  // namespace crumple::rubber_and_foam_test

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "base/index.hpp"
@@ -15,9 +16,10 @@ namespace crumple::contact {
 struct ContactBeam {
   std::array<Index, 2> nodes{};  ///< of the domain, the lower first
   ElementPlace place;
-  double radius = 0;     ///< of the circle with the area of the cross section [length]
-  double stiffness = 0;  ///< penalty stiffness [force/length]
-  double area = 0;       ///< length times diameter, undeformed [length^2]
+  std::uint8_t side = 0;  ///< first_side, second_side or both
+  double radius = 0;      ///< of the circle with the area of the cross section [length]
+  double stiffness = 0;   ///< penalty stiffness [force/length]
+  double area = 0;        ///< length times diameter, undeformed [length^2]
   UserId id = 0;
 };
 
@@ -26,9 +28,10 @@ inline bool edges_take_part(const model::Contact& contact) {
   return contact.edges != model::ContactEdges::None && contact.enforcement == model::Enforcement::Penalty;
 }
 
-/// The beams of the parts of the contact's first side; none unless its edges take part. The penalty
-/// stiffness is SLSFAC SFS SFM K 2 r with the bulk modulus K: the K A / length of a shell on the projected
-/// area (docs/theory/contact.md).
+/// The beams of the parts of the contact; none of contacts by multipliers and by the masses of segments.
+/// Their nodes touch segments, and they touch edges where these take part. The penalty stiffness is SLSFAC
+/// SFS SFM K 2 r with the bulk modulus K: the K A / length of a shell on the projected area
+/// (docs/theory/contact.md).
 std::vector<ContactBeam> collect_beams(const model::Model& model, const domain::Domain& domain,
                                        const model::Contact& contact);
 

@@ -121,11 +121,13 @@ double SegmentCollector::release_depth(const NewSegment& segment) const {
 
 double SegmentCollector::thickness_of(const model::ShellElement& shell, std::uint8_t sides,
                                       double shortest_edge) const {
-  const bool rigid = model::is_rigid(model_, model_.parts[shell.part]);
+  const model::Part& part = model_.parts[shell.part];
+  const bool rigid = model::is_rigid(model_, part);
   if (!(rigid ? contact_.rigid_shell_thickness : contact_.shell_thickness)) return 0;
   const model::ContactSide& side = side_of(sides);
+  if (part.contact_thickness > 0) return part.contact_thickness;
   if (side.contact_thickness > 0) return side.contact_thickness;
-  return std::min(side.thickness_scale * true_thickness(model_, shell),
+  return std::min(side.thickness_scale * part.contact_thickness_scale * true_thickness(model_, shell),
                   tolerances::thickness_over_edge * shortest_edge);
 }
 

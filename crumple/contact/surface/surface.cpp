@@ -49,15 +49,16 @@ void measure_lone_nodes(const model::Model& model, const domain::NodeFields& nod
   surface.lone_half_thickness.assign(surface.nodes.size(), 0.0);
   if (contact.side[0].nodes.empty() && contact.side[1].nodes.empty()) return;
   for (const model::ShellElement& shell : model.shells) {
-    const bool rigid = model::is_rigid(model, model.parts[shell.part]);
+    const model::Part& part = model.parts[shell.part];
+    const bool rigid = model::is_rigid(model, part);
     if (!(rigid ? contact.rigid_shell_thickness : contact.shell_thickness)) continue;
     const std::array<double, 4> thickness = model::shell_thickness(model, shell);
     for (std::size_t k = 0; k < 4; ++k) {
       const Index place = surface.place[nodes.domain_node[shell.node[k]]];
       if (place == no_index || surface.lone[place] == 0) continue;
       const model::ContactSide& side = contact.side[(surface.node_side[place] & first_side) != 0 ? 0 : 1];
-      const double whole =
-          side.contact_thickness > 0 ? side.contact_thickness : side.thickness_scale * thickness[k];
+      const double own = part.contact_thickness > 0 ? part.contact_thickness : side.contact_thickness;
+      const double whole = own > 0 ? own : side.thickness_scale * part.contact_thickness_scale * thickness[k];
       double& half = surface.lone_half_thickness[place];
       half = std::max(half, 0.5 * whole);
       surface.largest_half_thickness = std::max(surface.largest_half_thickness, half);
@@ -90,7 +91,7 @@ void add_beams(const std::vector<ContactBeam>& beams, Surface& surface) {
   surface.lone_stiffness.assign(surface.nodes.size(), std::numeric_limits<double>::max());
   for (const ContactBeam& beam : beams) {
     const std::array<Index, 2> places{surface.place[beam.nodes[0]], surface.place[beam.nodes[1]]};
-    for (const Index place : places) surface.node_side[place] |= first_side;
+    for (const Index place : places) surface.node_side[place] |= beam.side;
     surface.largest_half_thickness = std::max(surface.largest_half_thickness, beam.radius);
     surface.beams.push_back({places, beam.place, beam.radius, beam.stiffness});
   }

@@ -140,6 +140,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_discretes(build);
   check_empty_parts(build);
   build_sets(build);
+  build_interiors(build);
   build_masses(build);
   build_rigid_bodies(build);
   build_connections(build);

@@ -163,6 +163,8 @@ void settle_defaults(Build& build, bool as_ls_dyna);
 void settle_distorted_shells(Build& build);
 // build_solids.cpp
 void build_solids(Build& build);
+/// *CONTACT_INTERIOR. The part sets must be there, at the places that they have in the deck.
+void build_interiors(Build& build);
 // build_lines.cpp
 void build_beams(Build& build);
 void build_discretes(Build& build);

@@ -28,6 +28,19 @@ void sort_out(std::vector<Index>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
+/// What becomes of parts of beams.
+enum class BeamRule {
+  TakePart,
+  LeaveOut,  ///< with a warning
+  Refuse,
+};
+
+/// Contact by multipliers knows no beams, that by the masses of segments none here nor in LS-DYNA.
+BeamRule beam_rule(const RawContact& raw) {
+  if (raw.only_measures || raw.contact.mass_stiffness) return BeamRule::LeaveOut;
+  return raw.contact.enforcement == model::Enforcement::Penalty ? BeamRule::TakePart : BeamRule::Refuse;
+}
+
 /// Finds what the sides of contacts consist of.
 class Sides {
  public:
@@ -35,14 +48,13 @@ class Sides {
 
   const std::vector<Index>& with_surface() const { return with_surface_; }
 
-  /// Adds the members of one side; beams only if it may have them. False, with a message, if there is a
-  /// fault.
-  bool add(const RawContactSide& raw, const Where& where, bool may_have_beams, model::ContactSide& side);
+  /// Adds the members of one side. False, with a message, if there is a fault.
+  bool add(const RawContactSide& raw, const Where& where, BeamRule rule, model::ContactSide& side);
 
  private:
   std::optional<std::vector<Index>> named_parts(const RawContactSide& raw, const Where& where);
   std::vector<Index> parts_with_beams(const RawContactSide& raw, const std::vector<Index>& named) const;
-  void refuse_beams(const Where& where, const std::vector<Index>& parts);
+  void leave_out_beams(const Where& where, BeamRule rule, const std::vector<Index>& parts);
   void check_segments(const RawContactSide& raw, const Where& where, const std::vector<Face>& segments);
   void keep_inside(const RawBox& box, model::ContactSide& side) const;
   const std::vector<Face>& known_faces();
@@ -94,14 +106,20 @@ std::vector<Index> Sides::parts_with_beams(const RawContactSide& raw, const std:
   return found;
 }
 
-/// Only contact with edges knows beams.
-void Sides::refuse_beams(const Where& where, const std::vector<Index>& parts) {
-  for (const Index part : parts)
-    build_.report.unsupported(
-        where, "beams",
-        fmt::format("part {} consists of beams, which only *CONTACT_AUTOMATIC_GENERAL without a box knows; "
-                    "take it out of this contact, or run with --allow-unsupported to do without its contact",
-                    build_.model.parts[static_cast<std::size_t>(part)].id));
+void Sides::leave_out_beams(const Where& where, BeamRule rule, const std::vector<Index>& parts) {
+  for (const Index part : parts) {
+    const UserId id = build_.model.parts[static_cast<std::size_t>(part)].id;
+    if (rule == BeamRule::LeaveOut)
+      build_.report.warning(where, "beams",
+                            fmt::format("part {} consists of beams, which take no part in it", id));
+    else
+      build_.report.unsupported(
+          where, "beams",
+          fmt::format(
+              "part {} consists of beams, which contacts with a box or by constraints do not know; "
+              "take it out of this contact, or run with --allow-unsupported to do without its contact",
+              id));
+  }
 }
 
 const std::vector<Face>& Sides::known_faces() {
@@ -152,8 +170,7 @@ void Sides::keep_inside(const RawBox& box, model::ContactSide& side) const {
   std::erase_if(side.nodes, [&](Index node) { return !all_inside(box, std::array<Index, 1>{node}); });
 }
 
-bool Sides::add(const RawContactSide& raw, const Where& where, bool may_have_beams,
-                model::ContactSide& side) {
+bool Sides::add(const RawContactSide& raw, const Where& where, BeamRule rule, model::ContactSide& side) {
   const Reference reference{raw.id, raw.field, where};
   switch (raw.target) {
     case Target::SegmentSet: {
@@ -181,10 +198,10 @@ bool Sides::add(const RawContactSide& raw, const Where& where, bool may_have_bea
       for (const Index part : *named)
         if (std::binary_search(with_surface_.begin(), with_surface_.end(), part)) side.parts.push_back(part);
       const std::vector<Index> beams = parts_with_beams(raw, *named);
-      if (may_have_beams && raw.box == 0)
+      if (rule == BeamRule::TakePart && raw.box == 0)
         side.parts.insert(side.parts.end(), beams.begin(), beams.end());
       else
-        refuse_beams(where, beams);
+        leave_out_beams(where, rule, beams);
       sort_out(side.parts);
     }
   }
@@ -212,8 +229,7 @@ void build_contact(Build& build, Sides& sides, const RawContact& raw, std::size_
   build.enter(Item::Contact, {contact.id, "ID", raw.where}, number);
   const bool two_sided = contact.kind != model::ContactKind::SingleSurface;
   const bool has_second = two_sided && !(raw.only_measures && raw.side[1].id == 0);
-  // Contact by the masses of segments knows no beams.
-  const bool beams = contact.edges != model::ContactEdges::None && !contact.mass_stiffness;
+  const BeamRule beams = beam_rule(raw);
   bool good = sides.add(raw.side[0], raw.where, beams, contact.side[0]);
   if (has_second) good = sides.add(raw.side[1], raw.where, beams, contact.side[1]) && good;
   if (!good) return;

@@ -20,7 +20,12 @@ const Vector& position_of(const Build& build, Index node) {
 
 /// Laws that a kind of beam can have, said at the part.
 void check_beam_law(const RawPart& raw, const model::Part& part, Build& build) {
-  const model::ConstitutiveLaw& law = build.model.materials[static_cast<std::size_t>(part.material)].law;
+  const model::Material& material = build.model.materials[static_cast<std::size_t>(part.material)];
+  if (material.erosion)
+    build.report.field_unsupported(
+        raw.where, {"MID", std::to_string(raw.material), "a material without *MAT_ADD_EROSION",
+                    "beams do not fail by it", "erosion"});
+  const model::ConstitutiveLaw& law = material.law;
   const bool truss = build.model.beam_sections[static_cast<std::size_t>(part.beam_section)].formulation ==
                      model::BeamFormulation::Truss;
   const auto* plastic = std::get_if<model::PlasticKinematic>(&law);

@@ -260,6 +260,8 @@ void build_parts(Build& build) {
     model::Part part;
     part.id = raw.id;
     part.title = raw.title;
+    part.contact_thickness = raw.contact_thickness;
+    part.contact_thickness_scale = raw.contact_thickness_scale;
     const bool has_section = find_section(raw, part, build);
     const bool has_material = find_material(raw, has_section, part, build);
     if (raw.hourglass != 0) part.hourglass = build.find(Item::Hourglass, {raw.hourglass, "HGID", raw.where});

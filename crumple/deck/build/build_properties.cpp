@@ -232,6 +232,32 @@ void build_spring_materials(Build& build) {
   }
 }
 
+/// Gives their criteria of erosion to materials that are there already.
+void take_erosions(Build& build) {
+  model::Model& model = build.model;
+  for (const RawErosion& raw : build.deck.erosions) {
+    const Index index = build.find(Item::Material, {raw.material, "MID", raw.where});
+    if (index == no_index) continue;
+    const std::string id = std::to_string(raw.material);
+    if (static_cast<std::size_t>(index) >= model.materials.size()) {
+      build.report.field_unsupported(raw.where, {"MID", id, "a material of shells or solids",
+                                                 "springs and dampers do not fail by it", "elements"});
+      continue;
+    }
+    model::Material& material = model.materials[static_cast<std::size_t>(index)];
+    if (material.erosion)
+      build.report.field_error(raw.where, {"MID", id, "a material without criteria",
+                                           "it has some by an earlier *MAT_ADD_EROSION", "twice"});
+    else if (material.rigid)
+      build.report.field_warning(
+          raw.where, {"MID", id, "a deformable material", "a rigid body does not fail: left out", "rigid"});
+    else if (raw.criteria.any())
+      material.erosion = raw.criteria;
+    else
+      build.report.warning(raw.where, "criteria", "there is no criterion, so nothing fails by it");
+  }
+}
+
 }  // namespace
 
 void build_properties(Build& build, const ReadOptions& options) {
@@ -280,6 +306,7 @@ void build_properties(Build& build, const ReadOptions& options) {
       take_crush(raw, *law, build);
   }
   build_spring_materials(build);
+  take_erosions(build);
 }
 
 }  // namespace crumple::deck

@@ -215,6 +215,28 @@ void Bodies::finish() {
                  static_cast<std::size_t>(place[static_cast<std::size_t>(leading(static_cast<Index>(b)))]));
 }
 
+/// The vector with these components along the axes.
+Vector in_global_axes(const std::array<Vector, 3>& axes, const Vector& components) {
+  Vector sum{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += components[axis] * axes[axis][i];
+  return sum;
+}
+
+void take_initial_motions(Build& build) {
+  for (const RawRigidVelocity& raw : build.deck.rigid_velocities) {
+    const Index body = build.find(Item::RigidBody, {raw.body, "PID", raw.where});
+    if (body == no_index) continue;
+    model::RigidMotion motion = raw.motion;
+    if (raw.system != 0) {
+      const auto axes = find_axes(build, raw.system, "ICID", raw.where);
+      if (!axes) continue;
+      motion = {in_global_axes(*axes, motion.velocity), in_global_axes(*axes, motion.angular_velocity)};
+    }
+    build.model.rigid_bodies[static_cast<std::size_t>(body)].initial_motion = motion;
+  }
+}
+
 }  // namespace
 
 std::vector<Index> bodies_of_nodes(const Build& build) {
@@ -234,6 +256,7 @@ void build_rigid_bodies(Build& build) {
   bodies.take_extra_nodes();
   bodies.take_nodal_bodies();
   bodies.finish();
+  take_initial_motions(build);
 }
 
 }  // namespace crumple::deck

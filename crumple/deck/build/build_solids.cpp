@@ -194,4 +194,25 @@ void build_solids(Build& build) {
   }
 }
 
+void build_interiors(Build& build) {
+  for (const RawInterior& raw : build.deck.interiors) {
+    const Index set = build.find(Item::PartSet, {raw.part_set, raw.field, raw.where});
+    if (set == no_index) continue;
+    const RawSet& attributes = build.deck.part_sets[static_cast<std::size_t>(set)];
+    model::InteriorContact interior;
+    if (attributes.attributes[0] > 0) interior.scale = attributes.attributes[0];
+    if (attributes.attributes[1] > 0) interior.relative_volume = std::min(attributes.attributes[1], 1.0);
+    interior.modulus = std::max(attributes.attributes[2], 0.0);
+    for (const Index part : build.model.part_sets[static_cast<std::size_t>(set)].parts) {
+      model::Part& of = build.model.parts[static_cast<std::size_t>(part)];
+      if (of.solid_section != no_index)
+        of.interior = interior;
+      else
+        build.report.warning(
+            raw.where, "interior",
+            fmt::format("part {} has no solids: interior contact does nothing there", of.id));
+    }
+  }
+}
+
 }  // namespace crumple::deck

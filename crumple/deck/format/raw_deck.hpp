@@ -96,6 +96,8 @@ struct RawPart {
   UserId hourglass = 0;
   std::optional<RawInertia> inertia{};
   UserId equation_of_state = 0;
+  double contact_thickness = 0;        ///< OPTT; 0 is none
+  double contact_thickness_scale = 1;  ///< SFT
   Where where;
 };
 
@@ -141,6 +143,13 @@ struct RawMaterial {
   UserId rate_curve = 0;
   Where where;
   Where curve_where;
+};
+
+/// *MAT_ADD_EROSION.
+struct RawErosion {
+  UserId material = 0;
+  model::ErosionCriteria criteria;
+  Where where;
 };
 
 struct RawEquationOfState {
@@ -215,7 +224,15 @@ struct RawSet {
   UserId id = 0;
   std::string title;
   std::vector<RawMember> members;
-  bool collects = false;  ///< sets with COLLECT and the same id are one
+  std::array<double, 4> attributes{};  ///< DA1 to DA4
+  bool collects = false;               ///< sets with COLLECT and the same id are one
+  Where where;
+};
+
+/// A part set of *CONTACT_INTERIOR.
+struct RawInterior {
+  UserId part_set = 0;
+  std::string_view field;
   Where where;
 };
 
@@ -291,6 +308,14 @@ struct RawRigidMerge {
 };
 
 /// Nodes that are tied to a rigid part.
+/// *INITIAL_VELOCITY_RIGID_BODY.
+struct RawRigidVelocity {
+  UserId body = 0;
+  UserId system = 0;  ///< coordinate system of both; 0 is global axes
+  model::RigidMotion motion;
+  Where where;
+};
+
 struct RawExtraNodes {
   UserId part = 0;
   UserId target = 0;  ///< a node, or a node set
@@ -400,6 +425,7 @@ struct RawDeck {
   std::vector<RawDiscreteSection> discrete_sections;
   std::vector<RawMaterial> materials;
   std::vector<RawSpringMaterial> spring_materials;
+  std::vector<RawErosion> erosions;
   std::vector<RawOrientation> orientations;
   std::vector<RawEquationOfState> equations_of_state;
   std::vector<RawHourglass> hourglasses;
@@ -421,6 +447,7 @@ struct RawDeck {
   std::vector<RawNodalLoad> nodal_loads;
   std::vector<RawPressureLoad> pressure_loads;
   std::vector<RawRigidMerge> rigid_merges;
+  std::vector<RawRigidVelocity> rigid_velocities;
   std::vector<RawExtraNodes> extra_nodes;
   std::vector<RawNodalBody> nodal_bodies;
   std::vector<RawWeld> welds;
@@ -432,6 +459,7 @@ struct RawDeck {
   std::vector<RawMassDamping> mass_dampings;
   std::vector<RawWall> walls;
   std::vector<RawContact> contacts;
+  std::vector<RawInterior> interiors;
   int contact_thickness_option = 0;  ///< SHLTHK of *CONTROL_CONTACT
   std::vector<RawTiedContact> tied_contacts;
   std::vector<RawHistory> histories;

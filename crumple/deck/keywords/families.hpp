@@ -16,6 +16,7 @@ void read_element_shell(Cards& cards, RawDeck& deck);
 void read_element_shell_thickness(Cards& cards, RawDeck& deck);
 void read_element_mass(Cards& cards, RawDeck& deck);
 void read_element_mass_node_set(Cards& cards, RawDeck& deck);
+void read_element_seatbelt_accelerometer(Cards& cards, RawDeck& deck);
 
 // read_transformations.cpp
 void read_define_transformation(Cards& cards, RawDeck& deck);
@@ -64,6 +65,7 @@ void read_mat_null(Cards& cards, RawDeck& deck);
 void read_mat_blatz_ko_rubber(Cards& cards, RawDeck& deck);
 void read_mat_mooney_rivlin_rubber(Cards& cards, RawDeck& deck);
 void read_mat_crushable_foam(Cards& cards, RawDeck& deck);
+void read_mat_add_erosion(Cards& cards, RawDeck& deck);
 // read_equations_of_state.cpp
 void read_eos_linear_polynomial(Cards& cards, RawDeck& deck);
 void read_eos_gruneisen(Cards& cards, RawDeck& deck);
@@ -84,7 +86,7 @@ void read_define_box(Cards& cards, RawDeck& deck);
 /// What the members of a set are. Segments, which have no ids, are read apart.
 enum class SetItem { Node, Part, Shell, Solid, Beam, Discrete };
 /// How the cards of a set give its members.
-enum class SetForm { List, Generate, GenerateIncrement, General, Add };
+enum class SetForm { List, Column, Generate, GenerateIncrement, General, Add };
 void read_set_of(Cards& cards, RawDeck& deck, SetItem item, SetForm form);
 template <SetItem Kind, SetForm Form>
 void read_set(Cards& cards, RawDeck& deck) {
@@ -158,6 +160,7 @@ void read_constrained_node_set(Cards& cards, RawDeck& deck);
 // read_rigid_bodies.cpp
 void read_mat_rigid(Cards& cards, RawDeck& deck);
 void read_constrained_rigid_bodies(Cards& cards, RawDeck& deck);
+void read_initial_velocity_rigid_body(Cards& cards, RawDeck& deck);
 void read_constrained_extra_nodes_node(Cards& cards, RawDeck& deck);
 void read_constrained_extra_nodes_set(Cards& cards, RawDeck& deck);
 void read_constrained_nodal_rigid_body(Cards& cards, RawDeck& deck);
@@ -197,6 +200,7 @@ void read_contact_eroding_nodes_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_constraint_surface_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_constraint_nodes_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_force_transducer(Cards& cards, RawDeck& deck);
+void read_contact_interior(Cards& cards, RawDeck& deck);
 
 // read_tied_contact.cpp
 void read_contact_tied(Cards& cards, RawDeck& deck);

@@ -52,6 +52,17 @@ constexpr Field mass_card[] = {
     sized(8, unused("PID")),  // for LS-DYNA's listings only
 };
 
+// Its axes turn with the three nodes in LS-DYNA; here the motion of the first one is written in global axes.
+constexpr Field accelerometer_card[] = {
+    id("SBACID", IdKind::Element),
+    id("NID1"),
+    reference("NID2"),
+    reference("NID3"),
+    unused("IGRAV"),
+    unused("INTOPT"),
+    only("MASS", {0}, "put *ELEMENT_MASS on its nodes"),
+};
+
 constexpr Field mass_set_card[] = {
     sized(8, id("EID")),
     sized(8, id("NSID")),
@@ -131,6 +142,13 @@ void read_element_mass_node_set(Cards& cards, RawDeck& deck) {
     const Card card = cards.next_filled(mass_set_card);
     if (!card.good("EID") || !card.good("NSID")) continue;
     deck.masses.push_back({card.integer("EID"), card.integer("NSID"), true, card.real("MASS"), card.where()});
+  }
+}
+
+void read_element_seatbelt_accelerometer(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(accelerometer_card);
+    if (card.good("NID1")) deck.histories.push_back({card.integer("NID1"), false, card.where()});
   }
 }
 

@@ -22,6 +22,17 @@ constexpr Field part_card[] = {
     harmless("TMID", {0}, "there is no thermal solution"),
 };
 
+constexpr Field part_contact_card[] = {
+    unused("FS"),  // with FS = -1 of the contact, which is refused there
+    unused("FD"),
+    unused("DC"),
+    unused("VC"),
+    real("OPTT", 0, not_negative),
+    real_or_default("SFT", 1, above_zero),
+    only("SSF", {0, 1}, "the stiffness is scaled by SFS and SFM of the contact"),
+    only("CPARM8", {0}, "all edges and beams take part"),
+};
+
 constexpr Field section_card[] = {
     id("SECID"),
     only("ELFORM", {0, 1, 2, 4, 6, 10, 16},
@@ -138,6 +149,11 @@ void read_parts(Cards& cards, RawDeck& deck, bool with_inertia) {
     part.hourglass = card.good("HGID") ? card.integer("HGID") : 0;
     part.where = card.where();
     if (with_inertia) part.inertia = read_inertia(cards);
+    if (cards.where().keyword.find("_CONTACT") != std::string_view::npos) {
+      const Card contact = cards.next(part_contact_card);
+      part.contact_thickness = contact.real("OPTT");
+      part.contact_thickness_scale = contact.real("SFT");
+    }
     if (card.good("PID")) deck.parts.push_back(std::move(part));
   }
 }

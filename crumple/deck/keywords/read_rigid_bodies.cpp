@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_RIGID, *CONSTRAINED_RIGID_BODIES, *CONSTRAINED_EXTRA_NODES, *CONSTRAINED_NODAL_RIGID_BODY.
+// *MAT_RIGID, *CONSTRAINED_RIGID_BODIES, *CONSTRAINED_EXTRA_NODES, *CONSTRAINED_NODAL_RIGID_BODY,
+// *INITIAL_VELOCITY_RIGID_BODY.
 #include <array>
 
 #include "deck/keywords/families.hpp"
@@ -45,6 +46,11 @@ constexpr Field merge_card[] = {
     id("PIDL"),
     id("PIDC"),
     only("IFLAG", {0}, "the merged body's centre, mass and inertia are those of all its parts"),
+};
+
+constexpr Field rigid_velocity_card[] = {
+    id("PID"),         velocity(real("VX")), velocity(real("VY")), velocity(real("VZ")),
+    spin(real("VXR")), spin(real("VYR")),    spin(real("VZR")),    reference("ICID", IdKind::Definition),
 };
 
 constexpr Field extra_nodes_card[] = {
@@ -208,6 +214,19 @@ void read_constrained_nodal_rigid_body_spc(Cards& cards, RawDeck& deck) {
 
 void read_constrained_nodal_rigid_body_spc_inertia(Cards& cards, RawDeck& deck) {
   read_nodal_bodies(cards, deck, {.constraints = true, .inertia = true});
+}
+
+void read_initial_velocity_rigid_body(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(rigid_velocity_card);
+    RawRigidVelocity raw;
+    raw.body = card.integer("PID");
+    raw.system = card.integer("ICID");
+    raw.motion.velocity = {card.real("VX"), card.real("VY"), card.real("VZ")};
+    raw.motion.angular_velocity = {card.real("VXR"), card.real("VYR"), card.real("VZR")};
+    raw.where = card.where();
+    if (card.good("PID") && card.good("ICID")) deck.rigid_velocities.push_back(raw);
+  }
 }
 
 }  // namespace crumple::deck

@@ -19,7 +19,7 @@ using What = RawMember::What;
 constexpr Field box_card[] = {id("BOXID"), real("XMN"), real("XMX"), real("YMN"),
                               real("YMX"), real("ZMN"), real("ZMX")};
 
-// DA1-4 are values that other keywords may take from the set; those here do not.
+// DA1-4 are values that other keywords may take from the set: *CONTACT_INTERIOR does.
 constexpr Field set_card[] = {id("SID"),     unused("DA1"),      unused("DA2"), unused("DA3"),
                               unused("DA4"), text("SOLVER", 10), unused("ITS")};
 
@@ -37,6 +37,10 @@ constexpr Field member_card[] = {
     reference("ID4", kind_of_members), reference("ID5", kind_of_members), reference("ID6", kind_of_members),
     reference("ID7", kind_of_members), reference("ID8", kind_of_members),
 };
+
+// The numbers behind a member are its own values of DA1-4.
+constexpr Field column_card[] = {reference("ID", kind_of_members), unused("A1"), unused("A2"), unused("A3"),
+                                 unused("A4")};
 
 constexpr Field increment_card[] = {reference("BBEG", kind_of_members), reference("BEND", kind_of_members),
                                     integer_or_default("INCR", 1, above_zero)};
@@ -123,6 +127,7 @@ RawSet begin_set(Cards& cards, bool& good) {
   set.title = cards.heading().title;
   const Card card = cards.next(set_card);
   set.id = card.integer("SID");
+  set.attributes = {card.real("DA1"), card.real("DA2"), card.real("DA3"), card.real("DA4")};
   set.where = card.where();
   set.collects = set.where.keyword.find("_COLLECT") != std::string_view::npos;
   good = card.good("SID");
@@ -173,6 +178,12 @@ void read_list(Cards& cards, std::vector<RawSet>& sets, SetForm form) {
   bool good = false;
   RawSet set = begin_set(cards, good);
   while (cards.more()) {
+    if (form == SetForm::Column) {
+      const Card card = cards.next_filled(column_card);
+      if (card.good("ID") && card.integer("ID") != 0)
+        set.members.push_back(member_of(card, "ID", card.integer("ID")));
+      continue;
+    }
     if (form != SetForm::GenerateIncrement) {
       read_ids(cards.next_filled(member_card), form, set, cards.report());
       continue;
@@ -365,6 +376,7 @@ void read_set_of(Cards& cards, RawDeck& deck, SetItem item, SetForm form) {
   std::vector<RawSet>& sets = sets_of(deck, item);
   switch (form) {
     case SetForm::List:
+    case SetForm::Column:
     case SetForm::Generate:
     case SetForm::GenerateIncrement:
       return read_list(cards, sets, form);

@@ -55,12 +55,12 @@ struct NamedForm {
   std::int64_t number;
   std::optional<model::SolidFormulation> formulation;
   std::string_view name;
-  std::string_view instead;
+  std::string_view instead;  ///< hint, or how the formulation deviates
 };
 
 constexpr std::string_view take_hexahedron = "take 2, or 1 with hourglass control";
 constexpr std::string_view take_tetrahedron = "take 13, or 10, with four nodes";
-constexpr std::string_view take_wedge = "take 1 or 2, which compute wedges as hexahedra with equal nodes";
+constexpr std::string_view equal_nodes = "wedges are computed as hexahedra with equal nodes";
 constexpr std::string_view no_substitute = "there is nothing like it here";
 
 constexpr NamedForm forms[] = {
@@ -79,13 +79,13 @@ constexpr NamedForm forms[] = {
     {12, {}, "the multi-material ALE hexahedron with void", no_substitute},
     {13, model::SolidFormulation::NodalPressureTetrahedron, "the tetrahedron with averaged nodal pressure",
      ""},
-    {15, {}, "the wedge with two points", take_wedge},
+    {15, model::SolidFormulation::SelectiveHexahedron, "the wedge with two points", equal_nodes},
     {16, {}, "the ten-node tetrahedron", take_tetrahedron},
     {17, {}, "the composite ten-node tetrahedron", take_tetrahedron},
     {18, {}, "the hexahedron for linear statics", take_hexahedron},
     {19, {}, "the cohesive element", no_substitute},
     {20, {}, "the cohesive element with offsets for shells", no_substitute},
-    {115, {}, "the wedge with one point", take_wedge},
+    {115, model::SolidFormulation::OnePointHexahedron, "the wedge with one point", equal_nodes},
 };
 
 /// The formulation of ELFORM; another than the supported ones is reported.
@@ -95,10 +95,16 @@ model::SolidFormulation formulation_of(const Card& card, Report& report) {
   const std::int64_t number = card.integer("ELFORM");
   const auto form = std::find_if(std::begin(forms), std::end(forms),
                                  [&](const NamedForm& f) { return f.number == number; });
-  if (form != std::end(forms) && form->formulation) return *form->formulation;
+  if (form != std::end(forms) && form->formulation) {
+    if (!form->instead.empty())
+      report.field_warning(card.where(),
+                           {"ELFORM", std::string(card.text("ELFORM")), "1, 2, 10 or 13",
+                            fmt::format("of {}: {}", form->name, form->instead), "formulation"});
+    return *form->formulation;
+  }
   std::string supported;
   for (const NamedForm& row : forms)
-    if (row.formulation)
+    if (row.formulation && row.instead.empty())
       supported += fmt::format("{}{} ({})", supported.empty() ? "" : ", ", row.number, row.name);
   const std::string hint = form == std::end(forms)
                                ? std::string(take_hexahedron)

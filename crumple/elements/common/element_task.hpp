@@ -5,6 +5,8 @@
 
 namespace crumple::elements {
 
+struct ErosionCheck;
+
 /// One chunk of one block, but for what is different for shells and solids.
 template <class Real>
 struct ElementTask {
@@ -18,6 +20,7 @@ struct ElementTask {
   Real step = 0;             ///< from n-1 to n [time]
   bool from_memory = false;  ///< the model is larger than the caches: ask for everything a tile ahead
   const double* material_constants = nullptr;
+  const ErosionCheck* erosion = nullptr;  ///< what makes points fail whatever their law; nullptr: nothing
 };
 
 }  // namespace crumple::elements

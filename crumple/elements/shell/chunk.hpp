@@ -2,6 +2,7 @@
 #pragma once
 
 #include "elements/common/erode.hpp"
+#include "elements/common/erosion_check.hpp"
 #include "elements/common/lane_sums.hpp"
 #include "elements/common/prefetch.hpp"
 #include "elements/shell/erosion.hpp"
@@ -72,6 +73,25 @@ void update_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf
   }
 }
 
+/// Lets points fail that the law would keep. Laws without failure of their own leave no `intact`.
+template <class Formulation, class Pack>
+void erode_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<Pack>>& scratch,
+                  const materials::MaterialTask<RealOf<Pack>>& material) {
+  using Real = RealOf<Pack>;
+  const auto row = [&](int first) { return scratch.rows + first * tile_lanes; };
+  check_erosion(*task.erosion, ErosionTile<Real>{.state = material.state,
+                                                 .group_stride = material.group_stride,
+                                                 .groups = material.groups,
+                                                 .planes = Formulation::planes,
+                                                 .points = material.points,
+                                                 .strain = scratch.strain,
+                                                 .thickness_strain = row(scratch_row::thickness_strain),
+                                                 .weight = material.weight,
+                                                 .area = Formulation::own_areas ? scratch.area : nullptr,
+                                                 .energy = row(scratch_row::material_energy),
+                                                 .intact = row(scratch_row::intact)});
+}
+
 /// Works off one chunk, tile by tile: strains, material, forces.
 template <class Formulation, class Pack>
 void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
@@ -104,7 +124,11 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
                         });
     material.state = task.state + first * material.group_stride;
     material.groups = groups;
+    if (task.erosion != nullptr)
+      for (int k = 0; k < Formulation::planes * tile_lanes; ++k)
+        rows[scratch_row::intact * tile_lanes + k] = Real(1);
     update_points<Formulation, Pack>(task, scratch, material);
+    if (task.erosion != nullptr) erode_points<Formulation, Pack>(task, scratch, material);
     ahead.forces();
     for_each_pack<Pack>(task, first, groups, scratch,
                         [&](const ShellPlace<Real>& place, const Index* target) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "elements/common/erode.hpp"
+#include "elements/common/erosion_check.hpp"
 #include "elements/common/prefetch.hpp"
 #include "elements/solid/hexahedron_gather.hpp"
 #include "elements/solid/solid_formulation.hpp"
@@ -116,6 +117,15 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
     material.groups = groups;
     ahead.nodes();
     task.material(material);
+    if (task.erosion != nullptr)
+      check_erosion(*task.erosion, ErosionTile<Real>{.state = material.state,
+                                                     .group_stride = material.group_stride,
+                                                     .groups = groups,
+                                                     .points = material.points,
+                                                     .strain = strain,
+                                                     .turn = turn,
+                                                     .energy = material.energy,
+                                                     .intact = material.intact});
     ahead.forces();
     for (Index group = 0; group < groups; ++group) {
       for_each_pack_of_group<Formulation, Pack>(

@@ -62,7 +62,19 @@ CRUMPLE_INLINE Pack hourglass_share(const SolidPlace<RealOf<Pack>>& place) {
   return constants.viscous ? share : Pack(share * share);
 }
 
-/// The bulk viscosity of an element at the end of the step.
+/// Pressure of interior contact, K (V* / V - 1) of a volume V below V*: linear in the density, so that its
+/// wave speed is constant, and without bound where the volume goes to zero (own derivation,
+/// docs/theory/interior_contact.md).
+template <class Pack>
+CRUMPLE_INLINE Pack interior_pressure(const SolidPlace<RealOf<Pack>>& place, const Pack& per_volume) {
+  using Real = RealOf<Pack>;
+  const SolidConstants<Real>& constants = place.task.constants;
+  const Pack least = Pack(constants.interior_volume) * own_item<Pack>(place, solid_state::reference_volume);
+  const Pack excess = larger(Pack(Real(0)), multiply_add(least, per_volume, Pack(Real(-1))));
+  return Pack(constants.interior_modulus) * excess;
+}
+
+/// The bulk viscosity of an element at the end of the step, and its interior contact.
 template <class Pack>
 struct Resistance {
   Pack pressure;
@@ -91,6 +103,8 @@ CRUMPLE_INLINE Resistance<Pack> resist(const SolidPlace<RealOf<Pack>>& place, co
     found.pressure = kept_row<Pack>(place, solid_scratch::bulk_pressure);
     store(place.state + constants.present_wave_speed * lanes, wave_speed);
   }
+  if (constants.interior_modulus > 0)
+    found.pressure = found.pressure + active * interior_pressure(place, found.per_volume);
   found.speed = bulk.speed;
   found.mean = Pack(Real(0.5)) * (old_pressure + found.pressure);
   set_own_item(place, solid_state::bulk_viscosity, found.pressure);
@@ -117,9 +131,10 @@ CRUMPLE_INLINE void leave_limit(const SolidPlace<RealOf<Pack>>& place, const Pac
   const Pack speed = wave_speed_of<Pack>(place);
   const Pack flatness = Pack(Real(0.5773502691896258)) * (resistance.length / length);
   const Pack resistance_speed = resistance.speed * larger(Pack(Real(1)), flatness);
+  const Pack square = multiply_add(speed, speed, Pack(place.task.constants.interior_speed_square));
   const Pack limit =
       own_item<Pack>(place, solid_state::step_scale) * length /
-      (resistance_speed + square_root(multiply_add(resistance_speed, resistance_speed, Pack(speed * speed))));
+      (resistance_speed + square_root(multiply_add(resistance_speed, resistance_speed, square)));
   keep_row(place, solid_scratch::shortest_step,
            select<Pack>(active > Pack(Real(0)), limit, Pack(Real(1e30))));
 }

@@ -32,9 +32,12 @@ struct SolidConstants {
   /// Component of the state with the wave speed at the end of the last step, where the material tells a new
   /// one every step; 0: it does not vary.
   Index present_wave_speed = 0;
-  Index equation_of_state = 0;  ///< first of its numbers in the material's constants; 0: there is none
-  Real bulk_quadratic = 0;      ///< Q1 [-]
-  Real bulk_linear = 0;         ///< Q2 [-]
+  Index equation_of_state = 0;     ///< first of its numbers in the material's constants; 0: there is none
+  Real interior_modulus = 0;       ///< of interior contact [stress]; 0: there is none
+  Real interior_volume = 0;        ///< relative volume below which it acts [-]
+  Real interior_speed_square = 0;  ///< what it adds to the square of the wave speed [(length/time)^2]
+  Real bulk_quadratic = 0;         ///< Q1 [-]
+  Real bulk_linear = 0;            ///< Q2 [-]
 };
 
 /// The element's own items, counted from SolidConstants::own.

@@ -100,6 +100,14 @@ TEST(FlatPatch, ThicknessFollowsTheRule) {
   scene.bodies.contact.side[0].contact_thickness = 0;
   scene.bodies.contact.side[0].thickness_scale = 0.5;
   EXPECT_DOUBLE_EQ(scene.bodies.attach(made).surface().half_thickness[0], 0.15);
+  // *PART_CONTACT: a factor beside that of the contact; a thickness goes before all else.
+  model::Part& part = scene.bodies.model.parts[scene.bodies.model.shells[0].part];
+  part.contact_thickness_scale = 0.8;
+  EXPECT_DOUBLE_EQ(scene.bodies.attach(made).surface().half_thickness[0], 0.12);
+  scene.bodies.contact.side[0].contact_thickness = 0.5;
+  EXPECT_DOUBLE_EQ(scene.bodies.attach(made).surface().half_thickness[0], 0.25);
+  part.contact_thickness = 0.7;
+  EXPECT_DOUBLE_EQ(scene.bodies.attach(made).surface().half_thickness[0], 0.35);
 }
 
 // Above an edge that segments share, above their diagonals and above a face the force is that of a node above

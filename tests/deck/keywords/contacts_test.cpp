@@ -52,6 +52,20 @@ TEST(Contact, WhichPartsTakePart) {
   EXPECT_EQ(parts("9,0,6"), (Parts{0}));
 }
 
+TEST(Contact, MortarIsTheSameContactWithAWarningAndWithoutPenmax) {
+  for (const std::string name : {"SINGLE_SURFACE", "SURFACE_TO_SURFACE"}) {
+    SmallDeck deck;
+    deck.more = "*CONTACT_AUTOMATIC_" + name + "_MORTAR_ID\n3,both\n1,1,3,3\n0.3\n\n0\n0.5\n";
+    const ReadResult result = read_deck_text(deck.text());
+    ASSERT_TRUE(result.model) << listed(result.diagnostics);
+    EXPECT_NE(listed(result.diagnostics).find("warning: *CONTACT_AUTOMATIC_" + name + "_MORTAR_ID"),
+              std::string::npos)
+        << listed(result.diagnostics);
+    EXPECT_EQ(result.model->contacts.at(0).static_friction, 0.3);
+    EXPECT_EQ(result.model->contacts.at(0).release_depth, 0);
+  }
+}
+
 TEST(Contact, SoftnessAndLimitOfFriction) {
   SmallDeck deck;
   deck.more = "*CONTACT_SINGLE_SURFACE_ID\n3,both\n0\n0.3,0.2,,0.5\n,,,,,,,2\n1,0.3\n";
@@ -215,10 +229,33 @@ TEST(Contact, GeneralHasEdgesAndBeams) {
   EXPECT_EQ(with_depth("AUTOMATIC_GENERAL", 5), model::ContactEdges::All);
   EXPECT_EQ(with_depth("AUTOMATIC_GENERAL", 25), model::ContactEdges::All);
   EXPECT_EQ(with_depth("AUTOMATIC_SINGLE_SURFACE", 5), model::ContactEdges::None);
-  const ReadResult other =
-      read_deck_text(SmallDeck{.more = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n\n\n" + beams}.text(), {}, {});
-  EXPECT_FALSE(other.model.has_value());
-  EXPECT_NE(listed(other.diagnostics).find("part 2 consists of beams"), std::string::npos);
+}
+
+TEST(Contact, NodesOfBeamsTouchSegmentsInOtherKinds) {
+  const std::string beams =
+      "*ELEMENT_BEAM\n      11       2       1       6\n*PART\nframe\n         2         2         1\n"
+      "*SECTION_BEAM\n         2         3\n      0.01\n";
+  const auto parts = [&](const std::string& contact) {
+    return read_with(contact + beams).contacts.at(0).side;
+  };
+  using Parts = std::vector<Index>;
+  EXPECT_EQ(parts("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n\n\n")[0].parts, (Parts{0, 1}));
+  for (const std::string kind : {"NODES_TO_SURFACE", "SURFACE_TO_SURFACE", "BEAMS_TO_SURFACE"}) {
+    const auto side = parts("*CONTACT_AUTOMATIC_" + kind + "\n2,1,3,3\n\n\n");
+    EXPECT_EQ(side[0].parts, (Parts{1})) << kind;
+    EXPECT_EQ(side[1].parts, (Parts{0})) << kind;
+  }
+  const auto read = [&](const std::string& contact) {
+    return read_deck_text(SmallDeck{.more = contact + beams}.text(), {}, {});
+  };
+  const ReadResult soft = read("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n\n\n2\n");
+  ASSERT_TRUE(soft.model.has_value());
+  EXPECT_EQ(soft.model->contacts.at(0).side[0].parts, (Parts{0}));
+  EXPECT_NE(listed(soft.diagnostics).find("part 2 consists of beams, which take no part in it"),
+            std::string::npos);
+  const ReadResult constrained = read("*CONTACT_CONSTRAINT_NODES_TO_SURFACE\n2,1,3,3\n\n\n\n");
+  EXPECT_FALSE(constrained.model.has_value());
+  EXPECT_NE(listed(constrained.diagnostics).find("part 2 consists of beams"), std::string::npos);
 }
 
 TEST(Contact, AutomaticWhereTheDeckHasNone) {

@@ -285,8 +285,12 @@ TEST(Wall, MovingOnesHaveAMassAndAVelocity) {
       "*RIGIDWALL_PLANAR_MOVING\n0\n3,0,0,2,0,0,0.2\n0.5,8\n0\n4,0,0,3,0,0\n0.75\n"
       "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n         7hammer\n0\n3,0,0,2,0,0\n3,4,0,6,7\n100,-2.5\n"
       "*RIGIDWALL_PLANAR_MOVING_FINITE\n0\n3,0,0,2,0,0\n3,4,0,6,7\n100,-2.5\n"
-      "*RIGIDWALL_PLANAR\n0\n3,0,0,2,0,0\n");
-  ASSERT_EQ(model.rigid_walls.size(), 5U);
+      "*RIGIDWALL_PLANAR\n0\n3,0,0,2,0,0\n"
+      "*RIGIDWALL_PLANAR_MOVING_FORCES_FINITE_ID\n8,shown\n0\n3,0,0,2,0,0\n3,4,0,6,7\n50,-1\n0,3,1,2,3,4\n");
+  ASSERT_EQ(model.rigid_walls.size(), 6U);
+  EXPECT_EQ(model.rigid_walls[5].id, 8);
+  EXPECT_EQ(model.rigid_walls[5].lengths, (Vector{6, 7, 0}));
+  EXPECT_EQ(model.rigid_walls[5].mass, 50);
   EXPECT_EQ(model.rigid_walls[0].shape, model::WallShape::Plane);
   EXPECT_EQ(model.rigid_walls[0].mass, 0.5);
   EXPECT_EQ(model.rigid_walls[0].initial_velocity, 8);
@@ -300,6 +304,17 @@ TEST(Wall, MovingOnesHaveAMassAndAVelocity) {
     EXPECT_EQ(model.rigid_walls[finite].initial_velocity, -2.5);
   }
   EXPECT_EQ(model.rigid_walls[4].mass, 0) << "it stays where it is";
+}
+
+TEST(Part, ContactThickness) {
+  SmallDeck deck;
+  deck.part = "*PART_CONTACT\nplate\n1,1,1\n0.3,0.2,4,0,1.5,0.8\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_EQ(model.parts[0].contact_thickness, 1.5);
+  EXPECT_EQ(model.parts[0].contact_thickness_scale, 0.8);
+  deck.part = "*PART_CONTACT\nplate\n1,1,1\n0.3,0.2,4,0,0,0,2\n";
+  const std::string messages = listed(read_deck_text(deck.text()).diagnostics);
+  EXPECT_NE(messages.find("field SSF"), std::string::npos) << messages;
 }
 
 TEST(Wall, ABoxChoosesAmongItsNodes) {

@@ -63,6 +63,18 @@ TEST(RigidBodies, PartOfRigidMaterialIsABodyWithItsConstraints) {
   EXPECT_FALSE(model::is_rigid(model, model.parts[0]));
 }
 
+TEST(RigidBodies, InitialVelocityOfABody) {
+  SmallDeck deck = rigid_deck();
+  deck.more =
+      "*INITIAL_VELOCITY_RIGID_BODY\n2,1,2,3,0.1,0.2,0.3,8\n"
+      "*DEFINE_COORDINATE_VECTOR\n8,0,1,0,-1,0,0\n";
+  const auto motion = read_clean(deck.text()).rigid_bodies.at(0).initial_motion;
+  ASSERT_TRUE(motion);
+  EXPECT_EQ(motion->velocity, (std::array<double, 3>{-2, 1, 3}));
+  EXPECT_EQ(motion->angular_velocity, (std::array<double, 3>{-0.2, 0.1, 0.3}));
+  EXPECT_TRUE(has(message_with("*INITIAL_VELOCITY_RIGID_BODY\n1,1\n"), "rigid body 1"));
+}
+
 TEST(RigidBodies, RigidPartWithoutElementsIsNoBody) {
   SmallDeck deck = rigid_deck();
   deck.part += "*PART\nempty\n         3         1         2\n";

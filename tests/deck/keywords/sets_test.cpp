@@ -91,6 +91,12 @@ TEST(NodeSet, RangesWithIncrement) {
   EXPECT_EQ(model.node_sets[0].nodes, (Indices{0, 3, 6, 9, 11}));
 }
 
+TEST(NodeSet, Columns) {
+  const model::Model model = block_with("*SET_NODE_COLUMN\n1\n3,0.5,0.5\n1\n7\n*SET_PART_COLUMN\n2\n1,0.1\n");
+  EXPECT_EQ(sorted(model.node_sets[0].nodes), (Indices{0, 2, 6}));
+  EXPECT_EQ(model.part_sets[0].parts, (Indices{0}));
+}
+
 TEST(NodeSet, NodesOfShellSets) {
   const model::Model model = block_with("*SET_SHELL_LIST\n5\n32\n*SET_NODE_GENERAL\n1\nSET_SHELL,5\n");
   EXPECT_EQ(sorted(model.node_sets[0].nodes), (Indices{7, 8, 10, 11}));

@@ -171,6 +171,11 @@ TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
       "one point), 2 (the selectively reduced hexahedron), 10 (the tetrahedron with one point), 13 (the "
       "tetrahedron with averaged nodal pressure); 16 is the ten-node tetrahedron; take 13, or 10, with "
       "four nodes\n");
+  EXPECT_EQ(
+      message("15"),
+      "deck.k:20: warning: *SECTION_SOLID card 1 field ELFORM: read \"15\", expected 1, 2, 10 or 13; of "
+      "the wedge with two points: wedges are computed as hexahedra with equal nodes\n");
+  EXPECT_EQ(message("115").find("error"), std::string::npos);
   EXPECT_NE(message("77").find("read \"77\", expected 1"), std::string::npos);
   EXPECT_EQ(message("0").find("error"), std::string::npos);
   SolidDeck deck;
@@ -180,6 +185,22 @@ TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
   const ReadResult result = read_deck_text(deck.text(), options);
   ASSERT_TRUE(result.model);
   EXPECT_EQ(result.model->solid_sections[0].formulation, model::SolidFormulation::OnePointHexahedron);
+}
+
+TEST(Solid, InteriorContactTakesItsNumbersFromThePartSet) {
+  SolidDeck deck;
+  deck.more = "*CONTACT_INTERIOR\n4\n*SET_PART_LIST\n4,2,0.2,30\n1\n";
+  const auto interior = read_clean(deck.text()).parts.at(0).interior;
+  ASSERT_TRUE(interior);
+  EXPECT_EQ(interior->scale, 2);
+  EXPECT_EQ(interior->relative_volume, 0.2);
+  EXPECT_EQ(interior->modulus, 30);
+  deck.more = "*CONTACT_INTERIOR\n4\n*SET_PART_LIST\n4\n1\n";
+  const auto defaults = read_clean(deck.text()).parts.at(0).interior;
+  ASSERT_TRUE(defaults);
+  EXPECT_EQ(defaults->relative_volume, 0.1);
+  deck.more = "*CONTACT_INTERIOR\n5\n";
+  EXPECT_NE(listed(read_deck_text(deck.text()).diagnostics).find("no part set 5"), std::string::npos);
 }
 
 TEST(SolidHourglass, FormsAndCoefficients) {

@@ -26,9 +26,10 @@ std::vector<std::string> messages_of_deck(const SmallDeck& deck) {
 TEST(WithoutEffect, AreAccepted) {
   for (const char* cards :
        {"*CONTROL_SOLUTION\n", "*CONTROL_SOLUTION\n         0\n", "*CONTROL_UNITS\nmm,ms,kg\n",
-        "*CONTROL_STRUCTURED\n", "*CONTROL_STRUCTURED_TERM\n",
-        "*SENSOR_DEFINE_NODE\n         1         1         2\n", "*CONTROL_SOLID\n         1\n",
-        "*CONTROL_SOLID\n         1\n         0\n", "*PART\nmirror\n         7\n"})
+        "*CONTROL_STRUCTURED\n", "*CONTROL_STRUCTURED_TERM\n", "*INTERFACE_SPRINGBACK_LSDYNA\n         1\n",
+        "*INTERFACE_COMPONENT_FILE\nf\n", "*SENSOR_DEFINE_NODE\n         1         1         2\n",
+        "*CONTROL_SOLID\n         1\n", "*CONTROL_SOLID\n         1\n         0\n",
+        "*PART\nmirror\n         7\n"})
     EXPECT_FALSE(has(messages_with(cards), ": error: ")) << cards << messages_with(cards)[0];
 }
 
@@ -38,6 +39,12 @@ TEST(WithoutEffect, AreAcceptedWithAWarning) {
     ASSERT_EQ(messages.size(), 1U) << cards;
     EXPECT_NE(messages[0].find(": warning: "), std::string::npos) << messages[0];
   }
+}
+
+TEST(WithoutEffect, AccelerometersAreTracedNodes) {
+  const model::Model model = read_with("*ELEMENT_SEATBELT_ACCELEROMETER\n1,4,1,2,0,0\n");
+  EXPECT_EQ(model.output.history_nodes.size(), 1U);
+  EXPECT_TRUE(has(messages_with("*ELEMENT_SEATBELT_ACCELEROMETER\n1,4,1,2,0,0,0.5\n"), "field MASS"));
 }
 
 TEST(WithoutEffect, AreRefusedWhereTheyHaveAnEffect) {

@@ -55,6 +55,16 @@ constexpr Field flat_card[] = {
 
 constexpr Field moving_card[] = {real("MASS", 0, above_zero), length(real("V0"))};
 
+// What shows the force of the wall in LS-DYNA. SOFT spreads the stop of a node over some cycles.
+constexpr Field forces_card[] = {
+    harmless("SOFT", {0}, "nodes stop at the wall within a step"),
+    unused("SSID"),
+    unused("N1"),
+    unused("N2"),
+    unused("N3"),
+    unused("N4"),
+};
+
 constexpr Field prism_card[] = {
     point(real("XHEV")),
     point(real("YHEV")),
@@ -194,6 +204,7 @@ void read_rigidwall_planar(Cards& cards, RawDeck& deck) {
       raw.wall.mass = moving.real("MASS");
       raw.wall.initial_velocity = moving.real("V0");
     }
+    if (has_option(cards, "_FORCES")) cards.next(forces_card);
     if (good(first)) deck.walls.push_back(std::move(raw));
   } while (cards.more());
 }

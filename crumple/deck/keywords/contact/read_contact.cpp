@@ -56,7 +56,9 @@ constexpr Field card_1_nodes[] = {
 constexpr Field friction_coefficient(std::string_view name) {
   return real(
       name, 0,
-      within(0, 1.999999, "a coefficient from 0 to below 2; tables and *PART_CONTACT are not supported"));
+      within(
+          0, 1.999999,
+          "a coefficient from 0 to below 2; tables and friction by part (*PART_CONTACT) are not supported"));
 }
 
 constexpr Field contact_card_2[] = {
@@ -146,6 +148,12 @@ constexpr Field contact_card_f[] = {
     unused("2DBINR"), unused("SSFTYP"),
     unused("SWTPR"),  unused("TETFAC")};
 
+constexpr Field interior_card[] = {
+    reference("PSID1", IdKind::Set), reference("PSID2", IdKind::Set), reference("PSID3", IdKind::Set),
+    reference("PSID4", IdKind::Set), reference("PSID5", IdKind::Set), reference("PSID6", IdKind::Set),
+    reference("PSID7", IdKind::Set), reference("PSID8", IdKind::Set),
+};
+
 using Target = RawContactSide::Target;
 
 /// The meanings of SSTYP and MSTYP, by their number.
@@ -229,7 +237,8 @@ void read_optional_cards(Cards& cards, RawContact& raw) {
     raw.contact.edges = model::ContactEdges::All;
   if (!cards.has_line()) return;
   const Card thickness = cards.next(contact_card_b);
-  raw.contact.release_depth = thickness.real("PENMAX");
+  // Of MORTAR it is a depth that the contact keeps, not one at which it lets go.
+  if (!has_option(cards, "_MORTAR")) raw.contact.release_depth = thickness.real("PENMAX");
   raw.contact.solid_thickness = thickness.real("SLDTHK");
   raw.contact.symmetry_planes |= thickness.real("ISYM") == 1;
   raw.contact.solid_modulus = thickness.real("SLDSTF");
@@ -253,6 +262,10 @@ void read(Cards& cards, RawDeck& deck, const Form& form) {
   const Heading heading = cards.heading();
   skip_mpp_cards(cards);
   const Card first = cards.next(card_1_of(form));
+  if (has_option(cards, "_MORTAR"))
+    cards.report().warning(first.where(), "mortar",
+                           "the penalty acts at nodes and edges, as in the contact without MORTAR: forces "
+                           "between segments are not integrated over their area");
   RawContact raw;
   raw.contact.id = heading.id;
   raw.contact.title = heading.title;
@@ -336,6 +349,15 @@ void read_contact_constraint_nodes_to_surface(Cards& cards, RawDeck& deck) {
 
 void read_contact_force_transducer(Cards& cards, RawDeck& deck) {
   read(cards, deck, {.kind = model::ContactKind::SurfaceToSurface, .only_measures = true});
+}
+
+void read_contact_interior(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(interior_card);
+    for (const Field& field : interior_card)
+      if (card.good(field.name) && card.integer(field.name) != 0)
+        deck.interiors.push_back({card.integer(field.name), field.name, card.where()});
+  }
 }
 
 }  // namespace crumple::deck

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// *MAT_ADD_EROSION.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "deck/keywords/families.hpp"
+#include "deck/keywords/material_cards.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+using namespace row;
+
+constexpr Field erosion_card_1[] = {
+    id("MID"),
+    real("EXCL"),
+    real("MXPRES"),
+    real("MNEPS"),
+    real("EFFEPS"),
+    real("VOLEPS"),
+    integer_or_default("NUMFIP", 1, within(-100, 100, "a number of points, below zero percent of all")),
+    integer_or_default("NCS", 1, above_zero),
+};
+
+constexpr Field erosion_card_2[] = {
+    real("MNPRES"), real("SIGP1"), real("SIGVM"),   real("MXEPS"),
+    real("EPSSH"),  real("SIGTH"), real("IMPULSE"), real("FAILTM"),
+};
+
+constexpr std::string_view no_damage = "damage that grows is not supported; take *MAT_ADD_EROSION without it";
+
+constexpr Field erosion_card_3[] = {
+    only("IDAM", {0}, no_damage),
+    unused("DMGTYP"),
+    unused("LCSDG"),
+    unused("ECRIT"),
+    unused("DMGEXP"),
+    unused("DCRIT"),
+    unused("FADEXP"),
+    unused("LCREGD"),
+};
+
+constexpr std::string_view no_such_criterion = "the criterion is not supported";
+
+constexpr Field erosion_card_4[] = {
+    only("LCFLD", {0}, no_such_criterion),   unused("NSFF"),
+    only("EPSTHIN", {0}, no_such_criterion), only("ENGCRT", {0}, no_such_criterion),
+    only("RADCRT", {0}, no_such_criterion),  only("LCEPS12", {0}, no_such_criterion),
+    only("LCEPS13", {0}, no_such_criterion), only("LCEPSMX", {0}, no_such_criterion),
+};
+
+constexpr Field erosion_card_5[] = {
+    only("DTEFLT", {0}, no_such_criterion),
+    unused("VOLFRAC"),
+    only("MXTMP", {0}, no_such_criterion),
+    only("DTMIN", {0}, no_such_criterion),
+};
+
+/// Which numbers a criterion may have.
+enum class Sign {
+  Any,
+  Positive,
+  Negative,
+};
+
+/// The criteria of a card: those that are not zero and not the exclusion number.
+class Criteria {
+ public:
+  Criteria(double exclusion, Report& report) : exclusion_(exclusion), report_(report) {}
+
+  std::optional<double> read(const Card& card, std::string_view field, Sign sign) {
+    const double value = card.real(field);
+    if (!card.good(field) || value == 0 || value == exclusion_) return {};
+    if (sign == Sign::Positive && value < 0)
+      report_.code_unsupported(card.where(), {field, std::string(card.text(field)), "a number above zero",
+                                              "one below zero names a curve or another measure", "value"});
+    else if (sign == Sign::Negative && value > 0)
+      report_.field_error(card.where(), {field, std::string(card.text(field)), "a number below zero",
+                                         "every point would fail at once", "value"});
+    else
+      return value;
+    return {};
+  }
+
+ private:
+  double exclusion_;
+  Report& report_;
+};
+
+model::ErosionCriteria criteria_of(const Card& first, const Card& second, Report& report) {
+  Criteria criteria(first.real("EXCL"), report);
+  model::ErosionCriteria found;
+  found.largest_pressure = criteria.read(first, "MXPRES", Sign::Positive);
+  found.smallest_principal_strain = criteria.read(first, "MNEPS", Sign::Negative);
+  const std::optional<double> effective = criteria.read(first, "EFFEPS", Sign::Any);
+  if (effective && *effective > 0) found.effective_strain = effective;
+  if (effective && *effective < 0) found.effective_plastic_strain = -*effective;
+  found.volumetric_strain = criteria.read(first, "VOLEPS", Sign::Any);
+  found.smallest_pressure = criteria.read(second, "MNPRES", Sign::Negative);
+  found.largest_principal_stress = criteria.read(second, "SIGP1", Sign::Positive);
+  found.largest_equivalent_stress = criteria.read(second, "SIGVM", Sign::Positive);
+  found.largest_principal_strain = criteria.read(second, "MXEPS", Sign::Positive);
+  found.shear_strain = criteria.read(second, "EPSSH", Sign::Positive);
+  found.threshold_stress = criteria.read(second, "SIGTH", Sign::Positive);
+  found.impulse = criteria.read(second, "IMPULSE", Sign::Positive);
+  found.time = criteria.read(second, "FAILTM", Sign::Positive);
+  found.points = static_cast<int>(first.integer("NUMFIP"));
+  found.conditions = static_cast<int>(first.integer("NCS"));
+  return found;
+}
+
+}  // namespace
+
+void read_mat_add_erosion(Cards& cards, RawDeck& deck) {
+  const Card first = cards.next(erosion_card_1);
+  const Card second = cards.next_or_default(erosion_card_2);
+  for (const Layout layout : {Layout(erosion_card_3), Layout(erosion_card_4), Layout(erosion_card_5)})
+    if (cards.has_line()) cards.next(layout);
+  RawErosion raw;
+  raw.material = first.integer("MID");
+  raw.criteria = criteria_of(first, second, cards.report());
+  raw.where = first.where();
+  if (first.good("MID")) deck.erosions.push_back(raw);
+}
+
+}  // namespace crumple::deck
