@@ -32,12 +32,17 @@
 #include "materials/laws/crushable_foam.hpp"
 #include "materials/laws/elastic.hpp"
 #include "materials/laws/johnson_cook.hpp"
+#include "materials/laws/low_density_foam.hpp"
 #include "materials/laws/mooney_rivlin.hpp"
 #include "materials/laws/null.hpp"
+#include "materials/laws/ogden_rubber.hpp"
 #include "materials/laws/orthotropic_elastic.hpp"
 #include "materials/laws/piecewise_linear_plasticity.hpp"
 #include "materials/laws/plastic_kinematic.hpp"
+#include "materials/laws/polynomial_rubber.hpp"
 #include "materials/laws/power_law_plasticity.hpp"
+#include "materials/laws/strain_limited_plasticity.hpp"
+#include "materials/laws/viscoelastic.hpp"
 
 namespace crumple::materials {
 
@@ -47,10 +52,12 @@ struct LawList {
 };
 
 /// Every constitutive law of shells, one line each. What a law must have is written in tile_update.hpp (the
-/// update, a template over the pack) and in registry.cpp (name, history and constants).
+/// update, a template over the pack) and in registry.cpp (name, history and constants). Of two laws of the
+/// same description the first that `takes` it counts.
 using ShellLaws = LawList<         //
     ElasticLaw,                    //
     PlasticKinematicLaw,           //
+    StrainLimitedPlasticityLaw,    //
     PiecewiseLinearPlasticityLaw,  //
     PowerLawPlasticityLaw,         //
     JohnsonCookLaw,                //
@@ -67,7 +74,11 @@ using SolidLaws = LawList<         //
     NullLaw,                       //
     BlatzKoLaw,                    //
     MooneyRivlinLaw,               //
-    CrushableFoamLaw>;
+    CrushableFoamLaw,              //
+    LowDensityFoamLaw,             //
+    OgdenRubberLaw,                //
+    PolynomialRubberLaw,           //
+    ViscoelasticLaw>;
 
 /// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp
 /// says.

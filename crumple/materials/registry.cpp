@@ -21,6 +21,8 @@ bool with_law(const model::ConstitutiveLaw& law, const Visit& visit, LawList<Law
   const auto try_one = [&]<class Law>(Law one) {
     ++kind;
     if (!std::holds_alternative<typename Law::Model>(law)) return false;
+    if constexpr (requires { Law::takes(law); })
+      if (!Law::takes(law)) return false;
     visit(one, kind);
     return true;
   };

@@ -10,7 +10,9 @@
 // and, if it needs them,
 //   void follow(history, strain, Turn)               brings what follows the motion alone up to date
 //   static constexpr bool takes_equation_of_state    true: with one, the law brings the deviator alone
-// A law of total deformation has no elasticity; it derives from TotalDeformation.
+// A law of total deformation has no elasticity; it derives from TotalDeformation. Nor has a law whose history
+// is the stress: it has
+//   SolidStress relaxed(history, strain, Turn)       the new stress
 
 #include "materials/common/history_view.hpp"
 #include "materials/common/solid_material.hpp"
@@ -49,6 +51,17 @@ CRUMPLE_INLINE Pack work_of(const SolidStress<Pack>& before, [[maybe_unused]] co
     return mean_work(old, now, strain);
 }
 
+/// The stress of a law of total deformation.
+template <class Law, class Pack>
+CRUMPLE_INLINE auto total_stress(const Law& law, const SolidStrain<Pack>& strain, const Turn<Pack>& turn,
+                                 const HistoryView<RealOf<Pack>>& history) {
+  const Turn<Pack> deformation = Law::advance(history, strain, turn);
+  if constexpr (requires { law.total(deformation, history, strain); })
+    return law.total(deformation, history, strain);
+  else
+    return law.total(deformation);
+}
+
 /// Brings one point of one pack of solids up to date; returns where it is intact.
 template <class Law, class Pack>
 CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<RealOf<Pack>>& task,
@@ -66,9 +79,11 @@ CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<R
   [[maybe_unused]] Real* const wave_speed = task.wave_speed == nullptr ? nullptr : task.wave_speed + place;
   SolidStress<Pack> now;
   if constexpr (requires { Law::is_total; }) {
-    const auto total = law.total(Law::advance(history, strain, turn));
+    const auto total = total_stress(law, strain, turn, history);
     now = total.stress;
     leave_wave_speed(wave_speed, p, total.wave_square);
+  } else if constexpr (requires { law.relaxed(history, strain, turn); }) {
+    now = law.relaxed(history, strain, turn);
   } else {
     now = law.elasticity.stress(old, strain);
   }

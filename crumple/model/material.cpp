@@ -21,12 +21,30 @@ struct Use {
   LawUse operator()(const BlatzKo& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const MooneyRivlin& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const CrushableFoam& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const LowDensityFoam& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const OgdenRubber& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const PolynomialRubber& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const Viscoelastic& /*law*/) const { return {false, true, false, false}; }
 };
 
 }  // namespace
 
 LawUse use_of(const ConstitutiveLaw& law) {
   return std::visit(Use(), law);
+}
+
+bool has_strain_limits(const PiecewiseLinearPlasticity& law) {
+  return law.failure_thinning > 0 || law.failure_major > 0 || law.failed_points > 0 || law.failed_share > 0;
+}
+
+void set_instantaneous(Viscoelastic& law) {
+  double shear = 0;
+  double bulk = 0;
+  for (const Relaxation& part : law.shear) shear += part.modulus;
+  for (const Relaxation& part : law.bulk) bulk += part.modulus;
+  if (!(shear > 0 && bulk > 0)) return;
+  law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
+  law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
 }
 
 void set_stand_in(OrthotropicElastic& law) {

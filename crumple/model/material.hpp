@@ -53,7 +53,16 @@ struct PiecewiseLinearPlasticity {
   std::vector<double> rate_factor{};   ///< [-]
   std::vector<HardeningAtRate> by_rate{};  ///< curves by ascending rate, in place of the one above; or empty
   bool logarithmic_rates = false;          ///< by_rate is interpolated in the logarithm of the rate
+  /// Of shells (*MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY): a point fails at these strains as well, and the
+  /// element when so many of its points through the thickness have failed.
+  double failure_thinning = 0;  ///< minus the strain across; 0 is none
+  double failure_major = 0;     ///< major strain in the plane; 0 is none
+  int failed_points = 0;        ///< 0: all of them
+  double failed_share = 0;      ///< of the points, in place of their number; 0: the number counts
 };
+
+/// True if shells fail by more than the plastic strain of all points.
+bool has_strain_limits(const PiecewiseLinearPlasticity& law);
 
 /// J2 plasticity with a power of the plastic strain, k (e_y + p)^n (*MAT_POWER_LAW_PLASTICITY).
 struct PowerLawPlasticity {
@@ -166,6 +175,67 @@ struct CrushableFoam {
   double damping = 0;                ///< coefficient of the linear viscosity [-]
 };
 
+/// A curve of foam in compression at a strain rate.
+struct FoamAtRate {
+  double rate = 0;                  ///< [1/time]
+  std::vector<double> compression;  ///< as of LowDensityFoam
+  std::vector<double> stress;
+};
+
+/// Foam of low density that springs back: principal nominal stresses by the principal stretches, one by one
+/// (*MAT_LOW_DENSITY_FOAM, *MAT_FU_CHANG_FOAM).
+struct LowDensityFoam {
+  double youngs_modulus = 0;         ///< E in tension, and at rest for wave speed and contact [stress]
+  double poissons_ratio = 0;         ///< of contact stiffness [-]
+  std::vector<double> compression;   ///< 1 - stretch, ascending from 0
+  std::vector<double> stress;        ///< nominal, from 0 [stress]; the last slope goes on beyond
+  double tensile_stress = 0;         ///< largest nominal stress in tension; 0 is no bound [stress]
+  bool tears = false;                ///< at that bound the point loses its strength in tension for good
+  double unloading_factor = 1;       ///< HU: share of the stress that unloading keeps at the least [-]
+  double unloading_shape = 1;        ///< exponent of the stored energy in unloading [-]
+  double damping = 0;                ///< coefficient of the linear viscosity [-]
+  double slowest = 0;                ///< rate up to which the curve above holds [1/time]
+  std::vector<FoamAtRate> faster{};  ///< curves of loading at higher rates, ascending
+  bool engineering_rate = false;     ///< the rate is that of the stretch, else of its logarithm
+};
+
+/// Nearly incompressible rubber of Ogden (*MAT_OGDEN_RUBBER).
+struct OgdenRubber {
+  double youngs_modulus = 0;         ///< E = 2 G (1 + nu) at rest, G = sum of mu alpha / 2 [stress]
+  double poissons_ratio = 0;         ///< nu at rest [-]
+  std::array<double, 8> modulus{};   ///< mu [stress]; zero is no term
+  std::array<double, 8> exponent{};  ///< alpha [-]
+};
+
+/// Nearly incompressible rubber whose energy is a polynomial in the invariants (*MAT_HYPERELASTIC_RUBBER).
+struct PolynomialRubber {
+  double youngs_modulus = 0;  ///< E = 4 (C10 + C01) (1 + nu) at rest [stress]
+  double poissons_ratio = 0;  ///< nu at rest [-]
+  double c10 = 0;             ///< [stress], as all that follow
+  double c01 = 0;
+  double c11 = 0;
+  double c20 = 0;
+  double c02 = 0;
+  double c30 = 0;
+};
+
+/// A part of a modulus that relaxes.
+struct Relaxation {
+  double modulus = 0;  ///< [stress]
+  double decay = 0;    ///< [1/time]; 0: it stays
+};
+
+/// Linear viscoelasticity by Prony series (*MAT_VISCOELASTIC, *MAT_GENERAL_VISCOELASTIC).
+struct Viscoelastic {
+  double youngs_modulus = 0;      ///< E before anything has relaxed [stress]
+  double poissons_ratio = 0;      ///< nu before anything has relaxed [-]
+  std::vector<Relaxation> shear;  ///< parts of the shear modulus
+  std::vector<Relaxation> bulk;   ///< parts of the bulk modulus
+};
+
+/// Sets modulus and Poisson's ratio from the sums of the moduli.
+void set_instantaneous(Viscoelastic& law);
+
 /// Beams whose ends are elastic-perfectly plastic under axial force and bending moments
 /// (*MAT_RESULTANT_PLASTICITY).
 struct ResultantPlasticity {
@@ -177,7 +247,8 @@ struct ResultantPlasticity {
 /// The constitutive law and its constants. A new law is one more alternative here.
 using ConstitutiveLaw =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
-                 OrthotropicElastic, NullMaterial, ResultantPlasticity, BlatzKo, MooneyRivlin, CrushableFoam>;
+                 OrthotropicElastic, NullMaterial, ResultantPlasticity, BlatzKo, MooneyRivlin, CrushableFoam,
+                 LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

@@ -2,6 +2,7 @@
 // Rubber against the derivatives of its strain energy, which is written here anew.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <random>
 
@@ -32,6 +33,21 @@ model::Material mooney_rivlin(double poisson) {
   return rubber(model::MooneyRivlin{4 * (first + second) * (1 + poisson), poisson, first, second});
 }
 
+/// Vulcanized rubber after R.W. Ogden, Proc. R. Soc. A 326 (1972) 565-584, in MPa.
+constexpr std::array<double, 8> ogden_moduli{0.63, 0.0012, -0.01};
+constexpr std::array<double, 8> ogden_exponents{1.3, 5, -2};
+constexpr double ogden_shear = 0.4225;
+model::Material ogden(double poisson) {
+  return rubber(model::OgdenRubber{2 * ogden_shear * (1 + poisson), poisson, ogden_moduli, ogden_exponents});
+}
+/// 10, 01, 11, 20, 02, 30.
+constexpr double polynomial_constants[] = {0.3, 0.05, 0.01, -0.02, 0.004, 0.003};
+model::Material polynomial(double poisson) {
+  const auto& c = polynomial_constants;
+  return rubber(model::PolynomialRubber{4 * (c[0] + c[1]) * (1 + poisson), poisson, c[0], c[1], c[2], c[3],
+                                        c[4], c[5]});
+}
+
 using Energy = std::function<double(const Matrix&)>;
 
 double first_invariant(const Matrix& f) {
@@ -56,6 +72,51 @@ Energy mooney_rivlin_energy(double nu) {
     const double d = (first * (5 * nu - 2) + second * (11 * nu - 5)) / (2 * (1 - 2 * nu));
     return first * (first_invariant(f) - 3) + second * (second_invariant(f) - 3) + c * (1 / (i3 * i3) - 1) +
            d * (i3 - 1) * (i3 - 1);
+  };
+}
+
+double bulk_modulus(double shear_modulus, double nu) {
+  return 2 * shear_modulus * (1 + nu) / (3 * (1 - 2 * nu));
+}
+double volumetric(const Matrix& f, double bulk) {
+  return bulk / 2 * (determinant(f) - 1) * (determinant(f) - 1);
+}
+/// Squares of the principal stretches, by rotations that each take the largest off-diagonal number away.
+std::array<double, 3> squared_stretches(const Matrix& f) {
+  Matrix c = times(transposed(f), f);
+  for (int i = 0; i < 40; ++i) {
+    int p = 0;
+    int q = 1;
+    if (std::fabs(c[0][2]) > std::fabs(c[p][q])) q = 2;
+    if (std::fabs(c[1][2]) > std::fabs(c[p][q])) p = 1, q = 2;
+    const double angle = 0.5 * std::atan2(2 * c[p][q], c[q][q] - c[p][p]);
+    Matrix turn = unit;
+    turn[p][p] = turn[q][q] = std::cos(angle);
+    turn[p][q] = std::sin(angle);
+    turn[q][p] = -std::sin(angle);
+    c = times(transposed(turn), times(c, turn));
+  }
+  return {c[0][0], c[1][1], c[2][2]};
+}
+Energy ogden_energy(double nu) {
+  return [nu](const Matrix& f) {
+    double sum = volumetric(f, bulk_modulus(ogden_shear, nu));
+    for (const double square : squared_stretches(f)) {
+      const double stretch = std::sqrt(square) / std::cbrt(determinant(f));
+      for (int n = 0; n < 3; ++n)
+        sum += ogden_moduli[n] / ogden_exponents[n] * (std::pow(stretch, ogden_exponents[n]) - 1);
+    }
+    return sum;
+  };
+}
+Energy polynomial_energy(double nu) {
+  return [nu](const Matrix& f) {
+    const auto& c = polynomial_constants;
+    const double j = determinant(f);
+    const double x = first_invariant(f) / std::pow(j, 2.0 / 3) - 3;
+    const double y = second_invariant(f) / std::pow(j, 4.0 / 3) - 3;
+    return volumetric(f, bulk_modulus(2 * (c[0] + c[1]), nu)) + c[0] * x + c[1] * y + c[2] * x * y +
+           c[3] * x * x + c[4] * y * y + c[5] * x * x * x;
   };
 }
 
@@ -86,7 +147,10 @@ struct Case {
 std::vector<Case> cases() {
   return {{"Blatz-Ko", blatz_ko(), blatz_ko_energy, 14 * shear},
           {"Mooney-Rivlin 0.49", mooney_rivlin(0.49), mooney_rivlin_energy(0.49), 70},
-          {"Mooney-Rivlin 0.4995", mooney_rivlin(0.4995), mooney_rivlin_energy(0.4995), 1400}};
+          {"Mooney-Rivlin 0.4995", mooney_rivlin(0.4995), mooney_rivlin_energy(0.4995), 1400},
+          {"Ogden 0.49", ogden(0.49), ogden_energy(0.49), 21},
+          {"Ogden 0.4995", ogden(0.4995), ogden_energy(0.4995), 420},
+          {"polynomial 0.49", polynomial(0.49), polynomial_energy(0.49), 35}};
 }
 
 Matrix random_gradient(std::mt19937& generator, double size) {
@@ -194,6 +258,80 @@ TEST(RubberBar, StressOverStretchIsDrawn) {
       .note();
 }
 
+/// Stretched along x, held at `held` along y or free there, free along z: the true stress in x.
+struct Pull {
+  const char* name;
+  double power;  ///< y = x^power
+};
+constexpr Pull pulls[] = {{"bar", -0.5}, {"sheet pulled both ways", 1}, {"wide strip", 0}};
+struct Pulled {
+  double stress;
+  std::array<double, 3> stretch;
+};
+Pulled pulled(const model::Material& material, const Pull& pull, double stretch, Isa isa) {
+  double z = std::pow(stretch, -1 - pull.power);
+  Six s{};
+  double y = 0;
+  for (int i = 0; i < 30; ++i) {
+    const auto across = [&](double side) {
+      MotionDriver<double> point(material, isa);
+      y = pull.power < 0 ? side : std::pow(stretch, pull.power);
+      point.move_to({{{stretch, 0, 0}, {0, y, 0}, {0, 0, side}}});
+      s = point.stress();
+      return s[2];
+    };
+    const double slope = (across(z + 1e-7) - across(z - 1e-7)) / 2e-7;
+    z -= across(z) / slope;
+  }
+  return {s[0], {stretch, y, z}};
+}
+/// J sigma_x = sum mu (x^alpha - z^alpha) with the stretches over J^(1/3), as sigma_z = 0; Ogden 1972,
+/// eq. 12.
+TEST_P(Rubber, OgdenFollowsTheClosedForms) {
+  for (const Pull& pull : pulls) {
+    const std::string name = std::string("Ogden rubber, ") + pull.name + " to 0.7, 1.5 and 3: ";
+    test::Largest off(name + "stress, relative error", "Ogden 1972", 1e-10);
+    test::Largest limits(name + "stress, relative difference", "Ogden 1972, incompressible", 0.01);
+    for (const double stretch : {0.7, 1.5, 3.0}) {
+      const Pulled found = pulled(ogden(0.4995), pull, stretch, GetParam());
+      const double volume = found.stretch[0] * found.stretch[1] * found.stretch[2];
+      double expected = 0;
+      double incompressible = 0;
+      for (int n = 0; n < 3; ++n) {
+        const auto term = [&](double of, double scale) {
+          return ogden_moduli[n] * std::pow(of / scale, ogden_exponents[n]);
+        };
+        const double scale = std::cbrt(volume);
+        expected += (term(found.stretch[0], scale) - term(found.stretch[2], scale)) / volume;
+        incompressible += term(stretch, 1) - term(std::pow(stretch, -1 - pull.power), 1);
+      }
+      off.compare(found.stress, expected, expected);
+      limits.compare(found.stress, incompressible, incompressible);
+    }
+  }
+}
+/// sigma_x = 2 (x^2 - z^2) (W1 + y^2 W2) where nothing changes the volume; Rivlin 1948.
+TEST_P(Rubber, PolynomialRubberFollowsTheClosedForms) {
+  const auto& c = polynomial_constants;
+  for (const Pull& pull : pulls) {
+    test::Largest limits(
+        std::string("polynomial rubber, ") + pull.name + " to 0.7, 1.4 and 2: stress, relative difference",
+        "Rivlin 1948, incompressible", 0.01);
+    for (const double stretch : {0.7, 1.4, 2.0}) {
+      const Pulled found = pulled(polynomial(0.4995), pull, stretch, GetParam());
+      const double x2 = stretch * stretch;
+      const double y2 = std::pow(x2, pull.power);
+      const double z2 = 1 / (x2 * y2);
+      const double i1 = x2 + y2 + z2 - 3;
+      const double i2 = x2 * y2 + y2 * z2 + z2 * x2 - 3;
+      const double w1 = c[0] + c[2] * i2 + 2 * c[3] * i1 + 3 * c[5] * i1 * i1;
+      const double w2 = c[1] + c[2] * i1 + 2 * c[4] * i2;
+      const double expected = 2 * (x2 - z2) * (w1 + y2 * w2);
+      limits.compare(found.stress, expected, expected);
+    }
+  }
+}
+
 /// Second order in the step, whether the axes turn or not.
 TEST_P(Rubber, WorkIsTheEnergy) {
   const Matrix straight{{{1.3, 0, 0}, {0, 0.9, 0}, {0, 0, 0.87}}};
@@ -287,6 +425,8 @@ TEST(RubberConstants, AreChecked) {
   EXPECT_THROW(solid_material_constants(rubber(model::MooneyRivlin{1, 0.5, first, second})), Error);
   EXPECT_THROW(solid_material_constants(rubber(model::MooneyRivlin{1, 0.49, -1, 0.5})), Error);
   EXPECT_THROW(solid_material_constants(rubber(model::BlatzKo{0, 0.463})), Error);
+  EXPECT_THROW(solid_material_constants(ogden(0.5)), Error);
+  EXPECT_THROW(solid_material_constants(rubber(model::PolynomialRubber{})), Error);
 }
 
 }  // namespace

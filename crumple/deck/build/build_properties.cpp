@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <variant>
 
 #include "base/counted.hpp"
@@ -178,6 +179,54 @@ void take_crush(const RawMaterial& raw, model::CrushableFoam& law, Build& build)
         fmt::format("curve {} must give yield stresses that are positive in compression", curve.id));
 }
 
+/// A curve of a foam that springs back: nominal stress over strain, both positive in compression.
+void take_compression(const model::Curve& curve, const RawMaterial& raw, std::vector<double>& strain,
+                      std::vector<double>& stress, Report& report) {
+  strain = curve.abscissa;
+  stress = curve.ordinate;
+  const bool starts = strain.front() == 0 && stress.front() == 0;
+  const bool grows = std::is_sorted(stress.begin(), stress.end()) && stress.back() > 0;
+  if (!starts || !grows)
+    report.error(
+        raw.where, "compression",
+        fmt::format("curve {} must start at (0, 0), and its stresses must not fall: it is the nominal "
+                    "stress over 1 - stretch, both positive in compression",
+                    curve.id));
+}
+
+/// LCID or TBID of a foam that springs back. The slowest curve of a table is that of unloading, too.
+void take_compression(const RawMaterial& raw, model::LowDensityFoam& law, Build& build) {
+  if (raw.hardening_curve == 0) return;
+  const auto take = [&](Index index, std::vector<double>& strain, std::vector<double>& stress) {
+    take_compression(build.model.curves[static_cast<std::size_t>(index)], raw, strain, stress, build.report);
+  };
+  const Index place = build.find_quietly(Item::Table, raw.hardening_curve);
+  if (place == no_index) {
+    const Index index = find_points(build, {raw.hardening_curve, "LCID", raw.curve_where});
+    if (index != no_index) take(index, law.compression, law.stress);
+    return;
+  }
+  const RawTable& table = build.deck.tables[static_cast<std::size_t>(place)];
+  const bool ascends =
+      std::adjacent_find(table.value.begin(), table.value.end(), std::greater_equal<>()) == table.value.end();
+  if (table.value.empty() || table.value.front() < 0 || !ascends) {
+    build.report.error(table.where, "rates",
+                       fmt::format("table {} must have strain rates that ascend, none below zero", table.id));
+    return;
+  }
+  const std::vector<Index> curves = curves_of(table, build);
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (curves[i] == no_index) continue;
+    if (i == 0) {
+      law.slowest = table.value[i];
+      take(curves[i], law.compression, law.stress);
+      continue;
+    }
+    law.faster.push_back({table.value[i], {}, {}});
+    take(curves[i], law.faster.back().compression, law.faster.back().stress);
+  }
+}
+
 /// One table of ids for all kinds of sections, in the order of the deck; the indices of shells, solids, beams
 /// and discrete elements follow each other.
 void enter_sections(Build& build) {
@@ -304,6 +353,8 @@ void build_properties(Build& build, const ReadOptions& options) {
     }
     if (auto* law = std::get_if<model::CrushableFoam>(&model.materials.back().law))
       take_crush(raw, *law, build);
+    if (auto* law = std::get_if<model::LowDensityFoam>(&model.materials.back().law))
+      take_compression(raw, *law, build);
   }
   build_spring_materials(build);
   take_erosions(build);

@@ -64,7 +64,11 @@ bool is_plastic(const model::ConstitutiveLaw& law) {
          !std::holds_alternative<model::OrthotropicElastic>(law) &&
          !std::holds_alternative<model::NullMaterial>(law) && !std::holds_alternative<model::BlatzKo>(law) &&
          !std::holds_alternative<model::MooneyRivlin>(law) &&
-         !std::holds_alternative<model::CrushableFoam>(law);
+         !std::holds_alternative<model::CrushableFoam>(law) &&
+         !std::holds_alternative<model::LowDensityFoam>(law) &&
+         !std::holds_alternative<model::OgdenRubber>(law) &&
+         !std::holds_alternative<model::PolynomialRubber>(law) &&
+         !std::holds_alternative<model::Viscoelastic>(law);
 }
 
 /// Something has this density and modulus in the system. `any` admits whatever is solid, gels included; else

@@ -53,6 +53,7 @@ void read_hourglass(Cards& cards, RawDeck& deck);
 void read_mat_elastic(Cards& cards, RawDeck& deck);
 void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck);
 void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
+void read_mat_modified_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
 // read_rate_materials.cpp
 void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_johnson_cook(Cards& cards, RawDeck& deck);
@@ -66,6 +67,12 @@ void read_mat_blatz_ko_rubber(Cards& cards, RawDeck& deck);
 void read_mat_mooney_rivlin_rubber(Cards& cards, RawDeck& deck);
 void read_mat_crushable_foam(Cards& cards, RawDeck& deck);
 void read_mat_add_erosion(Cards& cards, RawDeck& deck);
+void read_mat_low_density_foam(Cards& cards, RawDeck& deck);
+void read_mat_fu_chang_foam(Cards& cards, RawDeck& deck);
+void read_mat_ogden_rubber(Cards& cards, RawDeck& deck);
+void read_mat_hyperelastic_rubber(Cards& cards, RawDeck& deck);
+void read_mat_viscoelastic(Cards& cards, RawDeck& deck);
+void read_mat_general_viscoelastic(Cards& cards, RawDeck& deck);
 // read_equations_of_state.cpp
 void read_eos_linear_polynomial(Cards& cards, RawDeck& deck);
 void read_eos_gruneisen(Cards& cards, RawDeck& deck);

@@ -106,9 +106,9 @@ CRUMPLE_INLINE Turn<Pack> load_turn(const RealOf<Pack>* from, Index stride) {
   return {row(0), row(1), row(2), row(3), row(4), row(5), row(6), row(7), row(8)};
 }
 
-/// R s R^T with R = I + D, as s + (D s + (D s)^T + D s D^T).
+/// R s R^T - s with R = I + D, as D s + (D s)^T + D s D^T.
 template <class Pack>
-CRUMPLE_INLINE SolidStress<Pack> turned(const SolidStress<Pack>& s, const Turn<Pack>& d) {
+CRUMPLE_INLINE SolidStress<Pack> turn_change(const SolidStress<Pack>& s, const Turn<Pack>& d) {
   const auto dot = [](const Pack& a, const Pack& b, const Pack& c, const Pack& x, const Pack& y,
                       const Pack& z) { return multiply_add(a, x, multiply_add(b, y, Pack(c * z))); };
   // t = D s
@@ -121,12 +121,18 @@ CRUMPLE_INLINE SolidStress<Pack> turned(const SolidStress<Pack>& s, const Turn<P
   const Pack tzx = dot(d.zx, d.zy, d.zz, s.xx, s.xy, s.zx);
   const Pack tzy = dot(d.zx, d.zy, d.zz, s.xy, s.yy, s.yz);
   const Pack tzz = dot(d.zx, d.zy, d.zz, s.zx, s.yz, s.zz);
-  return {s.xx + (txx + (txx + dot(txx, txy, txz, d.xx, d.xy, d.xz))),
-          s.yy + (tyy + (tyy + dot(tyx, tyy, tyz, d.yx, d.yy, d.yz))),
-          s.zz + (tzz + (tzz + dot(tzx, tzy, tzz, d.zx, d.zy, d.zz))),
-          s.xy + (txy + (tyx + dot(txx, txy, txz, d.yx, d.yy, d.yz))),
-          s.yz + (tyz + (tzy + dot(tyx, tyy, tyz, d.zx, d.zy, d.zz))),
-          s.zx + (tzx + (txz + dot(tzx, tzy, tzz, d.xx, d.xy, d.xz)))};
+  return {
+      txx + (txx + dot(txx, txy, txz, d.xx, d.xy, d.xz)), tyy + (tyy + dot(tyx, tyy, tyz, d.yx, d.yy, d.yz)),
+      tzz + (tzz + dot(tzx, tzy, tzz, d.zx, d.zy, d.zz)), txy + (tyx + dot(txx, txy, txz, d.yx, d.yy, d.yz)),
+      tyz + (tzy + dot(tyx, tyy, tyz, d.zx, d.zy, d.zz)), tzx + (txz + dot(tzx, tzy, tzz, d.xx, d.xy, d.xz))};
+}
+
+/// R s R^T with R = I + D.
+template <class Pack>
+CRUMPLE_INLINE SolidStress<Pack> turned(const SolidStress<Pack>& s, const Turn<Pack>& d) {
+  const SolidStress<Pack> change = turn_change(s, d);
+  return {s.xx + change.xx, s.yy + change.yy, s.zz + change.zz,
+          s.xy + change.xy, s.yz + change.yz, s.zx + change.zx};
 }
 
 /// Hooke's law in three dimensions (docs/theory/elastic.md).

@@ -18,6 +18,12 @@
 //   static constexpr bool may_fail                   false: nothing below is called
 //   bool fails() const                               whether this material has a failure criterion at all
 //   Mask intact(history) const                       points that still carry stress
+// and, if it fails by strains,
+//   void follow(history, strain) const               adds up strains in the plane
+//   void thin(history, zz) const                     adds up those across
+//   Pack judge(history) const                        1 where the point has failed, which stays so, else 0
+//   void fail(history, mask) const                   makes it fail with the element
+//   Real failing_points(int) const                   of so many points that make the element fail
 // Elements hardly ever yield all at once: the trial is made for all points of a pack first, and one test
 // decides whether any of them needs the correction. It then makes the trial again: that is cheaper than to
 // keep it.
@@ -81,6 +87,7 @@ struct PointUpdate {
   CRUMPLE_INLINE Stress elastic_step(int p, const Strain& of) {
     const Stress old = stress(p);
     const Stress now = law.elasticity.stress(old, of);
+    if constexpr (requires { law.follow(history(p), of); }) law.follow(history(p), of);
     energy = multiply_add(share(p), mean_work(old, now, of), energy);
     count_thickness(p, old, now, Pack(Real(0)));
     set_stress(p, now);
@@ -122,6 +129,7 @@ struct PointUpdate {
   CRUMPLE_INLINE void count_thickness(int p, const Stress& old, const Stress& now, const Pack& plastic_zz) {
     const Pack sum = (now.xx - old.xx) + (now.yy - old.yy);
     const Pack zz = plastic_zz - Pack(law.elasticity.lateral) * sum;
+    if constexpr (requires { law.thin(history(p), zz); }) law.thin(history(p), zz);
     thickness = multiply_add(Pack(task.weight[p]), zz, thickness);
   }
 };
@@ -174,12 +182,24 @@ CRUMPLE_INLINE void correct_points(PointUpdate<Law, Pack>& points) {
   if (count > 0) return_together(points, yielding, count);
 }
 
+/// Finds the points that have failed by their strains, and the elements of which enough have.
+template <class Law, class Pack>
+CRUMPLE_INLINE void judge_points(const PointUpdate<Law, Pack>& points) {
+  const int count = points.task.points;
+  Pack failed(RealOf<Pack>(0));
+  for (int p = 0; p < count; ++p) failed = failed + points.law.judge(points.history(p));
+  const MaskOf<Pack> enough = failed >= Pack(points.law.failing_points(count));
+  if (!any<Pack>(enough)) return;
+  for (int p = 0; p < count; ++p) points.law.fail(points.history(p), enough);
+}
+
 /// Takes the stress from points that have failed. Leaves whether any is intact.
 template <class Law, class Pack>
 CRUMPLE_INLINE void take_failed_stress(PointUpdate<Law, Pack>& points, RealOf<Pack>* intact) {
   using Real = RealOf<Pack>;
   const Pack zero(Real(0));
   Pack any_intact = zero;
+  if constexpr (requires { points.law.judge(points.history(0)); }) judge_points(points);
   for (int p = 0; p < points.task.points; ++p) {
     const auto holds = points.law.intact(points.history(p));
     any_intact = select<Pack>(holds, Pack(Real(1)), any_intact);

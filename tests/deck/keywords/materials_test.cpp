@@ -279,5 +279,32 @@ TEST(RateMaterial, TableFaults) {
             std::string::npos);
 }
 
+TEST(RateMaterial, ModifiedPiecewiseLinearWithEveryValue) {
+  for (const std::string keyword : {"*MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", "*MAT_123"}) {
+    const auto law = law_of<model::PiecewiseLinearPlasticity>(
+        keyword + "\n1,7.83E-6,200,0.3,0.25,2.0,0.3\n40,5,0,0,1,0.2,0.15,3\n0,0.1\n0.25,0.4\n");
+    EXPECT_EQ(law.failure_strain, 0.3);
+    EXPECT_EQ(law.failure_thinning, 0.2);
+    EXPECT_EQ(law.failure_major, 0.15);
+    EXPECT_EQ(law.failed_points, 3);
+    EXPECT_EQ(law.failed_share, 0);
+    EXPECT_TRUE(law.viscoplastic);
+    EXPECT_EQ(law.cowper_symonds_rate, 40);
+    EXPECT_EQ(law.yield_stress.at(1), 0.4);
+  }
+  const std::string start = "*MAT_123\n1,7.83E-6,200,0.3,0.25\n0,0,0,0,0,";
+  EXPECT_EQ(law_of<model::PiecewiseLinearPlasticity>(start + "0,0,-60\n").failed_share, 0.6);
+  EXPECT_FALSE(has_strain_limits(law_of<model::PiecewiseLinearPlasticity>(start + "1E20\n")));
+  const auto only = [&](const std::string& fields, const std::string& part) {
+    const auto messages = messages_of(start + fields + "\n");
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_NE(messages[0].find(part), std::string::npos) << messages[0];
+  };
+  only("0,-0.2", "field EPSMAJ");
+  only("-0.2", "field EPSTHIN");
+  only("0,0,2.5", "field NUMINT");
+  only("0,0,-101", "field NUMINT");
+}
+
 }  // namespace
 }  // namespace crumple::deck::test::materials_test

@@ -141,6 +141,142 @@ TEST(SolidMaterial, CrushableFoam) {
                "positive in compression");
 }
 
+constexpr const char* compression = "*DEFINE_CURVE\n7\n0.0,0.0\n0.1,0.5\n0.6,0.8\n";
+
+TEST(SolidMaterial, LowDensityFoam) {
+  for (const std::string keyword : {"*MAT_LOW_DENSITY_FOAM", "*MAT_057", "*MAT_57"}) {
+    const auto model = clean(keyword + "\n1,6E-11,20,7,0.15,0.1,0,0.2\n5,1,1,0,0,3\n", compression, "0");
+    const auto& law = std::get<model::LowDensityFoam>(model.materials[0].law);
+    EXPECT_EQ(law.youngs_modulus, 20);
+    EXPECT_EQ(law.compression, (std::vector<double>{0, 0.1, 0.6}));
+    EXPECT_EQ(law.stress, (std::vector<double>{0, 0.5, 0.8}));
+    EXPECT_EQ(law.tensile_stress, 0.15);
+    EXPECT_TRUE(law.tears);
+    EXPECT_EQ(law.unloading_factor, 0.1);
+    EXPECT_EQ(law.unloading_shape, 5);
+    EXPECT_EQ(law.damping, 0.2);
+    EXPECT_TRUE(law.faster.empty());
+  }
+  // Defaults: no bound of tension, no hysteresis.
+  const auto model = clean("*MAT_057\n1,6E-11,20,7\n", compression, "0");
+  const auto& law = std::get<model::LowDensityFoam>(model.materials[0].law);
+  EXPECT_EQ(law.tensile_stress, 0);
+  EXPECT_FALSE(law.tears);
+  EXPECT_EQ(law.unloading_factor, 1);
+  EXPECT_EQ(law.unloading_shape, 1);
+  only_message(messages("*MAT_057\n1,6E-11,20,8\n", compression, "0"), "the deck has no curve 8");
+  only_message(messages("*MAT_057\n1,6E-11,20,7,0,1.5\n", compression, "0"), "field HU");
+  only_message(messages("*MAT_057\n1,6E-11,20,7,0,1,10\n", compression, "0"), "field BETA");
+  only_message(messages("*MAT_057\n1,6E-11,20,7\n1,0,0,5\n", compression, "0"), "field ED");
+  only_message(messages("*MAT_057\n1,6E-11,20,7\n", "*DEFINE_CURVE\n7\n0,0\n0.5,1\n0.6,0.9\n", "0"),
+               "must not fall");
+  only_message(messages("*MAT_057\n1,6E-11,20,7\n", "*DEFINE_CURVE\n7\n0,0.1\n0.5,1\n", "0"),
+               "must start at (0, 0)");
+}
+
+TEST(SolidMaterial, FuChangFoam) {
+  const std::string table =
+      "*DEFINE_TABLE\n9\n0.001\n10\n*DEFINE_CURVE\n7\n0.0,0.0\n0.1,0.5\n0.6,0.8\n"
+      "*DEFINE_CURVE\n8\n0.0,0.0\n0.1,0.7\n0.6,1.2\n";
+  for (const std::string keyword : {"*MAT_FU_CHANG_FOAM", "*MAT_083"}) {
+    const auto model =
+        clean(keyword + "\n1,6E-11,20,0,0.15,0,0.2,9\n0,1,0,0,0,0,0,0.4\n\n0,0,0,0,0,0,0,3\n", table, "0");
+    const auto& law = std::get<model::LowDensityFoam>(model.materials[0].law);
+    EXPECT_EQ(law.stress, (std::vector<double>{0, 0.5, 0.8}));
+    EXPECT_EQ(law.slowest, 0.001);
+    ASSERT_EQ(law.faster.size(), 1U);
+    EXPECT_EQ(law.faster[0].rate, 10);
+    EXPECT_EQ(law.faster[0].stress, (std::vector<double>{0, 0.7, 1.2}));
+    EXPECT_TRUE(law.engineering_rate);
+    EXPECT_EQ(law.unloading_factor, 0.4);
+    EXPECT_EQ(law.unloading_shape, 3);
+    EXPECT_EQ(law.damping, 0.2);
+    EXPECT_EQ(law.tensile_stress, 0.15);
+  }
+  // A curve alone has no rate; HU of zero unloads by the curve.
+  const auto model = clean("*MAT_083\n1,6E-11,20,0,0,0,0,7\n", compression, "0");
+  const auto& law = std::get<model::LowDensityFoam>(model.materials[0].law);
+  EXPECT_TRUE(law.faster.empty());
+  EXPECT_EQ(law.unloading_factor, 1);
+  only_message(messages("*MAT_083\n1,6E-11,20\n", compression, "0"), "field TBID");
+  only_message(messages("*MAT_083\n1,6E-11,20,0,0,0,0,9\n0,0,1\n", table, "0"), "field RFLAG");
+  only_message(messages("*MAT_083\n1,6E-11,20,0,0,0,0,9\n",
+                        "*DEFINE_TABLE_2D\n9\n-1,7\n10,7\n" + std::string(compression), "0"),
+               "strain rates that ascend");
+}
+
+TEST(SolidMaterial, OgdenRubber) {
+  for (const std::string keyword : {"*MAT_OGDEN_RUBBER", "*MAT_077_O", "*MAT_77_O"}) {
+    const auto model = clean(keyword + "\n1,1.1E-9,0.499\n0.63,0.0012,-0.01\n1.3,5,-2\n", "", "0");
+    const auto& law = std::get<model::OgdenRubber>(model.materials[0].law);
+    EXPECT_EQ(law.modulus, (std::array<double, 8>{0.63, 0.0012, -0.01}));
+    EXPECT_EQ(law.exponent, (std::array<double, 8>{1.3, 5, -2}));
+    EXPECT_EQ(law.poissons_ratio, 0.499);
+    EXPECT_NEAR(law.youngs_modulus, 2 * 0.4225 * 1.499, 1e-14);
+  }
+  only_message(messages("*MAT_077_O\n1,1.1E-9,0.5\n0.63\n1.3\n", "", "0"), "field PR");
+  only_message(messages("*MAT_077_O\n1,1.1E-9,0.49\n0.63\n-1.3\n", "", "0"), "field MU1");
+  only_message(messages("*MAT_077_O\n1,1.1E-9,0.49,2\n1,1,1,7\n\n", "", "0"), "field N");
+  only_message(messages("*MAT_077_O\n1,1.1E-9,0.49\n0.63\n1.3\n0.2,100\n", "", "0"), "field GI");
+}
+
+TEST(SolidMaterial, HyperelasticRubber) {
+  for (const std::string keyword : {"*MAT_HYPERELASTIC_RUBBER", "*MAT_077_H"}) {
+    const auto model = clean(keyword + "\n1,1.1E-9,0.499\n0.3,0.05,0.01,-0.02,0.004,0.003\n", "", "0");
+    const auto& law = std::get<model::PolynomialRubber>(model.materials[0].law);
+    EXPECT_EQ(law.c10, 0.3);
+    EXPECT_EQ(law.c01, 0.05);
+    EXPECT_EQ(law.c11, 0.01);
+    EXPECT_EQ(law.c20, -0.02);
+    EXPECT_EQ(law.c02, 0.004);
+    EXPECT_EQ(law.c30, 0.003);
+    EXPECT_NEAR(law.youngs_modulus, 4 * 0.35 * 1.499, 1e-14);
+  }
+  only_message(messages("*MAT_077_H\n1,1.1E-9,0.49\n0.1,-0.2\n", "", "0"), "field C10");
+  only_message(messages("*MAT_077_H\n1,1.1E-9,0.49,0,0,5\n0.1,0.2\n", "", "0"), "field G");
+}
+
+TEST(SolidMaterial, Viscoelastic) {
+  for (const std::string keyword : {"*MAT_VISCOELASTIC", "*MAT_006"}) {
+    const auto model = clean(keyword + "\n1,1.1E-9,20,3,1,50\n", "", "0");
+    const auto& law = std::get<model::Viscoelastic>(model.materials[0].law);
+    ASSERT_EQ(law.shear.size(), 2U);
+    EXPECT_EQ(law.shear[0].modulus, 1);
+    EXPECT_EQ(law.shear[0].decay, 0);
+    EXPECT_EQ(law.shear[1].modulus, 2);
+    EXPECT_EQ(law.shear[1].decay, 50);
+    ASSERT_EQ(law.bulk.size(), 1U);
+    EXPECT_EQ(law.bulk[0].modulus, 20);
+    EXPECT_NEAR(law.youngs_modulus, 9 * 20.0 * 3 / 63, 1e-14);
+    EXPECT_NEAR(law.poissons_ratio, 54.0 / 126, 1e-15);
+  }
+  only_message(messages("*MAT_006\n1,1.1E-9,20,3,4,50\n", "", "0"), "field GI");
+  only_message(messages("*MAT_006\n1,1.1E-9,0,3,1,50\n", "", "0"), "field BULK");
+}
+
+TEST(SolidMaterial, GeneralViscoelastic) {
+  for (const std::string keyword : {"*MAT_GENERAL_VISCOELASTIC", "*MAT_076"}) {
+    const auto model = clean(keyword + "\n1,1.1E-9,20\n\n1.0,0.0\n0.0,7.0\n2.0,30.0\n", "", "0");
+    const auto& law = std::get<model::Viscoelastic>(model.materials[0].law);
+    ASSERT_EQ(law.shear.size(), 2U);
+    EXPECT_EQ(law.shear[1].modulus, 2);
+    EXPECT_EQ(law.shear[1].decay, 30);
+    ASSERT_EQ(law.bulk.size(), 1U);
+    EXPECT_EQ(law.bulk[0].modulus, 20);
+  }
+  const auto model = clean("*MAT_076\n1,1.1E-9,20\n\n1.0,5.0,8.0,6.0\n0.0,0.0,9.0,0.0\n", "", "0");
+  const auto& law = std::get<model::Viscoelastic>(model.materials[0].law);
+  ASSERT_EQ(law.bulk.size(), 2U);
+  EXPECT_EQ(law.bulk[0].decay, 6);
+  EXPECT_EQ(law.bulk[1].modulus, 9);
+  only_message(messages("*MAT_076\n1,1.1E-9,20\n\n", "", "0"), "expected a term with GI above zero");
+  only_message(messages("*MAT_076\n1,1.1E-9,20\n5\n1.0,5.0\n", "", "0"), "field LCID");
+  only_message(messages("*MAT_076\n1,1.1E-9,0\n\n1.0,5.0\n", "", "0"), "field BULK");
+  std::string many = "*MAT_076\n1,1.1E-9,20\n\n";
+  for (int i = 0; i < 19; ++i) many += "1.0,5.0\n";
+  only_message(messages(many, "", "0"), "19 terms, expected at most 18");
+}
+
 TEST(SolidMaterial, IsForTheElementsOfItsPart) {
   only_message(
       messages("*MAT_ORTHOTROPIC_ELASTIC\n1,1.6E-9,138000,9000,8000,0.02,0.02,0.3\n7000,3500,6500,0\n"

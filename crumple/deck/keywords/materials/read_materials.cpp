@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_PIECEWISE_LINEAR_PLASTICITY.
+// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_PIECEWISE_LINEAR_PLASTICITY and its modified form.
 #include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/material_cards.hpp"
@@ -57,6 +60,17 @@ constexpr Field piecewise_rate_card[] = {
     reference("LCSR"),          viscoplastic_field,
 };
 
+constexpr Field modified_rate_card[] = {
+    real("C", 0, not_negative),
+    real("P", 0, not_negative),
+    reference("LCSS"),
+    reference("LCSR"),
+    viscoplastic_field,
+    real("EPSTHIN", 0, not_negative),
+    real("EPSMAJ"),  // below zero: filtered, not supported
+    real("NUMINT"),  // below zero: a share
+};
+
 constexpr Field strain_card[] = {real("EPS1", 0, not_negative), real("EPS2", 0, not_negative),
                                  real("EPS3", 0, not_negative), real("EPS4", 0, not_negative),
                                  real("EPS5", 0, not_negative), real("EPS6", 0, not_negative),
@@ -74,6 +88,27 @@ double checked_failure_strain(const Card& card, Report& report) {
                            {"FAIL", std::string(card.text("FAIL")), "a failure strain, or 0 for no failure",
                             "a negative value calls a failure routine of the user", "failure"});
   return 0;
+}
+
+/// EPSTHIN, EPSMAJ and NUMINT.
+void take_strain_limits(const Card& card, model::PiecewiseLinearPlasticity& law, Report& report) {
+  law.failure_thinning = failure_strain(card.real("EPSTHIN"));
+  if (card.real("EPSMAJ") < 0)
+    report.field_unsupported(card.where(),
+                             {"EPSMAJ", std::string(card.text("EPSMAJ")), "a strain not below zero",
+                              "the mean of the last twelve values is not taken", "filter"});
+  else
+    law.failure_major = failure_strain(card.real("EPSMAJ"));
+  const double count = card.real("NUMINT");
+  constexpr double percent = 100;
+  if (count < -percent || (count > 0 && std::floor(count) != count))
+    report.field_error(card.where(), {"NUMINT", std::string(card.text("NUMINT")),
+                                      "a number of points, or minus a percentage of them",
+                                      "so many failed points make the element fail", "points"});
+  else if (count < 0)
+    law.failed_share = -count / percent;
+  else
+    law.failed_points = static_cast<int>(std::min(count, percent));
 }
 
 void check_tangent(const Card& card, Report& report) {
@@ -185,11 +220,14 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck) {
   }
 }
 
-void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
+namespace {
+
+/// `rate_fields` are those of the second card; the modified law has limits of strain on it.
+void read_piecewise(Cards& cards, RawDeck& deck, Layout rate_fields, bool modified) {
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(piecewise_card);
-    const Card rate = cards.next_or_default(piecewise_rate_card);
+    const Card rate = cards.next_or_default(rate_fields);
     const Card strain = cards.next_or_default(strain_card);
     const Card stress = cards.next_or_default(stress_card);
     RawMaterial raw = material_of(heading, card);
@@ -201,6 +239,7 @@ void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
     law.failure_strain = checked_failure_strain(card, cards.report());
     law.viscoplastic = rate.real("VP") == 1;
     law.viscoplastic_base = card.real("SIGY");
+    if (modified) take_strain_limits(rate, law, cards.report());
     check_rate(rate, "C", "P", cards.report());
     raw.rate_curve = rate.good("LCSR") ? rate.integer("LCSR") : 0;
     raw.hardening_curve = rate.good("LCSS") ? rate.integer("LCSS") : 0;
@@ -210,6 +249,16 @@ void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
     raw.curve_where = rate.where();
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
+}
+
+}  // namespace
+
+void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
+  read_piecewise(cards, deck, piecewise_rate_card, false);
+}
+
+void read_mat_modified_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
+  read_piecewise(cards, deck, modified_rate_card, true);
 }
 
 }  // namespace crumple::deck
