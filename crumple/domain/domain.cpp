@@ -148,6 +148,9 @@ void Domain::declare(StateList& list) {
     list.keep("tie_opening", "length", Entity::Contact, tie.opening);
   }
   for (WeldReport& weld : welds) list.keep("weld_report", "by item", Entity::Run, weld);
+  for (JointReport& joint : joints) list.keep("joint_report", "by item", Entity::RigidBody, joint);
+  for (JointStiffnessReport& stiffness : joint_stiffnesses)
+    list.keep("joint_stiffness_report", "by item", Entity::RigidBody, stiffness);
   list.keep_list("transducers", "by item", Entity::Contact, 1, transducers);
   list.keep("energy_ledger", "energy", Entity::Run, energy);
   list.keep("added_mass", "mass", Entity::Run, added_mass);

@@ -89,6 +89,8 @@ struct Domain {
   std::vector<TransducerReport> transducers;
   std::vector<WallReport> walls;
   std::vector<WeldReport> welds;
+  std::vector<JointReport> joints;
+  std::vector<JointStiffnessReport> joint_stiffnesses;
   std::vector<SupportReport> supports;  ///< of the nodes that are held, if output asks for their forces
   std::vector<Tie> ties;                ///< in the order of Model::tied_contacts
   std::vector<RigidBody> rigid_bodies;  ///< in the order of the model

@@ -149,6 +149,28 @@ struct WeldReport {
   double failure_time = 0;  ///< if broken [time]
 };
 
+/// A joint between two rigid bodies at time n.
+struct JointReport {
+  UserId id = 0;
+  math::Vec3 force{};         ///< on the body of its first node, from the other one [force]
+  math::Vec3 moment{};        ///< the same, about the first node [force * length]
+  double energy = 0;          ///< stored in the penalty [energy]
+  double damping_energy = 0;  ///< dissipated so far [energy]
+  double opening = 0;         ///< largest distance of what the joint holds together [length]
+};
+
+/// The resistance of a joint at time n, by angle or displacement.
+struct JointStiffnessReport {
+  UserId id = 0;
+  std::array<double, 3> position{};  ///< of the second body against the first [rad, length]
+  std::array<double, 3> rate{};      ///< [rad/time, length/time]
+  std::array<double, 3> elastic{};   ///< of curves, stops and friction, as it resists [moment, force]
+  std::array<double, 3> damping{};   ///< of curves over rates [moment, force]
+  double energy = 0;                 ///< stored in curves and stops [energy]
+  double friction_energy = 0;        ///< dissipated [energy]
+  double damping_energy = 0;         ///< dissipated [energy]
+};
+
 /// The force of what holds a node in place (*BOUNDARY_SPC).
 struct SupportReport {
   Index node = no_index;  ///< domain node

@@ -11,6 +11,7 @@
 #include "model/control.hpp"
 #include "model/curve.hpp"
 #include "model/equation_of_state.hpp"
+#include "model/joint.hpp"
 #include "model/material.hpp"
 #include "model/mesh.hpp"
 #include "model/output_requests.hpp"
@@ -50,6 +51,8 @@ struct Model {
   std::vector<SpotWeld> spot_welds;
   std::vector<Rivet> rivets;
   std::vector<ConstrainedNodeSet> constrained_node_sets;
+  std::vector<Joint> joints;
+  std::vector<JointStiffness> joint_stiffnesses;
   std::vector<FixedNode> fixed_nodes;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodalLoad> nodal_loads;

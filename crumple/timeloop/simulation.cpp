@@ -39,6 +39,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       domain_(prepared_domain(model, execution)),
       sections_(model, domain_),
       rigid_bodies_(model, domain_),
+      joints_(model, domain_),
       spot_welds_(model, domain_),
       tied_nodes_(model, domain_),
       node_sets_(model, domain_),
@@ -83,6 +84,7 @@ domain::StateList Simulation::state() {
   domain_.declare(list);
   for (contact::Interface& contact : contacts_) contact.declare(list);
   for (contact::TieSprings& springs : tie_springs_) springs.declare(list);
+  joints_.declare(list);
   tied_nodes_.declare(list);
   prescribed_motions_.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));

@@ -11,11 +11,11 @@
 //              |-- interval --|                  (step + next_step) / 2
 //
 //     drift            x(n) = x(n-1) + step v(n-1/2)                nodes, rigid bodies, tied nodes
-//     compute_forces   f(n) of elements, contacts, tied contacts with springs, loads, damping
+//     compute_forces   f(n) of elements, contacts, tied contacts with springs, joints, loads, damping
 //     choose_step      next_step: TSSFAC times the smallest stable step of an element; bounds on its growth
 //     close_gaps       contacts by multipliers, which need all other forces and next_step
 //     kick             v(n+1/2) = v(n-1/2) + interval f(n) / m, then what constrains velocities: ties,
-//                      joints, prescribed motions, rigid walls, rigid bodies
+//                      rivets, prescribed motions, rigid walls, rigid bodies
 //     balance          energies of time n, and guards that end a run which has lost its stability
 //
 // The kinetic energy is 1/2 m v(n-1/2).v(n+1/2), with which the balance closes to round-off
@@ -32,6 +32,7 @@
 #include <span>
 #include <vector>
 
+#include "constraints/joints.hpp"
 #include "constraints/node_sets.hpp"
 #include "constraints/prescribed_motion.hpp"
 #include "constraints/rigid_bodies.hpp"
@@ -144,6 +145,7 @@ class Simulation {
   std::vector<contact::ForceTransducer> transducers_;
   std::vector<contact::TieSprings> tie_springs_;
   constraints::RigidBodies rigid_bodies_;
+  constraints::Joints joints_;
   constraints::SpotWelds spot_welds_;
   constraints::TiedNodes tied_nodes_;
   constraints::NodeSets node_sets_;

@@ -86,6 +86,7 @@ void Simulation::compute_forces() {
   for (std::size_t i = 0; i < transducers_.size(); ++i)
     domain_.transducers[i].force = transducers_[i].measure(contacts_);
   for (contact::TieSprings& springs : tie_springs_) springs.add_forces(domain_);
+  joints_.add_forces(domain_);
   pressure_loads_.add_forces(domain_);
   nodal_loads_.add_forces(domain_);
   body_loads_.add_forces(domain_);
@@ -200,6 +201,7 @@ void Simulation::balance() {
     energy.eroded += contact.eroded_energy;
   }
   for (const domain::Tie& tie : domain_.ties) energy.contact += tie.energy;
+  for (const domain::JointReport& joint : domain_.joints) energy.internal += joint.energy;
   for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;
   guard_kinetic_energy(*model_, domain_);
   if (guards_contact_energy_) guard_contact_energy(domain_);

@@ -22,7 +22,7 @@ using model::HistoryFile;
 
 constexpr std::array all_files{HistoryFile::Sleout, HistoryFile::Glstat, HistoryFile::Matsum,
                                HistoryFile::Rwforc, HistoryFile::Rcforc, HistoryFile::Nodout,
-                               HistoryFile::Rbdout, HistoryFile::Swforc};
+                               HistoryFile::Rbdout, HistoryFile::Swforc, HistoryFile::Jntforc};
 
 /// Two times of the sample with something of everything; the second one has moved.
 class ForeignFormsTest : public SampleTest {
@@ -35,6 +35,12 @@ class ForeignFormsTest : public SampleTest {
     domain_.transducers.push_back({.id = 12, .force = {7, 8, 9}, .mass = 3});
     domain_.welds.push_back({.id = 31, .axial = 1.0 / 3, .shear = 2e-7});
     domain_.welds.push_back({.id = 32, .broken = true, .failure_time = 0.25});
+    domain_.joints.push_back({.id = 41,
+                              .force = {2, 1.0 / 3, -6},
+                              .moment = {0, 3, 4},
+                              .energy = 0.125,
+                              .damping_energy = 1,
+                              .opening = 1e-3});
     domain_.rigid_bodies.resize(3);
     domain_.rigid_bodies[0].id = 8;
     domain_.rigid_bodies[0].part = 0;
@@ -202,6 +208,14 @@ TEST_F(ForeignFormsTest, BinoutHasTheNumbersOfTheTables) {
         {{"uz", "z_displacement"}, {"vy", "y_velocity"}, {"ax", "x_acceleration"}, {"z", "z_coordinate"}}}},
       {"/rbdout", {"rbdout.csv", {{"x", "global_x"}, {"vx", "global_vx"}, {"wz", "global_rvz"}}}},
       {"/swforc", {"swforc.csv", {{"axial", "axial"}, {"shear", "shear"}, {"broken", "failure_flag"}}}},
+      {"/jntforc/joints",
+       {"jntforc.csv",
+        {{"fx", "x_force"},
+         {"fy", "y_force"},
+         {"mz", "z_moment"},
+         {"force", "resultant_force"},
+         {"moment", "resultant_moment"},
+         {"energy", "joint_energy"}}}},
   };
   for (const auto& [branch, table] : tables) {
     EXPECT_EQ(binout.states(branch), 2) << branch;
@@ -331,6 +345,10 @@ TEST_F(ForeignFormsTest, TablesOfLsDynaHaveFixedColumns) {
             "          1  3.33333E-01  2.00000E-07  5.00000E-01             constraint/weld  ID       31");
   EXPECT_EQ(last("swforc"),
             "          2  0.00000E+00  0.00000E+00  5.00000E-01  failure    constraint/weld  ID       32");
+  EXPECT_EQ(last("jntforc", 10), " time............................   5.00000E-01");
+  EXPECT_EQ(last("jntforc", 9), " joint ID........................            41");
+  EXPECT_EQ(last("jntforc", 8), " x-force.........................    2.0000E+00");
+  EXPECT_EQ(last("jntforc"), " resultant moment................    5.0000E+00");
   const auto parts = lines(folder_ / "matsum");
   EXPECT_EQ(parts[5], "        7     first");
   EXPECT_EQ(parts[parts.size() - 9], " time =   5.0000E-01");

@@ -47,6 +47,7 @@ const ItemWords& words(Item item) {
       {"discrete set", "*SET_DISCRETE", "*SET_DISCRETE_", ""},
       {"cross-section", "*DATABASE_CROSS_SECTION_PLANE_ID", "*DATABASE_CROSS_SECTION_", ""},
       {"transformation", "*DEFINE_TRANSFORMATION", "*DEFINE_TRANSFORM", ""},
+      {"joint", "*CONSTRAINED_JOINT_REVOLUTE_ID or another joint", "*CONSTRAINED_JOINT_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -144,6 +145,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_masses(build);
   build_rigid_bodies(build);
   build_connections(build);
+  build_joints(build);
   build_fixed_nodes(build);
   build_velocities(build);
   build_loads(build);

@@ -67,6 +67,7 @@ enum class Item {
   DiscreteSet,
   CrossSection,
   Transformation,
+  Joint,
   Count,  ///< how many there are
 };
 
@@ -191,6 +192,9 @@ struct Connection {
 };
 /// The connections of the model by node.
 std::map<Index, Connection> connections_of_nodes(const Build& build);
+// build_joints.cpp
+/// Joints between rigid bodies.
+void build_joints(Build& build);
 // build_walls.cpp
 void build_walls(Build& build);
 // build_rigid_bodies.cpp

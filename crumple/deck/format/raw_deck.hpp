@@ -358,6 +358,13 @@ struct RawConstrainedSet {
   Where where;
 };
 
+/// A joint between two rigid bodies.
+struct RawJoint {
+  model::Joint joint;
+  std::array<UserId, 6> node{};  ///< zero where the kind needs none
+  Where where;
+};
+
 /// What *DATABASE_HISTORY names.
 enum class HistoryItem { Node, Shell, Solid, Beam, Discrete };
 
@@ -453,6 +460,7 @@ struct RawDeck {
   std::vector<RawWeld> welds;
   std::vector<RawRivet> rivets;
   std::vector<RawConstrainedSet> constrained_sets;
+  std::vector<RawJoint> joints;
   std::vector<RawPrescribedMotion> prescribed_motions;
   std::vector<RawBodyLoad> body_loads;
   std::vector<RawRigidBodyLoad> rigid_body_loads;

@@ -164,6 +164,12 @@ void read_constrained_spotweld(Cards& cards, RawDeck& deck);
 void read_constrained_generalized_weld_spot(Cards& cards, RawDeck& deck);
 void read_constrained_rivet(Cards& cards, RawDeck& deck);
 void read_constrained_node_set(Cards& cards, RawDeck& deck);
+// read_joints.cpp
+void read_constrained_joint(Cards& cards, RawDeck& deck, model::JointKind kind);
+template <model::JointKind Kind>
+void read_joint(Cards& cards, RawDeck& deck) {
+  read_constrained_joint(cards, deck, Kind);
+}
 // read_rigid_bodies.cpp
 void read_mat_rigid(Cards& cards, RawDeck& deck);
 void read_constrained_rigid_bodies(Cards& cards, RawDeck& deck);

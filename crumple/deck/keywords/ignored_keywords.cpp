@@ -117,7 +117,6 @@ constexpr IgnoredRow ignored_rows[] = {
     {"DATABASE_HISTORY_TSHELL", true, is_output},
     {"DATABASE_ICVOUT", true, is_output},
     {"DATABASE_ISPHHTC", true, is_output},
-    {"DATABASE_JNTFORC", true, is_output},
     {"DATABASE_MASSOUT", true, is_output},
     {"DATABASE_MATSUM_DR", true, is_output},
     {"DATABASE_MATSUM_FILTER", true, is_output},

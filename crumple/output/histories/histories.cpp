@@ -82,6 +82,9 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   if (!view.domain.welds.empty())
     entries.push_back({"swforc.csv", "time,weld,axial,shear,broken",
                        interval_or_glstat(asked, model::HistoryFile::Swforc), make_weld_history()});
+  if (!view.domain.joints.empty())
+    entries.push_back({"jntforc.csv", "time,joint,fx,fy,fz,mx,my,mz,force,moment,energy,damping,opening",
+                       interval_or_glstat(asked, model::HistoryFile::Jntforc), make_joint_history()});
   if (!asked.history_nodes.empty())
     entries.push_back({"nodout.csv", "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z",
                        asked.of(model::HistoryFile::Nodout).interval, make_node_history()});

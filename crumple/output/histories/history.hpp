@@ -64,6 +64,9 @@ std::unique_ptr<History> make_rigid_body_history(const View& view);
 /// Tension and shear in the spot welds, and whether they are broken.
 std::unique_ptr<History> make_weld_history();
 
+/// Forces and moments of joints.
+std::unique_ptr<History> make_joint_history();
+
 /// Nodes that are still tied, and the resultant force of the tied contacts on them.
 std::unique_ptr<History> make_tie_history();
 

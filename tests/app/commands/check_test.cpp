@@ -16,7 +16,7 @@ class Check : public ProgramTest {
   }
 };
 
-constexpr const char* harmless = "*DATABASE_ABSTAT\n0.1\n*DATABASE_JNTFORC\n0.1\n*DATABASE_JNTFORC\n0.1\n";
+constexpr const char* harmless = "*DATABASE_ABSTAT\n0.1\n*DATABASE_NODFOR\n0.1\n*DATABASE_NODFOR\n0.1\n";
 constexpr const char* lacking =
     "*DAMPING_PART_MASS\n         0       0.1\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,0,1\n";
 
@@ -30,7 +30,7 @@ TEST_F(Check, OfCardsWithoutEffectForPrograms) {
   EXPECT_EQ(json["counts"]["without_effect"], 3);
   EXPECT_EQ(json["counts"]["missing"], 0);
   EXPECT_EQ(json["without_effect"].size(), 2U);
-  EXPECT_EQ(json["without_effect"][1]["name"], "*DATABASE_JNTFORC");
+  EXPECT_EQ(json["without_effect"][1]["name"], "*DATABASE_NODFOR");
   EXPECT_EQ(json["without_effect"][1]["count"], 2);
 }
 
@@ -77,7 +77,7 @@ TEST_F(Check, ARunListsWhatWasLeftOut) {
   ASSERT_EQ(left_out.size(), 4U);
   EXPECT_EQ(left_out[0]["name"], "*DAMPING_PART_MASS");
   EXPECT_EQ(left_out[0]["reason"], "on request");
-  EXPECT_EQ(left_out[3]["name"], "*DATABASE_JNTFORC");
+  EXPECT_EQ(left_out[3]["name"], "*DATABASE_NODFOR");
   EXPECT_EQ(left_out[3]["reason"], "without effect");
 }
 

@@ -117,9 +117,9 @@ TEST(WithoutEffect, WhatWouldChangeTheRunIsRefused) {
 }
 
 TEST(WithoutEffect, EveryOutputThatIsLackingIsOneLine) {
-  const std::vector<std::string> messages = messages_with("*DATABASE_JNTFORC\n0.1\n*DATABASE_JNTFORC\n0.2\n");
+  const std::vector<std::string> messages = messages_with("*DATABASE_NODFOR\n0.1\n*DATABASE_NODFOR\n0.2\n");
   ASSERT_EQ(messages.size(), 2U);
-  EXPECT_NE(messages[0].find("warning: *DATABASE_JNTFORC: is left out: an output that is not written"),
+  EXPECT_NE(messages[0].find("warning: *DATABASE_NODFOR: is left out: an output that is not written"),
             std::string::npos);
   const std::vector<std::string> mistyped = messages_with("*DATABASE_RWFORCE\n0.1\n");
   ASSERT_EQ(mistyped.size(), 1U);
