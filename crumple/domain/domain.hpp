@@ -88,6 +88,7 @@ struct Domain {
   std::vector<ContactReport> contacts;
   std::vector<TransducerReport> transducers;
   std::vector<WallReport> walls;
+  std::vector<ControlVolumeReport> control_volumes;  ///< in the order of the model
   std::vector<WeldReport> welds;
   std::vector<SupportReport> supports;  ///< of the nodes that are held, if output asks for their forces
   std::vector<Tie> ties;                ///< in the order of Model::tied_contacts

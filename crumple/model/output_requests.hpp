@@ -25,8 +25,9 @@ enum class HistoryFile {
   Rbdout,   ///< motion of rigid bodies
   Ncforc,   ///< contact forces by node
   Swforc,   ///< forces of spot welds
+  Abstat,   ///< control volumes of airbags and tyres
 };
-inline constexpr std::size_t history_files = 13;
+inline constexpr std::size_t history_files = 14;
 
 /// How often one of them is to be written, and in which of LS-DYNA's forms besides our own.
 struct HistoryRequest {

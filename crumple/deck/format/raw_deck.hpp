@@ -420,6 +420,7 @@ struct RawDeck {
   std::vector<RawVelocity> velocities;
   std::vector<RawNodalLoad> nodal_loads;
   std::vector<RawPressureLoad> pressure_loads;
+  std::vector<RawControlVolume> control_volumes;
   std::vector<RawRigidMerge> rigid_merges;
   std::vector<RawExtraNodes> extra_nodes;
   std::vector<RawNodalBody> nodal_bodies;

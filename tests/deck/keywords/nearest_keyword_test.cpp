@@ -54,7 +54,7 @@ TEST(NearestKeyword, IsItselfSupported) {
                            "PART_COMPOSITE",
                            "CONSTRAINED_JOINT_REVOLUTE",
                            "CONTACT_SPOTWELD",
-                           "AIRBAG_SIMPLE_PRESSURE_VOLUME",
+                           "AIRBAG_HYBRID",
                            "SECTION_SEATBELT",
                            "INTEGRATION_SHELL",
                            "CONTACT_ENTITY",
