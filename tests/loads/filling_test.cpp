@@ -103,7 +103,7 @@ TEST(Filling, OrificesOpenAtTheirPressureAndStayOpen) {
   const model::VolumeFilling law = gas;
   FillingState state = Filling(law, curves).initial(1);
   double opened_at = 0;
-  for (int i = 1; i <= 20000; ++i) {
+  for (int i = 1; i <= 40000; ++i) {
     Filling(law, curves).advance(state, {1e-4 * i, 1e-4, 1});
     if (opened_at == 0 && state.outflow > 0) {
       opened_at = 1e-4 * i;

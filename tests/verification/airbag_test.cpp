@@ -25,6 +25,8 @@ constexpr double exponent = 1.4;
 model::Model piston(const model::VolumeFilling& filling, double speed) {
   model::Model model = test::one_part(test::elastic_steel(), test::shell_section(0.1, 2));
   model.materials[0].density = 10;  // one plate has a mass of 1
+  // Rigid plates set the step as if they were not: it stays below 1e-3, a stroke takes about 1.
+  model.materials[0].law = model::Elastic{2e7, 0.3};
   model.parts.push_back({.id = 2, .title = "piston", .section = 0, .material = 0});
   const auto plate = [](double x) { return [x](double u, double v) { return test::Point{x, u, v}; }; };
   test::add_grid(model, 0, 1, 1, plate(0));
@@ -67,7 +69,6 @@ struct Stroke {
 Stroke stroke_of(const model::VolumeFilling& filling, double ambient) {
   model::Model model = piston(filling, 2);
   model.control.end_time = 3;
-  model.control.initial_step = 1e-3;
   timeloop::Simulation simulation(model, test::execution());
   Stroke stroke;
   double first = 0;
@@ -94,7 +95,7 @@ TEST(Airbags, PistonIsStoppedByAdiabaticGas) {
       .heat_at_volume = 1, .heat_at_pressure = exponent, .ambient = ambient, .density = 0.01};
   for (const model::VolumeFilling& filling : {adiabatic, inflated}) {
     const Stroke stroke = stroke_of(filling, ambient);
-    // Time and work are of the second order in the step of 1e-3 of a stroke that takes about 1.
+    // Times and work are of the second order in the step over the time of the stroke.
     test::verified("piston on gas: smallest volume", "kinetic energy equal to the work of p V^gamma")
         .within(stroke.smallest, expected, 1e-5);
     test::verified("piston on gas: energy balance over the kinetic energy, error", "none")
@@ -147,10 +148,10 @@ TEST(Airbags, BallIsInflatedAsAThinSphere) {
   EXPECT_LT(error[1], 0.5 * error[0]);
 }
 
-// A ball full of gas is thrown against a wall and comes back.
-TEST(Airbags, BallOnAWallKeepsItsEnergy) {
-  const double radius = 100;
-  model::Model model = ball(8, radius, 1);
+/// A soft ball full of gas that is thrown against a smooth wall and comes back.
+model::Model thrown_ball(double step_scale) {
+  model::Model model = ball(8, 100, 1);
+  model.materials[0].law = model::Elastic{2.0, 0.4};
   model.control_volumes.push_back(test::bag_of_shells(
       model, model::AdiabaticGas{.exponent = exponent, .pressure = 2e-4, .ambient = 1e-4, .density = 1e-9}));
   model::RigidWall wall;
@@ -158,31 +159,44 @@ TEST(Airbags, BallOnAWallKeepsItsEnergy) {
   wall.point = {0, 0, -101};
   wall.normal = {0, 0, 1};
   for (Index node = 0; node < model.nodes.count(); ++node) {
-    model.initial_velocities.push_back({.node = node, .velocity = {1, 0, -10}});
+    model.initial_velocities.push_back({.node = node, .velocity = {1, 0, -20}});
     wall.nodes.push_back(node);
   }
   model.rigid_walls.push_back(wall);
-  model.control.end_time = 12;
-  timeloop::Simulation simulation(model, test::execution());
-  double error = 0;
-  double absorbed = 0;
-  double smallest = 1e30;
-  Vec3 start;
-  test::run(simulation, [&](const domain::Domain& now) {
-    absorbed = test::larger_of(absorbed, now.energy.absorbed());
-    if (now.clock.cycle == 0) start = test::momentum(now);
-    smallest = std::fmin(smallest, now.control_volumes[0].volume);
-    error = test::larger_of(error, std::fabs(now.energy.imbalance()));
-  });
-  const domain::Domain& now = simulation.domain();
-  EXPECT_LT(smallest, 0.97 * 4.0 / 3 * std::numbers::pi * radius * radius * radius);
+  model.control.end_time = 25;
+  model.control.step_scale = step_scale;
+  return model;
+}
+
+// The step changes with the elements, so energy is kept to the square of the step.
+TEST(Airbags, BallOnAWallKeepsItsEnergy) {
+  double error[2] = {};
+  for (const int fine : {0, 1}) {
+    const model::Model model = thrown_ball(fine == 0 ? 0.8 : 0.4);
+    timeloop::Simulation simulation(model, test::execution());
+    double first = 0;
+    double smallest = 1e30;
+    Vec3 start;
+    test::run(simulation, [&](const domain::Domain& now) {
+      if (now.clock.cycle == 0) {
+        start = test::momentum(now);
+        first = now.control_volumes[0].volume;
+      }
+      smallest = std::fmin(smallest, now.control_volumes[0].volume);
+      error[fine] = test::larger_of(error[fine], std::fabs(now.energy.imbalance()));
+    });
+    const domain::Domain& now = simulation.domain();
+    error[fine] /= now.energy.initial_total;
+    EXPECT_LT(smallest, 0.98 * first);
+    const Vec3 change = test::momentum(now) - start;
+    EXPECT_GT(change.z, -start.z);
+    // The wall is smooth and the pressure inside has no resultant.
+    test::verified("ball full of gas on a wall: change of momentum along it, relative", "none")
+        .below(std::fabs(change.x / start.x), 1e-10);
+  }
   test::verified("ball full of gas on a wall: energy error over the kinetic energy", "none")
-      .below(error / now.energy.initial_total, 1e-3);
-  const Vec3 change = test::momentum(now) - start;
-  EXPECT_GT(change.z, 0);
-  // The wall is smooth and the pressure inside has no resultant.
-  test::verified("ball full of gas on a wall: change of momentum along it, relative", "none")
-      .below(std::fabs(change.x / start.x), 1e-10);
+      .below(error[1], 1e-3);
+  EXPECT_GT(error[0] / error[1], 2.5);
 }
 
 }  // namespace

@@ -153,11 +153,12 @@ bool is_closed(const RawControlVolume& raw, const std::vector<SurfaceEdge>& edge
   }
   if (faults == 0) return true;
   build.report.field_error(
-      raw.where, {"SID", std::to_string(raw.set), "a closed surface, where two segments meet at each edge",
-                  fmt::format("{}, and so {} in all; close openings with shells of *MAT_NULL, and "
-                              "leave inner walls and repeated segments out",
-                              first, faults == 1 ? "it is 1 edge" : fmt::format("are {} edges", faults)),
-                  "open"});
+      raw.where,
+      {"SID", std::to_string(raw.set), "a closed surface, where two segments meet at each edge",
+       fmt::format(
+           "{}{}; close openings with shells of *MAT_NULL, and leave inner walls and repeated segments out",
+           first, faults == 1 ? "" : fmt::format(", one of {} such edges", faults)),
+       "open"});
   return false;
 }
 
