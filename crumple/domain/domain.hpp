@@ -88,6 +88,7 @@ struct Domain {
   std::vector<ContactReport> contacts;
   std::vector<TransducerReport> transducers;
   std::vector<WallReport> walls;
+  std::vector<ControlVolumeReport> control_volumes;  ///< in the order of the model
   std::vector<WeldReport> welds;
   std::vector<JointReport> joints;
   std::vector<JointStiffnessReport> joint_stiffnesses;

@@ -140,6 +140,19 @@ struct WallReport {
   double kinetic_energy = 0;      ///< of a wall with mass at time n, in product form [energy]
 };
 
+/// What is in a control volume, at time n.
+struct ControlVolumeReport {
+  UserId id = 0;
+  double volume = 0;       ///< [volume]
+  double pressure = 0;     ///< on the surface [stress]
+  double energy = 0;       ///< internal energy of the filling [energy]
+  double inflow = 0;       ///< [mass/time]
+  double outflow = 0;      ///< [mass/time]
+  double mass = 0;         ///< [mass]
+  double temperature = 0;  ///< 0 where the law knows none
+  double area = 0;         ///< of the surface [length^2]
+};
+
 /// The force in a spot weld between two nodes.
 struct WeldReport {
   UserId id = 0;

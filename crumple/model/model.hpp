@@ -9,6 +9,7 @@
 #include "model/connections.hpp"
 #include "model/contact.hpp"
 #include "model/control.hpp"
+#include "model/control_volume.hpp"
 #include "model/curve.hpp"
 #include "model/equation_of_state.hpp"
 #include "model/joint.hpp"
@@ -57,6 +58,7 @@ struct Model {
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodalLoad> nodal_loads;
   std::vector<PressureLoad> pressure_loads;
+  std::vector<ControlVolume> control_volumes;
   std::vector<BodyLoad> body_loads;
   std::vector<RigidBodyLoad> rigid_body_loads;
   std::optional<MassDamping> mass_damping;

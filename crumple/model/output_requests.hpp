@@ -26,6 +26,7 @@ enum class HistoryFile {
   Ncforc,   ///< contact forces by node
   Swforc,   ///< forces of spot welds
   Jntforc,  ///< forces of joints
+  Abstat,   ///< control volumes of airbags and tyres
 };
 inline constexpr std::size_t history_files = 14;
 

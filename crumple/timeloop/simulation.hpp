@@ -48,6 +48,7 @@
 #include "elements/energy_trace.hpp"
 #include "elements/section_forces.hpp"
 #include "loads/body_loads.hpp"
+#include "loads/control_volumes.hpp"
 #include "loads/mass_damping.hpp"
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
@@ -155,6 +156,7 @@ class Simulation {
   Supports supports_;
   loads::NodalLoads nodal_loads_;
   loads::PressureLoads pressure_loads_;
+  loads::ControlVolumes control_volumes_;
   loads::BodyLoads body_loads_;
   loads::RigidBodyLoads rigid_body_loads_;
   loads::MassDamping mass_damping_;

@@ -88,6 +88,7 @@ void Simulation::compute_forces() {
   for (contact::TieSprings& springs : tie_springs_) springs.add_forces(domain_);
   joints_.add_forces(domain_);
   pressure_loads_.add_forces(domain_);
+  control_volumes_.add_forces(domain_);
   nodal_loads_.add_forces(domain_);
   body_loads_.add_forces(domain_);
   rigid_body_loads_.add_forces(domain_);
@@ -108,6 +109,7 @@ void Simulation::choose_step() {
   const bool first = domain_.clock.cycle == 0;
   next_step_ = control.step_scale * domain_.clock.element_limit;
   if (first) largest_step_ = step_growth_limit * next_step_;
+  next_step_ *= control_volumes_.stable_share(domain_.clock.element_limit);
   next_step_ *= mass_damping_.stable_share(domain_.clock.element_limit);
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
   next_step_ = std::min(next_step_, largest_step_);

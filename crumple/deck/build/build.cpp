@@ -48,6 +48,7 @@ const ItemWords& words(Item item) {
       {"cross-section", "*DATABASE_CROSS_SECTION_PLANE_ID", "*DATABASE_CROSS_SECTION_", ""},
       {"transformation", "*DEFINE_TRANSFORMATION", "*DEFINE_TRANSFORM", ""},
       {"joint", "*CONSTRAINED_JOINT_REVOLUTE_ID or another joint", "*CONSTRAINED_JOINT_", ""},
+      {"airbag", "*AIRBAG_SIMPLE_AIRBAG_MODEL_ID", "*AIRBAG_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -149,6 +150,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_fixed_nodes(build);
   build_velocities(build);
   build_loads(build);
+  build_airbags(build);
   build_motions(build);
   build_walls(build);
   build_contacts(build, options.automatic_contact);

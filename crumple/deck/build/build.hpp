@@ -68,6 +68,7 @@ enum class Item {
   CrossSection,
   Transformation,
   Joint,
+  ControlVolume,
   Count,  ///< how many there are
 };
 
@@ -206,6 +207,8 @@ std::vector<Index> bodies_of_nodes(const Build& build);
 void build_motions(Build& build);
 // build_loads.cpp
 void build_loads(Build& build);
+// build_airbags.cpp
+void build_airbags(Build& build);
 // build_contacts.cpp
 void build_contacts(Build& build, bool automatic_contact);
 /// Id of a contact that the deck gives none, from its place among all contacts; of no other one.

@@ -453,6 +453,7 @@ struct RawDeck {
   std::vector<RawVelocity> velocities;
   std::vector<RawNodalLoad> nodal_loads;
   std::vector<RawPressureLoad> pressure_loads;
+  std::vector<RawControlVolume> control_volumes;
   std::vector<RawRigidMerge> rigid_merges;
   std::vector<RawRigidVelocity> rigid_velocities;
   std::vector<RawExtraNodes> extra_nodes;

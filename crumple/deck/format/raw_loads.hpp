@@ -33,6 +33,18 @@ struct RawPressureLoad {
   Where where;
 };
 
+/// A control volume whose segments and curves are still ids.
+struct RawControlVolume {
+  model::ControlVolume volume;
+  UserId set = 0;
+  bool is_parts = false;  ///< the set is one of parts, all shells of which are segments
+  /// Of the curves in the order of the filling's members; 0 is none.
+  std::array<UserId, 6> curves{};
+  Where where;       ///< of the card with the set
+  Where gas_where;   ///< of the card with the curves
+  Where more_where;  ///< of the next one
+};
+
 struct RawPrescribedMotion {
   enum class Target { Node, NodeSet, Body };
   Target target = Target::Node;

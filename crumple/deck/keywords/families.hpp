@@ -199,6 +199,13 @@ void read_load_segment_set(Cards& cards, RawDeck& deck);
 void read_load_shell_element(Cards& cards, RawDeck& deck);
 void read_load_shell_set(Cards& cards, RawDeck& deck);
 
+// read_airbags.cpp
+void read_airbag_simple_pressure_volume(Cards& cards, RawDeck& deck);
+void read_airbag_adiabatic_gas_model(Cards& cards, RawDeck& deck);
+void read_airbag_linear_fluid(Cards& cards, RawDeck& deck);
+void read_airbag_simple_airbag_model(Cards& cards, RawDeck& deck);
+void read_airbag_wang_nefske(Cards& cards, RawDeck& deck);
+
 // read_contact.cpp
 void read_rigidwall_planar(Cards& cards, RawDeck& deck);
 void read_rigidwall_geometric(Cards& cards, RawDeck& deck);

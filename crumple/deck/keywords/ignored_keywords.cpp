@@ -49,7 +49,7 @@ constexpr IgnoredRow ignored_rows[] = {
     {"SET_SEGMENT", true, is_definition},
     {"SET_SHELL", true, is_definition},
     {"SET_SOLID", true, is_definition},
-    {"DATABASE_ABSTAT", true, is_output},
+    {"DATABASE_ABSTAT_", true, is_output},
     {"DATABASE_ACEOUT", true, is_output},
     {"DATABASE_ADAMS", true, is_output},
     {"DATABASE_ALE", true, is_output},

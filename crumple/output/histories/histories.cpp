@@ -39,6 +39,9 @@ void add_asked(const View& view, std::vector<HistoryEntry>& entries) {
       [](const View&) { return make_section_history(); });
   add(File::Ncforc, !view.domain.contacts.empty() && view.contact_node_forces, "ncforc.csv",
       "time,interface,side,node,fx,fy,fz", make_contact_node_history);
+  add(File::Abstat, !view.domain.control_volumes.empty(), "abstat.csv",
+      "time,airbag,volume,pressure,energy,inflow,outflow,mass,temperature,area",
+      [](const View&) { return make_airbag_history(); });
   add(File::Spcforc, !view.domain.supports.empty(), "spcforc.csv", "time,node,fx,fy,fz,mx,my,mz",
       [](const View&) { return make_support_history(); });
 }

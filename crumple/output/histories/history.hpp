@@ -85,6 +85,9 @@ std::unique_ptr<History> make_section_history();
 /// What contacts put on the nodes that they touch.
 std::unique_ptr<History> make_contact_node_history(const View& view);
 
+/// What is in the control volumes of *AIRBAG.
+std::unique_ptr<History> make_airbag_history();
+
 /// What holds the nodes of *BOUNDARY_SPC, and the sum of it.
 std::unique_ptr<History> make_support_history();
 

@@ -55,7 +55,7 @@ TEST(NearestKeyword, IsItselfSupported) {
                            "CONSTRAINED_JOINT_GEARS",
                            "CONSTRAINED_JOINT_REVOLUTE_FAILURE",
                            "CONTACT_SPOTWELD",
-                           "AIRBAG_SIMPLE_PRESSURE_VOLUME",
+                           "AIRBAG_HYBRID",
                            "SECTION_SEATBELT",
                            "INTEGRATION_SHELL",
                            "CONTACT_ENTITY",

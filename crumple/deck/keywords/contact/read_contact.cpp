@@ -97,7 +97,7 @@ constexpr Field contact_card_a[] = {
          "0 takes the penalty stiffness from the material, 1 at least from mass and step, 2 always from "
          "these"),
     real_or_default("SOFSCL", 0.1, above_zero),  // for SOFT=1
-    only("LCIDAB", {0}, "airbags are not supported"),
+    only("LCIDAB", {0}, "the thickness does not change over time"),
     unused("MAXPAR"),  // inside-outside search has no such margin
     unused("SBOPT"),   // for SOFT=2
     integer("DEPTH"),  // says which edges take part; there is no depth of search

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "loads/control_volumes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+
+namespace crumple::loads {
+
+using math::Vec3;
+
+namespace {
+
+constexpr Index piece = 1024;
+
+std::vector<std::array<Index, 4>> domain_segments(const model::ControlVolume& volume,
+                                                  const domain::Domain& domain) {
+  std::vector<std::array<Index, 4>> segments = volume.segments;
+  for (std::array<Index, 4>& segment : segments)
+    for (Index& node : segment) node = domain.nodes.domain_node[static_cast<std::size_t>(node)];
+  return segments;
+}
+
+}  // namespace
+
+ControlVolumes::ControlVolumes(const model::Model& model, domain::Domain& domain) {
+  for (const model::ControlVolume& description : model.control_volumes) {
+    Volume volume{&description, ClosedSurface(domain_segments(description, domain)),
+                  Filling(description.filling, model.curves)};
+    volume.surface.measure(domain.nodes, domain.execution.threads);
+    volume.state = volume.filling.initial(description.volume_scale * volume.surface.volume());
+    volume.force.resize(volume.surface.nodes().size());
+    volumes_.push_back(std::move(volume));
+    domain.control_volumes.push_back({.id = description.id});
+  }
+}
+
+void ControlVolumes::add_forces(domain::Domain& domain) {
+  frequency_squared_ = 0;
+  for (std::size_t i = 0; i < volumes_.size(); ++i) {
+    Volume& volume = volumes_[i];
+    const model::ControlVolume& description = *volume.description;
+    volume.surface.measure(domain.nodes, domain.execution.threads);
+    if (!(volume.surface.volume() > 0))
+      throw NumericalError("The surface of airbag " + std::to_string(description.id) +
+                           " has turned inside out: the volume in it is not above zero.");
+    volume.filling.advance(volume.state, {domain.clock.time, domain.clock.step,
+                                          description.volume_scale * volume.surface.volume()});
+    push_nodes(domain, volume, description.pressure_scale * volume.state.pressure);
+    report(volume, domain.control_volumes[i]);
+  }
+}
+
+void ControlVolumes::push_nodes(domain::Domain& domain, Volume& volume, double pressure) {
+  domain::NodeFields& nodes = domain.nodes;
+  const std::vector<Index>& pushed = volume.surface.nodes();
+  const auto count = static_cast<Index>(pushed.size());
+  const double half_step = 0.5 * domain.clock.step;
+  sums_.assign(static_cast<std::size_t>(pieces(count, piece)), {});
+  parallel_for(pieces(count, piece), domain.execution.threads, [&](Index p) {
+    std::array<double, 2> sum{};
+    for (Index i = p * piece; i < std::min((p + 1) * piece, count); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Index node = pushed[at];
+      const Vec3& gradient = volume.surface.gradients()[at];
+      const Vec3 force = pressure * gradient;
+      for (int axis = 0; axis < 3; ++axis) nodes.force[node].force[axis] += force[axis];
+      sum[0] += half_step * dot(volume.force[at] + force, nodes.velocity[node]);
+      if (nodes.is_free(node) && nodes.mass[node] > 0) sum[1] += dot(gradient, gradient) / nodes.mass[node];
+      volume.force[at] = force;
+    }
+    sums_[static_cast<std::size_t>(p)] = sum;
+  });
+  double flexibility = 0;
+  for (const std::array<double, 2>& sum : sums_) {
+    domain.energy.external_work += sum[0];
+    flexibility += sum[1];
+  }
+  const model::ControlVolume& description = *volume.description;
+  frequency_squared_ +=
+      description.pressure_scale * description.volume_scale * volume.state.stiffness * flexibility;
+}
+
+double ControlVolumes::stable_share(double step) const {
+  return 1 / std::sqrt(1 + 0.25 * frequency_squared_ * step * step);
+}
+
+void ControlVolumes::report(const Volume& volume, domain::ControlVolumeReport& into) {
+  const FillingState& state = volume.state;
+  into.volume = volume.surface.volume();
+  into.pressure = volume.description->pressure_scale * state.pressure;
+  into.energy = state.energy;
+  into.inflow = state.inflow;
+  into.outflow = state.outflow;
+  into.mass = state.mass;
+  into.temperature = state.temperature;
+  into.area = volume.surface.area();
+}
+
+void ControlVolumes::declare(domain::StateList& list) {
+  for (Volume& volume : volumes_) {
+    static_assert(sizeof(FillingState) == 10 * sizeof(double));
+    list.add("control_volume", "-", domain::Entity::Run, 10, std::span(&volume.state, 1));
+    list.keep_list("control_volume_force", "force", domain::Entity::Node, 3, volume.force);
+  }
+}
+
+}  // namespace crumple::loads
