@@ -47,6 +47,7 @@ const ItemWords& words(Item item) {
       {"discrete set", "*SET_DISCRETE", "*SET_DISCRETE_", ""},
       {"cross-section", "*DATABASE_CROSS_SECTION_PLANE_ID", "*DATABASE_CROSS_SECTION_", ""},
       {"transformation", "*DEFINE_TRANSFORMATION", "*DEFINE_TRANSFORM", ""},
+      {"vector", "*DEFINE_VECTOR", "*DEFINE_VECTOR_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -141,12 +142,14 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   check_empty_parts(build);
   build_sets(build);
   build_masses(build);
+  build_part_masses(build);
   build_rigid_bodies(build);
   build_connections(build);
   build_fixed_nodes(build);
   build_velocities(build);
   build_loads(build);
   build_motions(build);
+  build_inertia_fields(build);
   build_walls(build);
   build_contacts(build, options.automatic_contact);
   build_tied_contacts(build);
