@@ -16,6 +16,8 @@ NodeOwners owners_of_nodes(const model::Model& model) {
     for (const Index node : set.nodes) owners.joint[node] = "a constrained node set";
   for (const model::PrescribedMotion& motion : model.prescribed_motions)
     if (motion.node != no_index) owners.joint[motion.node] = "a prescribed motion";
+  for (const model::LocalSupport& support : model.local_supports)
+    owners.joint[support.node] = "a support with axes of its own";
   return owners;
 }
 

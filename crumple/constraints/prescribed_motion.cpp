@@ -13,7 +13,9 @@ using model::PrescribedMotion;
 
 PrescribedMotions::PrescribedMotions(const model::Model& model, const Domain& domain) : model_(&model) {
   motions_.reserve(model.prescribed_motions.size());
+  const std::vector<char> local = nodes_with_local_constraints(model);
   for (const PrescribedMotion& given : model.prescribed_motions) {
+    if (given.node != no_index && local[static_cast<std::size_t>(given.node)] != 0) continue;
     Motion motion{given, given.node == no_index ? no_index : domain.nodes.domain_node[given.node], 0};
     if (motion.node != no_index && !domain.nodes.is_free(motion.node))
       throw Error("The motion of node " + std::to_string(model.nodes.id[given.node]) +
@@ -31,19 +33,16 @@ void PrescribedMotions::remember(const Domain& domain) {
   }
 }
 
-/// That of n+1/2. Displacements are met exactly at n+1.
-double PrescribedMotions::velocity(const Motion& motion, double time, double interval,
-                                   double next_step) const {
-  const PrescribedMotion& given = motion.given;
-  const model::Curve& curve = model_->curves[given.curve];
-  const double since = time - given.birth;
-  switch (given.kind) {
+double prescribed_velocity(const PrescribedMotion& motion, const model::Curve& curve,
+                           const MotionTimes& times, double before) {
+  const double since = times.time - motion.birth;
+  switch (motion.kind) {
     case PrescribedMotion::Kind::Velocity:
-      return given.scale * curve.at(since + 0.5 * next_step);
+      return motion.scale * curve.at(since + 0.5 * times.next_step);
     case PrescribedMotion::Kind::Acceleration:
-      return motion.before + interval * given.scale * curve.at(since);
+      return before + times.interval * motion.scale * curve.at(since);
     case PrescribedMotion::Kind::Displacement:
-      return given.scale * (curve.at(since + next_step) - curve.at(since)) / next_step;
+      return motion.scale * (curve.at(since + times.next_step) - curve.at(since)) / times.next_step;
   }
   return 0;
 }
@@ -64,6 +63,7 @@ double PrescribedMotions::impose_on_node(Domain& domain, std::size_t place, doub
 
 KineticChange PrescribedMotions::impose(Domain& domain, double interval, double next_step) {
   const double time = domain.clock.time;
+  const MotionTimes times{time, interval, next_step};
   KineticChange change;
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     Motion& motion = motions_[i];
@@ -71,15 +71,16 @@ KineticChange PrescribedMotions::impose(Domain& domain, double interval, double 
     domain.energy.external_work += deferred_[i];
     deferred_[i] = 0;
     if (time < given.birth || time >= given.death) continue;
+    const model::Curve& curve = model_->curves[given.curve];
     if (motion.node != no_index) {
       (given.rotation ? change.rotational : change.translational) +=
-          impose_on_node(domain, i, velocity(motion, time, interval, next_step));
+          impose_on_node(domain, i, prescribed_velocity(given, curve, times, motion.before));
       continue;
     }
     domain::RigidBody& body = domain.rigid_bodies[given.body];
     motion.before = dot(body.held_axes.column[static_cast<std::size_t>(given.axis)],
                         given.rotation ? body.previous_spin : body.previous_velocity);
-    const double target = velocity(motion, time, interval, next_step);
+    const double target = prescribed_velocity(given, curve, times, motion.before);
     if (given.rotation)
       hold_rotation(body, given.axis, target);
     else

@@ -9,6 +9,22 @@
 
 namespace crumple::constraints {
 
+/// The moment of a kick: time n, from n-1/2 to n+1/2, and from n to n+1 [time].
+struct MotionTimes {
+  double time = 0;
+  double interval = 0;
+  double next_step = 0;
+};
+
+/// The velocity of n+1/2 that a motion asks for where that of n-1/2 is `before`. Displacements are met exactly
+/// at n+1.
+double prescribed_velocity(const model::PrescribedMotion& motion, const model::Curve& curve,
+                           const MotionTimes& times, double before);
+
+/// Which nodes of the model have a support in axes of their own or a motion along a vector, so that
+/// LocalConstraints alone holds and moves them.
+std::vector<char> nodes_with_local_constraints(const model::Model& model);
+
 /// Velocities of nodes and rigid bodies that follow curves. They replace what the kick has made of them; the
 /// impulse that this takes is the reaction, and its work is external work, to round-off
 /// (docs/theory/prescribed_motion.md).
@@ -34,7 +50,6 @@ class PrescribedMotions {
     Index node = no_index;  ///< of the domain
     double before = 0;      ///< v(n-1/2)
   };
-  double velocity(const Motion& motion, double time, double interval, double next_step) const;
   double impose_on_node(domain::Domain& domain, std::size_t place, double target);
 
   const model::Model* model_;

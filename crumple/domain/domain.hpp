@@ -70,6 +70,12 @@ struct Clock {
   ControllingElement controlling;
 };
 
+/// How much of the mass of its nodes is that of a part.
+struct PartShare {
+  std::vector<Index> nodes;   ///< domain nodes, ascending
+  std::vector<double> share;  ///< of the mass of each node at the start [-]
+};
+
 /// All that changes during a run, apart from the history that a contact keeps for itself.
 struct Domain {
   Execution execution;
@@ -85,6 +91,7 @@ struct Domain {
   Clock clock;
   EnergyLedger energy;
   double added_mass = 0;  ///< by mass scaling [mass]
+  std::vector<PartShare> part_shares;  ///< by part; empty unless a load, a damping or a mass asks for parts
   std::vector<ContactReport> contacts;
   std::vector<TransducerReport> transducers;
   std::vector<WallReport> walls;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "elements/elements.hpp"
@@ -21,7 +22,62 @@ void require(bool holds, const model::Part& part, const std::string& what) {
   if (!holds) throw Error("Part " + std::to_string(part.id) + ": " + what + ".");
 }
 
+void add_mass(domain::Domain& domain, Index part, Index node, double mass) {
+  domain.nodes.mass[node] += mass;
+  if (domain.part_shares.empty()) return;
+  domain::PartShare& share = domain.part_shares[static_cast<std::size_t>(part)];
+  share.nodes.push_back(node);
+  share.share.push_back(mass);
+}
+
 namespace {
+
+bool asks_for_parts(const model::Model& model) {
+  return !model.part_masses.empty() || !model.part_dampings.empty() ||
+         std::any_of(model.inertia_fields.begin(), model.inertia_fields.end(),
+                     [](const model::InertiaField& field) { return !field.parts.empty(); });
+}
+
+/// What several elements have added to a node becomes one entry, in the order of the nodes.
+void merge_nodes(domain::PartShare& share, std::vector<double>& at_node) {
+  for (std::size_t i = 0; i < share.nodes.size(); ++i)
+    at_node[static_cast<std::size_t>(share.nodes[i])] += share.share[i];
+  std::sort(share.nodes.begin(), share.nodes.end());
+  share.nodes.erase(std::unique(share.nodes.begin(), share.nodes.end()), share.nodes.end());
+  share.share.clear();
+  for (const Index node : share.nodes) {
+    share.share.push_back(at_node[static_cast<std::size_t>(node)]);
+    at_node[static_cast<std::size_t>(node)] = 0;
+  }
+}
+
+/// The mass of *ELEMENT_MASS_PART, in proportion to that of the elements.
+void add_part_mass(const model::Model& model, const model::PartMass& given, domain::Domain& domain) {
+  double present = 0;
+  for (const Index part : given.parts)
+    for (const double mass : domain.part_shares[static_cast<std::size_t>(part)].share) present += mass;
+  const model::Part& first = model.parts[static_cast<std::size_t>(given.parts.front())];
+  require(present > 0, first, "mass is added to it in proportion to that of its elements, which have none");
+  require(given.final_mass == 0 || given.final_mass >= present, first,
+          "its mass is " + std::to_string(present) + ", more than its final mass is to be");
+  const double factor = (given.final_mass > 0 ? given.final_mass : present + given.added) / present;
+  for (const Index part : given.parts) {
+    domain::PartShare& share = domain.part_shares[static_cast<std::size_t>(part)];
+    for (std::size_t i = 0; i < share.nodes.size(); ++i) {
+      domain.nodes.mass[share.nodes[i]] += (factor - 1) * share.share[i];
+      share.share[i] *= factor;
+    }
+  }
+}
+
+void finish_part_masses(const model::Model& model, domain::Domain& domain) {
+  if (domain.part_shares.empty()) return;
+  std::vector<double> at_node(static_cast<std::size_t>(domain.nodes.count()), 0.0);
+  for (domain::PartShare& share : domain.part_shares) merge_nodes(share, at_node);
+  for (const model::PartMass& given : model.part_masses) add_part_mass(model, given, domain);
+  for (domain::PartShare& share : domain.part_shares)
+    for (std::size_t i = 0; i < share.nodes.size(); ++i) share.share[i] /= domain.nodes.mass[share.nodes[i]];
+}
 
 /// Rigid elements limit the step where all others have no stiffness: something has to.
 void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) {
@@ -44,9 +100,11 @@ void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) 
 }  // namespace
 
 void prepare_elements(const model::Model& model, domain::Domain& domain) {
+  if (asks_for_parts(model)) domain.part_shares.resize(model.parts.size());
   prepare_shells(model, domain);
   prepare_solids(model, domain);
   prepare_beams(model, domain);
+  finish_part_masses(model, domain);
   prepare_discretes(model, domain);
   limit_by_rigid_elements(model, domain);
 }

@@ -13,6 +13,9 @@ void prepare_beams(const model::Model& model, domain::Domain& domain);
 /// After all others: the step of springs depends on the masses of the nodes.
 void prepare_discretes(const model::Model& model, domain::Domain& domain);
 
+/// Adds the mass of an element of a part to a node, and to the mass of the part there if that is asked for.
+void add_mass(domain::Domain& domain, Index part, Index node, double mass);
+
 /// Factor on the mass that DT2MS asks for, given the stable step without it.
 double mass_factor(double mass_scaling_step, double step);
 

@@ -176,7 +176,7 @@ void prepare_element(const model::Model& model, domain::Domain& domain, BeamBloc
   }
   if (place >= block.elements) return;
   for (const Index end : node) {
-    domain.nodes.mass[end] += factor * nodal.mass;
+    add_mass(domain, block.part, end, factor * nodal.mass);
     domain.nodes.inertia[end] += factor * nodal.inertia;
   }
   domain.added_mass += 2 * (factor - 1) * nodal.mass;

@@ -224,7 +224,7 @@ void prepare_shells(const model::Model& model, domain::Domain& domain) {
       const std::array<Index, 4> node = block.nodes_of(place);
       const std::array<double, 4> share = mass_shares(node);
       for (std::size_t k = 0; k < 4; ++k) {
-        nodes.mass[node[k]] += share[k] * shell.mass;
+        add_mass(domain, block.part, node[k], share[k] * shell.mass);
         // A rigid shell turns with its body, whose inertia the masses of the nodes make.
         if (!block.rigid) nodes.inertia[node[k]] += share[k] * shell.mass * shell.inertia;
       }

@@ -155,7 +155,7 @@ void prepare_solids(const model::Model& model, domain::Domain& domain) {
       const SolidMass solid = prepare_element(model, domain, block, constants, place);
       if (place >= block.elements) continue;
       for (Index corner = 0; corner < block.corners; ++corner)
-        domain.nodes.mass[block.node_of(place, corner)] += solid.mass / block.corners;
+        add_mass(domain, block.part, block.node_of(place, corner), solid.mass / block.corners);
       domain.added_mass += solid.added;
     }
   }

@@ -51,6 +51,7 @@ void BodyLoads::add_forces(domain::Domain& domain) {
 void RigidBodyLoads::add_forces(domain::Domain& domain) {
   for (std::size_t i = 0; i < previous_.size(); ++i) {
     const model::RigidBodyLoad& load = model_->rigid_body_loads[i];
+    if (load.plane.given()) continue;  // FollowerLoads
     domain::RigidBody& body = domain.rigid_bodies[load.body];
     const double factor = model_->curves[load.curve].at(domain.clock.time);
     const Vec3 force = math::to_vec3(load.force);

@@ -5,18 +5,19 @@
 #include <vector>
 
 #include "domain/domain.hpp"
+#include "loads/part_selection.hpp"
 #include "model/model.hpp"
 
 namespace crumple::loads {
 
-/// Damping of all motion in proportion to mass (*DAMPING_GLOBAL): -D(t) S m v on every node, likewise with
-/// its rotary inertia, and on rigid bodies with their mass and momentum. Velocities are those of n-1/2, half
-/// a step late, so the damping lowers the stable step. Source: LS-DYNA Keyword User's Manual,
-/// *DAMPING_GLOBAL; the stability limit is our own derivation (docs/theory/loads.md).
+/// Damping of motion in proportion to mass, of all or of parts (*DAMPING_GLOBAL, *DAMPING_PART_MASS):
+/// -D(t) S m v on every node, likewise with its rotary inertia, and on rigid bodies with their mass and
+/// momentum. Velocities are those of n-1/2, half a step late, so the damping lowers the stable step. Source:
+/// LS-DYNA Keyword User's Manual, *DAMPING; the stability limit is our own derivation (docs/theory/loads.md).
 class MassDamping {
  public:
   /// The model must outlive the loads.
-  explicit MassDamping(const model::Model& model) : model_(&model) {}
+  MassDamping(const model::Model& model, const domain::Domain& domain);
 
   /// Adds the forces at time n and, by the trapezoidal rule, what they took since time n-1 to the ledger's
   /// damping energy. On entry velocities are those of n-1/2 and clock.step is the step between.
@@ -36,14 +37,23 @@ class MassDamping {
   };
   static_assert(sizeof(Push) == 6 * sizeof(double));
 
-  double damp_nodes(domain::Domain& domain);
-  double damp_bodies(domain::Domain& domain);
+  /// One damping, with what it acts on.
+  struct Damping {
+    const model::MassDamping* given = nullptr;
+    bool of_all = true;
+    NodeShares selection;         ///< unless of all
+    std::vector<Index> bodies;    ///< in the domain
+    double factor = 0;            ///< D(t) at time n [1/time]
+    std::vector<Push> on_nodes;   ///< at time n
+    std::vector<Push> on_bodies;  ///< the same
+  };
+
+  double damp_nodes(Damping& damping, domain::Domain& domain);
+  static double damp_bodies(Damping& damping, domain::Domain& domain);
 
   const model::Model* model_;
-  double factor_ = 0;            ///< D(t) at time n [1/time]
-  std::vector<Push> on_nodes_;   ///< at time n; empty without damping
-  std::vector<Push> on_bodies_;  ///< the same
-  std::vector<double> taken_;    ///< by the pieces of nodes; kept for its room alone
+  std::vector<Damping> dampings_;
+  std::vector<double> taken_;  ///< by the pieces of nodes; kept for its room alone
 };
 
 }  // namespace crumple::loads

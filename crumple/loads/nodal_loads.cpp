@@ -4,12 +4,14 @@
 namespace crumple::loads {
 
 NodalLoads::NodalLoads(const model::Model& model, const domain::Domain& domain) : model_(&model) {
-  for (const model::NodalLoad& load : model.nodal_loads)
+  for (const model::NodalLoad& load : model.nodal_loads) {
+    if (load.plane.given()) continue;  // FollowerLoads
     loads_.push_back({.node = domain.nodes.domain_node[load.node],
                       .force = {load.force[0], load.force[1], load.force[2]},
                       .moment = {load.moment[0], load.moment[1], load.moment[2]},
                       .curve = load.curve,
                       .previous = 0});
+  }
 }
 
 void NodalLoads::add_forces(domain::Domain& domain) {

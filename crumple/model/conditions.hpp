@@ -16,11 +16,28 @@ struct FixedNode {
   std::array<bool, 3> rotation{};
 };
 
+/// Degrees of freedom of a node that are held along and about axes of their own, or for a part of the run
+/// alone (*BOUNDARY_SPC with CID, BIRTH or DEATH).
+struct LocalSupport {
+  Index node = no_index;
+  std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< right-handed unit axes
+  std::array<bool, 3> translation{};                                             ///< along each of them
+  std::array<bool, 3> rotation{};                                                ///< about each of them
+  double birth = 0;                                                              ///< free before [time]
+  double death = 1e28;                                                           ///< free from then on [time]
+};
+
 /// Velocity of a node at time zero. Later entries for the same node replace earlier ones.
 struct InitialVelocity {
   Index node = no_index;
   std::array<double, 3> velocity{};          ///< [length/time]
   std::array<double, 3> angular_velocity{};  ///< [1/time]
+};
+
+/// Three nodes whose plane a load follows: it acts along (x2 - x1) x (x3 - x1).
+struct FollowedPlane {
+  std::array<Index, 3> node{no_index, no_index, no_index};
+  bool given() const { return node[0] != no_index; }
 };
 
 /// A force on a node: force times the curve's ordinate at the present time. Without a curve it acts in full
@@ -30,6 +47,7 @@ struct NodalLoad {
   std::array<double, 3> force{};   ///< [force]
   std::array<double, 3> moment{};  ///< [force * length]
   Index curve = no_index;          ///< in Model::curves; abscissa [time], ordinate a factor
+  FollowedPlane plane{};           ///< if given, x of force and moment is along its normal; y and z are zero
 };
 
 /// A pressure on a segment, which follows its motion: pressure times the curve's ordinate at the time since
@@ -42,19 +60,23 @@ struct PressureLoad {
   Index shell = no_index;  ///< in Model::shells: the load ends when this shell erodes
 };
 
-/// Motion of a node or of a rigid body along or about one global axis (*BOUNDARY_PRESCRIBED_MOTION): scale
-/// times the curve's ordinate at the time since birth.
+/// Motion of a node or of a rigid body along or about one axis (*BOUNDARY_PRESCRIBED_MOTION): scale times the
+/// curve's ordinate at the time since birth.
 struct PrescribedMotion {
   enum class Kind { Velocity, Acceleration, Displacement };
   Index node = no_index;  ///< in Model::nodes; or a body
   Index body = no_index;  ///< in Model::rigid_bodies: translation of its centre of mass
-  int axis = 0;           ///< 0, 1, 2 for x, y, z
+  int axis = 0;           ///< 0, 1, 2 for x, y, z; of a body those of RigidBody::held_axes
   bool rotation = false;  ///< about the axis, in radians, instead of along it
   Kind kind = Kind::Velocity;
   Index curve = no_index;  ///< in Model::curves; abscissa [time]
   double scale = 1;
-  double birth = 0;     ///< free before [time]
-  double death = 1e28;  ///< free from then on [time]
+  double birth = 0;                   ///< free before [time]
+  double death = 1e28;                ///< free from then on [time]
+  std::array<double, 3> direction{};  ///< of nodes: unit vector in the place of the axis; zero is the axis
+  bool holds_plane = false;  ///< with a direction: no motion across (or rotation about what is across)
+
+  bool has_direction() const { return direction != std::array<double, 3>{}; }
 };
 
 /// Acceleration of the frame of reference along a global axis (*LOAD_BODY): masses feel the opposite.
@@ -64,12 +86,34 @@ struct BodyLoad {
   double scale = 1;
 };
 
-/// Damping of all motion in proportion to mass (*DAMPING_GLOBAL).
+/// Forces of inertia of a frame that accelerates and turns, on some of the masses (*LOAD_BODY with parts,
+/// along a vector or by rotation, *LOAD_GRAVITY_PART): -m (f a + f^2 w x (w x (x - c))), f being the curve's
+/// ordinate.
+struct InertiaField {
+  Index curve = no_index;                ///< in Model::curves; abscissa [time], ordinate a factor
+  std::array<double, 3> acceleration{};  ///< a [length/time^2]
+  std::array<double, 3> spin{};          ///< w [1/time]
+  std::array<double, 3> centre{};        ///< c [length]
+  bool of_all = true;                    ///< all masses; false: of the parts and nodes below
+  std::vector<Index> parts;              ///< in Model::parts: the mass of their elements
+  std::vector<Index> nodes;              ///< in Model::nodes, ascending: their whole mass
+};
+
+/// Damping of all motion in proportion to mass (*DAMPING_GLOBAL, *DAMPING_PART_MASS).
 struct MassDamping {
   Index curve = no_index;                      ///< in Model::curves; abscissa [time], ordinate [1/time]
   double constant = 0;                         ///< without a curve [1/time]
+  double scale = 1;                            ///< on the curve
   std::array<double, 3> translation{1, 1, 1};  ///< factors on it, by global axis
   std::array<double, 3> rotation{1, 1, 1};
+  std::vector<Index> parts;  ///< in Model::parts: of their masses; empty: of all
+};
+
+/// Mass that is spread over the nodes of some parts in proportion to what they have (*ELEMENT_MASS_PART).
+struct PartMass {
+  std::vector<Index> parts;  ///< in Model::parts, together
+  double added = 0;          ///< [mass]
+  double final_mass = 0;     ///< in the place of `added`, the mass that the parts have then; 0 is none [mass]
 };
 
 /// Force on the centre of mass of a rigid body, or moment on the body (*LOAD_RIGID_BODY), global axes.
@@ -78,6 +122,7 @@ struct RigidBodyLoad {
   std::array<double, 3> force{};   ///< [force]
   std::array<double, 3> moment{};  ///< [force * length]
   Index curve = no_index;          ///< in Model::curves; abscissa [time], ordinate a factor
+  FollowedPlane plane{};           ///< as in NodalLoad
 };
 
 /// What a rigid wall looks like. Plane, Flat: a plane, infinite or a rectangle. The others are closed

@@ -20,6 +20,7 @@ struct Control {
   double end_mass_increase = 0;  ///< ENDMAS: percent change of the total mass that ends the run; 0 is off
   double initial_step = 0;       ///< DTINIT [time]; 0 lets the program choose
   double step_scale = 0.9;       ///< TSSFAC
+  Index step_curve = no_index;   ///< LCTM, in Model::curves: no step is longer [time] at a time
   double mass_scaling_step = 0;  ///< DT2MS [time]; negative adds mass only where needed; 0 is off
   HourglassControl hourglass;    ///< for parts without their own
   double bulk_quadratic = 1.5;   ///< Q1 of *CONTROL_BULK_VISCOSITY [-]

@@ -54,14 +54,18 @@ struct Model {
   std::vector<ConstrainedNodeSet> constrained_node_sets;
   std::vector<Joint> joints;
   std::vector<JointStiffness> joint_stiffnesses;
+  std::vector<PartMass> part_masses;
   std::vector<FixedNode> fixed_nodes;
+  std::vector<LocalSupport> local_supports;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodalLoad> nodal_loads;
   std::vector<PressureLoad> pressure_loads;
   std::vector<ControlVolume> control_volumes;
   std::vector<BodyLoad> body_loads;
+  std::vector<InertiaField> inertia_fields;
   std::vector<RigidBodyLoad> rigid_body_loads;
   std::optional<MassDamping> mass_damping;
+  std::vector<MassDamping> part_dampings;
   std::vector<PrescribedMotion> prescribed_motions;
   std::vector<RigidWall> rigid_walls;
   std::vector<Contact> contacts;

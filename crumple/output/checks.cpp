@@ -71,8 +71,10 @@ double driven_speed(const View& view) {
   for (const model::PrescribedMotion& motion : view.model.prescribed_motions) {
     const bool acts = domain.clock.time >= motion.birth && domain.clock.time < motion.death;
     if (!acts || motion.node == no_index || motion.rotation) continue;
-    const Index node = domain.nodes.domain_node[motion.node];
-    fastest = std::max(fastest, std::fabs(domain.nodes.velocity[node][motion.axis]));
+    const math::Vec3& velocity = domain.nodes.velocity[domain.nodes.domain_node[motion.node]];
+    const math::Vec3 direction{motion.direction[0], motion.direction[1], motion.direction[2]};
+    fastest = std::max(fastest,
+                       std::fabs(motion.has_direction() ? dot(direction, velocity) : velocity[motion.axis]));
   }
   for (const domain::RigidBody& body : domain.rigid_bodies) {
     double arm = 0;

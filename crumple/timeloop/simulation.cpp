@@ -45,13 +45,16 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       node_sets_(model, domain_),
       rivets_(model, domain_),
       prescribed_motions_(model, domain_),
+      local_constraints_(model, domain_),
       supports_(model, domain_),
       nodal_loads_(model, domain_),
       pressure_loads_(model, domain_),
       control_volumes_(model, domain_),
       body_loads_(model),
       rigid_body_loads_(model),
-      mass_damping_(model) {
+      follower_loads_(model, domain_),
+      inertia_fields_(model, domain_),
+      mass_damping_(model, domain_) {
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});
     walls_.emplace_back(model, wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
@@ -88,6 +91,7 @@ domain::StateList Simulation::state() {
   joints_.declare(list);
   tied_nodes_.declare(list);
   prescribed_motions_.declare(list);
+  local_constraints_.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
   list.keep("largest_step", "time", domain::Entity::Run, largest_step_);
   list.keep_list("previous_velocity", "length/time", domain::Entity::Node, 3, previous_velocity_);
@@ -97,6 +101,8 @@ domain::StateList Simulation::state() {
   control_volumes_.declare(list);
   body_loads_.declare(list);
   rigid_body_loads_.declare(list);
+  follower_loads_.declare(list);
+  inertia_fields_.declare(list);
   mass_damping_.declare(list);
   if (energy_trace_) energy_trace_->declare(list);
   return list;

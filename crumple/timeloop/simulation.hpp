@@ -33,6 +33,7 @@
 #include <vector>
 
 #include "constraints/joints.hpp"
+#include "constraints/local_constraints.hpp"
 #include "constraints/node_sets.hpp"
 #include "constraints/prescribed_motion.hpp"
 #include "constraints/rigid_bodies.hpp"
@@ -49,6 +50,8 @@
 #include "elements/section_forces.hpp"
 #include "loads/body_loads.hpp"
 #include "loads/control_volumes.hpp"
+#include "loads/follower_loads.hpp"
+#include "loads/inertia_fields.hpp"
 #include "loads/mass_damping.hpp"
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
@@ -152,6 +155,7 @@ class Simulation {
   constraints::NodeSets node_sets_;
   constraints::Rivets rivets_;
   constraints::PrescribedMotions prescribed_motions_;
+  constraints::LocalConstraints local_constraints_;
   std::vector<constraints::RigidWall> walls_;
   Supports supports_;
   loads::NodalLoads nodal_loads_;
@@ -159,6 +163,8 @@ class Simulation {
   loads::ControlVolumes control_volumes_;
   loads::BodyLoads body_loads_;
   loads::RigidBodyLoads rigid_body_loads_;
+  loads::FollowerLoads follower_loads_;
+  loads::InertiaFields inertia_fields_;
   loads::MassDamping mass_damping_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
   KickSums kick_sums_;                          ///< of the last kick, walls included

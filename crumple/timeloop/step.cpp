@@ -34,6 +34,15 @@ double steady_step(double last, double allowed) {
   return last <= allowed && last >= least_use * allowed ? last : middle_use * allowed;
 }
 
+/// LCTM: what its curve allows at a time; a zero and the time behind its end allow all [time].
+double curve_limit(const model::Model& model, double time) {
+  constexpr double all = std::numeric_limits<double>::max();
+  if (model.control.step_curve == no_index) return all;
+  const model::Curve& curve = model.curves[model.control.step_curve];
+  const double limit = time <= curve.abscissa.back() ? curve.at(time) : 0;
+  return limit > 0 ? limit : all;
+}
+
 }  // namespace
 
 void Simulation::start() {
@@ -92,6 +101,8 @@ void Simulation::compute_forces() {
   nodal_loads_.add_forces(domain_);
   body_loads_.add_forces(domain_);
   rigid_body_loads_.add_forces(domain_);
+  follower_loads_.add_forces(domain_);
+  inertia_fields_.add_forces(domain_);
   mass_damping_.add_forces(domain_);
 }
 
@@ -112,7 +123,7 @@ void Simulation::choose_step() {
   next_step_ *= control_volumes_.stable_share(domain_.clock.element_limit);
   next_step_ *= mass_damping_.stable_share(domain_.clock.element_limit);
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
-  next_step_ = std::min(next_step_, largest_step_);
+  next_step_ = std::min({next_step_, largest_step_, curve_limit(*model_, domain_.clock.time)});
   for (const contact::Interface& contact : contacts_)
     next_step_ = std::min(next_step_, contact.longest_step());
   if (has_multipliers_) next_step_ = steady_step(domain_.clock.step, next_step_);
@@ -148,14 +159,21 @@ void Simulation::kick(double interval) {
 }
 
 void Simulation::impose_motions(double interval) {
-  if (prescribed_motions_.empty()) return;
-  const constraints::KineticChange change = prescribed_motions_.impose(domain_, interval, next_step_);
+  constraints::KineticChange change;
+  if (!prescribed_motions_.empty()) change = prescribed_motions_.impose(domain_, interval, next_step_);
+  if (!local_constraints_.empty()) {
+    const constraints::KineticChange local = local_constraints_.impose(domain_, interval, next_step_);
+    change.translational += local.translational;
+    change.rotational += local.rotational;
+    supports_.add_local(domain_, local_constraints_);
+  }
   kick_sums_.translational += change.translational;
   kick_sums_.rotational += change.rotational;
 }
 
 void Simulation::accelerate_free_nodes(double interval) {
   prescribed_motions_.remember(domain_);
+  local_constraints_.remember(domain_);
   const StageTimer timer(domain_.times.integrate);
   math::Vec3* const previous = keeps_previous_velocity() ? previous_velocity_.data() : nullptr;
   kick_sums_ = accelerate_nodes(domain_, {interval, previous, keeps_accelerations_});
@@ -175,7 +193,8 @@ void Simulation::join_nodes(double interval) {
 void Simulation::stop_at_walls(double interval) {
   // What else changes velocities after the kick does not tell how fast nodes are then; nor do bodies that may
   // release theirs.
-  const bool known = !joins_nodes() && prescribed_motions_.empty() && spot_welds_.empty();
+  const bool known =
+      !joins_nodes() && prescribed_motions_.empty() && local_constraints_.empty() && spot_welds_.empty();
   double fastest = known ? kick_sums_.fastest : std::numeric_limits<double>::infinity();
   for (constraints::RigidWall& wall : walls_)
     kick_sums_.translational += wall.stop_nodes(domain_, {previous_velocity_, interval, next_step_, fastest});

@@ -30,10 +30,18 @@ Supports::Supports(const model::Model& model, domain::Domain& domain) {
   const std::vector<Index>& domain_node = domain.nodes.domain_node;
   for (const model::FixedNode& fixed : model.fixed_nodes)
     domain.supports.push_back({.node = domain_node[fixed.node]});
-  if (domain.supports.empty() || model.constrained_node_sets.empty()) return;
+  const bool none = domain.supports.empty() && model.local_supports.empty();
+  if (none || (model.constrained_node_sets.empty() && model.local_supports.empty())) return;
   support_of_node_.assign(domain_node.size(), no_index);
   for (std::size_t i = 0; i < domain.supports.size(); ++i)
     support_of_node_[domain.supports[i].node] = static_cast<Index>(i);
+  for (const model::LocalSupport& support : model.local_supports) {
+    Index& place = support_of_node_[domain_node[support.node]];
+    if (place != no_index) continue;
+    place = static_cast<Index>(domain.supports.size());
+    domain.supports.push_back({.node = domain_node[support.node]});
+  }
+  if (domain.supports.empty()) return;
   for (const model::ConstrainedNodeSet& given : model.constrained_node_sets) {
     Set& set = sets_.emplace_back();
     set.direction = given.direction;
@@ -76,6 +84,16 @@ void Supports::add_ties(domain::Domain& domain, const constraints::TiedNodes& ti
   for (SupportReport& support : domain.supports) {
     const constraints::TiedNodes::Share share = ties.share_of(support.node);
     resist(support, domain.nodes, (1 / interval) * share.momentum, (1 / interval) * share.moment);
+  }
+}
+
+void Supports::add_local(domain::Domain& domain, const constraints::LocalConstraints& constraints) const {
+  if (support_of_node_.empty()) return;
+  for (const constraints::LocalConstraints::Reaction& reaction : constraints.reactions()) {
+    const Index place = support_of_node_[reaction.node];
+    if (place == no_index) continue;
+    domain.supports[place].force += reaction.force;
+    domain.supports[place].moment += reaction.moment;
   }
 }
 

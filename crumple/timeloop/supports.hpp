@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "constraints/local_constraints.hpp"
 #include "constraints/tied_nodes.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
@@ -25,6 +26,9 @@ class Supports {
   /// interval [time].
   void add_ties(domain::Domain& domain, const constraints::TiedNodes& ties, double interval) const;
 
+  /// Adds what holds nodes along axes of their own, once it has acted over the interval.
+  void add_local(domain::Domain& domain, const constraints::LocalConstraints& constraints) const;
+
   /// Declares domain.supports, which show time n until the next step.
   static void declare(domain::Domain& domain, domain::StateList& list) {
     if (!domain.supports.empty())
@@ -41,7 +45,7 @@ class Supports {
   void add_sets(domain::Domain& domain) const;
 
   std::vector<Set> sets_;
-  std::vector<Index> support_of_node_;  ///< place in domain.supports, or no_index; empty without sets
+  std::vector<Index> support_of_node_;  ///< place in domain.supports, or no_index; empty unless needed
 };
 
 }  // namespace crumple::timeloop

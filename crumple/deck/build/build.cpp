@@ -49,6 +49,7 @@ const ItemWords& words(Item item) {
       {"transformation", "*DEFINE_TRANSFORMATION", "*DEFINE_TRANSFORM", ""},
       {"joint", "*CONSTRAINED_JOINT_REVOLUTE_ID or another joint", "*CONSTRAINED_JOINT_", ""},
       {"airbag", "*AIRBAG_SIMPLE_AIRBAG_MODEL_ID", "*AIRBAG_", ""},
+      {"vector", "*DEFINE_VECTOR", "*DEFINE_VECTOR_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -144,6 +145,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_sets(build);
   build_interiors(build);
   build_masses(build);
+  build_part_masses(build);
   build_rigid_bodies(build);
   build_connections(build);
   build_joints(build);
@@ -152,6 +154,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_loads(build);
   build_airbags(build);
   build_motions(build);
+  build_inertia_fields(build);
   build_walls(build);
   build_contacts(build, options.automatic_contact);
   build_tied_contacts(build);

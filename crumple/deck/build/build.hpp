@@ -69,6 +69,7 @@ enum class Item {
   Transformation,
   Joint,
   ControlVolume,
+  DefinedVector,
   Count,  ///< how many there are
 };
 
@@ -151,12 +152,21 @@ void move_nodes(Build& build);
 /// The points of a function of time, from zero to the end of the run. Reports what it cannot evaluate.
 model::Curve sample_function(const RawCurve& raw, double end_time, Report& report);
 // build_coordinates.cpp
-/// Enters the ids of the coordinate systems. The nodes of the model must be there.
+/// Enters the ids of the coordinate systems and of the vectors. The nodes of the model must be there.
 void enter_coordinate_systems(Build& build);
 /// The axes of the coordinate system that a field refers to. Absent, with a message, where there is none or
 /// where it has no axes.
 std::optional<std::array<Vector, 3>> find_axes(Build& build, UserId id, std::string_view field,
                                                const Where& where);
+/// A direction whose components are along the axes of a coordinate system, or global if that is 0. Absent as
+/// above.
+std::optional<Vector> turned(Build& build, const Vector& components, UserId system, std::string_view field,
+                             const Where& where);
+/// The direction, of unit length, of the vector that a field refers to. Absent, with a message, if there is
+/// none.
+std::optional<Vector> find_vector(Build& build, UserId id, std::string_view field, const Where& where);
+/// Right-handed axes of unit length, the first along a vector of unit length, the others any.
+std::array<Vector, 3> axes_along(const Vector& first);
 // build_defaults.cpp
 /// Settles what the deck leaves open about shells: with thickness change and the hourglass stiffness of their
 /// material, or as LS-DYNA does. Says so.
@@ -181,7 +191,10 @@ std::vector<Index> nodes_of_parts(const Build& build, const std::vector<Index>& 
 const std::vector<Index>* set_nodes(Build& build, const Reference& set);
 std::vector<Index> all_nodes(const Build& build);
 void build_masses(Build& build);
+void build_part_masses(Build& build);
+// build_supports.cpp
 void build_fixed_nodes(Build& build);
+// build_conditions.cpp
 void build_velocities(Build& build);
 // build_connections.cpp
 void build_connections(Build& build);
@@ -203,12 +216,26 @@ void build_rigid_bodies(Build& build);
 /// The rigid body of every node, or no_index.
 std::vector<Index> bodies_of_nodes(const Build& build);
 // build_motions.cpp
-/// Prescribed motions, body loads and loads on rigid bodies.
+/// Prescribed motions and loads on rigid bodies.
 void build_motions(Build& build);
+// build_inertia_fields.cpp
+/// Body loads, and damping.
+void build_inertia_fields(Build& build);
+/// The parts of a set, or one part; empty, with a message, if there is no such item.
+std::vector<Index> find_parts(Build& build, bool is_set, const Reference& reference);
 // build_loads.cpp
 void build_loads(Build& build);
 // build_airbags.cpp
 void build_airbags(Build& build);
+/// Force and moment on a node or a body at a factor of one.
+struct ForceAndMoment {
+  Vector force{};
+  Vector moment{};
+  model::FollowedPlane plane{};
+};
+/// What DOF, SF, CID and M1 to M3 say; absent, with a message, if an item is missing.
+std::optional<ForceAndMoment> find_force(Build& build, int direction, double scale, UserId system,
+                                         const std::array<UserId, 3>& plane, const Where& where);
 // build_contacts.cpp
 void build_contacts(Build& build, bool automatic_contact);
 /// Id of a contact that the deck gives none, from its place among all contacts; of no other one.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Masses, fixed nodes and initial velocities.
+// Masses and initial velocities.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "base/counted.hpp"
 #include "deck/build/build.hpp"
 #include "deck/format/vector.hpp"
-#include "deck/keywords/rigid_inertia.hpp"
 
 namespace crumple::deck {
 
@@ -55,51 +55,6 @@ model::InitialVelocity velocity_at(const RawVelocity& raw, Index node, const Vec
   return result;
 }
 
-bool are_global(const std::array<std::array<double, 3>, 3>& axes) {
-  return axes == model::RigidBody().held_axes;
-}
-
-/// What holds a node of a rigid body holds its centre of mass, as in LS-DYNA after R11.1; before, such
-/// constraints were skipped.
-void hold_body(Index node, Index index, const std::array<bool, 3>& translation,
-               const std::array<bool, 3>& rotation, const Where& where, Build& build) {
-  model::RigidBody& body = build.model.rigid_bodies[static_cast<std::size_t>(index)];
-  const UserId id = build.model.nodes.id[static_cast<std::size_t>(node)];
-  if (!are_global(body.held_axes)) {
-    build.report.unsupported(
-        where, "rigid",
-        fmt::format("node {} belongs to the rigid body {}, which CMO = -1 holds in local axes; hold the body "
-                    "with CON1 and CON2 of *MAT_RIGID alone",
-                    id, body.id));
-    return;
-  }
-  bool holds_more = false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    holds_more = holds_more || (translation[i] && !body.fixed_translation[i]) ||
-                 (rotation[i] && !body.fixed_rotation[i]);
-    body.fixed_translation[i] = body.fixed_translation[i] || translation[i];
-    body.fixed_rotation[i] = body.fixed_rotation[i] || rotation[i];
-  }
-  if (!holds_more) return;
-  // Each body is named, however many there are in a set.
-  build.report.warning(
-      where, "rigid " + std::to_string(body.id),
-      fmt::format(
-          "node {} belongs to the rigid body {}: its degrees of freedom are held at the body's centre of "
-          "mass, as in LS-DYNA after R11.1, which skipped them before; CMO, CON1 and CON2 of *MAT_RIGID "
-          "say the same in all versions",
-          id, body.id));
-}
-
-/// The body that a weld is does not know what holds its nodes.
-void refuse_welded_node(Index node, const Connection& weld, const Where& where, Build& build) {
-  build.report.unsupported(
-      where, "weld",
-      fmt::format("node {} belongs to {}, and degrees of freedom of its nodes cannot be held; take a free "
-                  "node for the weld, or *CONSTRAINED_NODAL_RIGID_BODY_SPC",
-                  build.model.nodes.id[static_cast<std::size_t>(node)], weld.name));
-}
-
 /// The nodes with all others of the rigid bodies that have some of them, ascending.
 std::vector<Index> with_whole_bodies(const Build& build, const std::vector<Index>& nodes,
                                      const std::vector<Index>& body_of_node) {
@@ -115,6 +70,30 @@ std::vector<Index> with_whole_bodies(const Build& build, const std::vector<Index
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
+}
+
+/// Only those in the box that the card names, if it does.
+void keep_inside(Build& build, const RawVelocity& raw, std::vector<Index>& nodes) {
+  if (raw.box == 0) return;
+  const Index index = build.find(Item::Box, {raw.box, "BOXID", raw.where});
+  if (index == no_index) return;
+  const RawBox& box = build.deck.boxes[static_cast<std::size_t>(index)];
+  const auto outside = [&](Index node) {
+    return !is_inside(box, build.model.nodes.position[static_cast<std::size_t>(node)]);
+  };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), outside), nodes.end());
+}
+
+/// With all vectors in global axes; absent, with a message, if the coordinate system is missing.
+std::optional<RawVelocity> in_global_axes(Build& build, RawVelocity raw) {
+  if (raw.system == 0) return raw;
+  for (Vector* vector : {&raw.velocity, &raw.angular_velocity, &raw.spin, &raw.exempt_velocity,
+                         &raw.exempt_angular_velocity}) {
+    const auto global = turned(build, *vector, raw.system, "ICID", raw.where);
+    if (!global) return std::nullopt;
+    *vector = *global;
+  }
+  return raw;
 }
 
 /// The given velocities of the bodies that have some of the nodes no longer count.
@@ -189,41 +168,11 @@ void build_masses(Build& build) {
   }
 }
 
-void build_fixed_nodes(Build& build) {
-  std::map<Index, model::FixedNode> fixed;
-  const std::vector<Index> body_of_node = bodies_of_nodes(build);
-  const std::map<Index, Connection> connections = connections_of_nodes(build);
-  const auto fix = [&](Index node, const std::array<bool, 3>& translation,
-                       const std::array<bool, 3>& rotation, const Where& where) {
-    if (const Index body = body_of_node[static_cast<std::size_t>(node)]; body != no_index) {
-      hold_body(node, body, translation, rotation, where, build);
-      return;
-    }
-    if (const auto weld = connections.find(node); weld != connections.end() && weld->second.is_body) {
-      refuse_welded_node(node, weld->second, where, build);
-      return;
-    }
-    model::FixedNode& entry = fixed[node];
-    entry.node = node;
-    for (std::size_t i = 0; i < 3; ++i) {
-      entry.translation[i] = entry.translation[i] || translation[i];
-      entry.rotation[i] = entry.rotation[i] || rotation[i];
-    }
-  };
-  for (std::size_t i = 0; i < build.deck.nodes.size(); ++i) {
-    const RawNode& raw = build.deck.nodes[i];
-    if (raw.translation_code != 0 || raw.rotation_code != 0)
-      fix(static_cast<Index>(i), held_axes(raw.translation_code), held_axes(raw.rotation_code), raw.where);
+void build_part_masses(Build& build) {
+  for (const RawPartMass& raw : build.deck.part_masses) {
+    const std::vector<Index> parts = find_parts(build, raw.is_set, {raw.target, "PID", raw.where});
+    if (!parts.empty()) build.model.part_masses.push_back({parts, raw.added, raw.final_mass});
   }
-  for (const RawFixed& raw : build.deck.fixed) {
-    if (!raw.is_set) {
-      const Index node = build.find(Item::Node, {raw.target, "NID", raw.where});
-      if (node != no_index) fix(node, raw.translation, raw.rotation, raw.where);
-    } else if (const std::vector<Index>* nodes = set_nodes(build, {raw.target, "NSID", raw.where})) {
-      for (const Index node : *nodes) fix(node, raw.translation, raw.rotation, raw.where);
-    }
-  }
-  for (const auto& [node, entry] : fixed) build.model.fixed_nodes.push_back(entry);
 }
 
 void build_velocities(Build& build) {
@@ -232,8 +181,12 @@ void build_velocities(Build& build) {
   const auto set = [&](const model::InitialVelocity& velocity) {
     at_node[static_cast<std::size_t>(velocity.node)] = velocity;
   };
-  const auto apply = [&](const RawVelocity& raw) {
+  const auto apply = [&](const RawVelocity& given) {
+    const std::optional<RawVelocity> global = in_global_axes(build, given);
+    if (!global) return;
+    const RawVelocity& raw = *global;
     std::vector<Index> nodes = velocity_nodes(build, raw);
+    keep_inside(build, raw, nodes);
     if (raw.of_whole_bodies) nodes = with_whole_bodies(build, nodes, body_of_node);
     if (raw.replaces_given) replace_given_velocities(build, nodes, body_of_node);
     for (const Index node : nodes)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include "deck/build/build.hpp"
 #include "deck/format/vector.hpp"
 
@@ -28,6 +30,40 @@ void enter_coordinate_systems(Build& build) {
   const auto& systems = build.deck.coordinate_systems;
   for (std::size_t i = 0; i < systems.size(); ++i)
     build.enter(Item::CoordinateSystem, {systems[i].id, "CID", systems[i].where}, i);
+  const auto& vectors = build.deck.vectors;
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    build.enter(Item::DefinedVector, {vectors[i].id, "VID", vectors[i].where}, i);
+}
+
+std::optional<Vector> turned(Build& build, const Vector& components, UserId system, std::string_view field,
+                             const Where& where) {
+  if (system == 0) return components;
+  const auto axes = find_axes(build, system, field, where);
+  if (!axes) return std::nullopt;
+  Vector sum{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t i = 0; i < 3; ++i) sum[i] += components[axis] * (*axes)[axis][i];
+  return sum;
+}
+
+std::optional<Vector> find_vector(Build& build, UserId id, std::string_view field, const Where& where) {
+  const Index index = build.find(Item::DefinedVector, {id, field, where});
+  if (index == no_index) return std::nullopt;
+  const RawVector& raw = build.deck.vectors[static_cast<std::size_t>(index)];
+  auto vector = turned(build, raw.vector, raw.system, "CID", raw.where);
+  if (!vector) return std::nullopt;
+  const double length = length_of(*vector);
+  for (double& component : *vector) component /= length;
+  return vector;
+}
+
+std::array<Vector, 3> axes_along(const Vector& first) {
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (std::fabs(first[i]) < std::fabs(first[least])) least = i;
+  Vector other{};
+  other[least] = 1;
+  return *local_axes(first, other);
 }
 
 std::optional<std::array<Vector, 3>> find_axes(Build& build, UserId id, std::string_view field,

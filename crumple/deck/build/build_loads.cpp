@@ -19,15 +19,15 @@ void build_nodal_load(const RawNodalLoad& raw, Build& build) {
   } else if (const Index node = build.find(Item::Node, {raw.target, "NID", raw.where}); node != no_index) {
     nodes.push_back(node);
   }
-  if (curve == no_index) return;
+  const auto acting = find_force(build, raw.direction, raw.scale, raw.system, raw.plane, raw.where);
+  if (curve == no_index || !acting) return;
   for (const Index node : nodes) {
     model::NodalLoad load;
     load.node = node;
     load.curve = curve;
-    if (raw.direction <= 3)
-      load.force[static_cast<std::size_t>(raw.direction - 1)] = raw.scale;
-    else
-      load.moment[static_cast<std::size_t>(raw.direction - 5)] = raw.scale;
+    load.force = acting->force;
+    load.moment = acting->moment;
+    load.plane = acting->plane;
     build.model.nodal_loads.push_back(load);
   }
 }
@@ -99,6 +99,29 @@ void find_loaded_shells(model::Model& model) {
 }
 
 }  // namespace
+
+std::optional<ForceAndMoment> find_force(Build& build, int direction, double scale, UserId system,
+                                         const std::array<UserId, 3>& plane, const Where& where) {
+  constexpr int along_normal = 4;
+  constexpr int about_normal = 8;
+  const bool is_force = direction <= along_normal;
+  const bool follows = direction == along_normal || direction == about_normal;
+  ForceAndMoment result;
+  Vector& vector = is_force ? result.force : result.moment;
+  vector[follows ? 0 : static_cast<std::size_t>(is_force ? direction - 1 : direction - 5)] = scale;
+  if (!follows) {
+    const auto global = turned(build, vector, system, "CID", where);
+    if (!global) return std::nullopt;
+    vector = *global;
+    return result;
+  }
+  constexpr std::array<std::string_view, 3> fields = {"M1", "M2", "M3"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    result.plane.node[k] = build.find(Item::Node, {plane[k], fields[k], where});
+    if (result.plane.node[k] == no_index) return std::nullopt;
+  }
+  return result;
+}
 
 void build_loads(Build& build) {
   for (const RawNodalLoad& raw : build.deck.nodal_loads) build_nodal_load(raw, build);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prescribed motions, body loads, loads on rigid bodies, and damping.
+// Prescribed motions, and loads on rigid bodies.
 #include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "deck/build/build.hpp"
 
@@ -17,15 +20,42 @@ std::vector<Index> moved_nodes(const RawPrescribedMotion& raw, Build& build) {
   return set == no_index ? std::vector<Index>() : build.model.node_sets[static_cast<std::size_t>(set)].nodes;
 }
 
-/// A motion along a global axis and constraints along others would have to be solved together.
-void refuse_local_axes(const RawPrescribedMotion& raw, Index index, Build& build) {
-  const model::RigidBody& body = build.model.rigid_bodies[static_cast<std::size_t>(index)];
-  if (body.held_axes == model::RigidBody{}.held_axes) return;
+/// Gives a motion of a body its axis. A body has one system of axes along which it is held and moved, since
+/// constraints along others would have to be solved together: false, with a message, where it is another.
+bool choose_axis(const RawPrescribedMotion& raw, const std::optional<Vector>& along, Build& build,
+                 model::PrescribedMotion& motion) {
+  model::RigidBody& body = build.model.rigid_bodies[static_cast<std::size_t>(motion.body)];
+  if (!along && body.held_axes == model::RigidBody{}.held_axes) return true;
+  constexpr double cosine_of_same = 1 - 1e-12;
+  for (std::size_t axis = 0; along && axis < 3; ++axis) {
+    const double cosine = dot(*along, body.held_axes[axis]);
+    if (std::fabs(cosine) < cosine_of_same) continue;
+    motion.axis = static_cast<int>(axis);
+    if (cosine < 0) motion.scale = -motion.scale;
+    return true;
+  }
+  const auto& motions = build.model.prescribed_motions;
+  const bool moves = std::any_of(motions.begin(), motions.end(), [&](const model::PrescribedMotion& other) {
+    return other.body == motion.body;
+  });
+  const std::array<bool, 3> none{};
+  if (along && !moves && body.fixed_translation == none && body.fixed_rotation == none) {
+    body.held_axes = axes_along(*along);
+    motion.axis = 0;
+    return true;
+  }
   build.report.field_unsupported(
       raw.where,
-      {"PID", std::to_string(raw.id), "a rigid body that is free or held in global axes",
-       fmt::format("CMO of rigid body {} is -1, and a motion is along or about a global axis", body.id),
+      {along ? "VID" : "PID", std::to_string(along ? raw.vector : raw.id),
+       "a rigid body that is free or held and moved in the same axes",
+       along ? fmt::format("rigid body {} is held or moved along axes that are not those of the vector",
+                           body.id)
+             : fmt::format(
+                   "CMO of rigid body {} is -1, or it is moved along a vector, and a motion is along or "
+                   "about a global axis",
+                   body.id),
        "rigid"});
+  return false;
 }
 
 /// What else moves the nodes of the model: each has room for one.
@@ -47,7 +77,9 @@ bool may_move(Index node, const RawPrescribedMotion& raw, const Movers& movers, 
   const auto found = movers.connections.find(node);
   if (found == movers.connections.end()) return true;
   const Connection& connection = found->second;
-  const bool along = connection.translation[static_cast<std::size_t>(raw.motion.axis)];
+  const auto& moved = connection.translation;
+  const bool along =
+      raw.vector != 0 ? moved[0] || moved[1] || moved[2] : moved[static_cast<std::size_t>(raw.motion.axis)];
   if (!connection.is_body && (raw.motion.rotation || !along)) return true;
   build.report.error(raw.where, "connection",
                      fmt::format("node {} belongs to {}, which moves it as well; move another node of what "
@@ -59,12 +91,18 @@ bool may_move(Index node, const RawPrescribedMotion& raw, const Movers& movers, 
 void build_prescribed_motion(const RawPrescribedMotion& raw, const Movers& movers, Build& build) {
   model::PrescribedMotion motion = raw.motion;
   motion.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  std::optional<Vector> along;
+  if (raw.vector != 0) {
+    along = find_vector(build, raw.vector, "VID", raw.where);
+    if (!along) return;
+  }
   if (raw.target == RawPrescribedMotion::Target::Body) {
     motion.body = build.find(Item::RigidBody, {raw.id, "PID", raw.where});
-    if (motion.body != no_index) refuse_local_axes(raw, motion.body, build);
-    if (motion.body != no_index && motion.curve != no_index) build.model.prescribed_motions.push_back(motion);
+    if (motion.body != no_index && motion.curve != no_index && choose_axis(raw, along, build, motion))
+      build.model.prescribed_motions.push_back(motion);
     return;
   }
+  if (along) motion.direction = *along;
   for (const Index node : moved_nodes(raw, build)) {
     if (!may_move(node, raw, movers, build)) continue;
     motion.node = node;
@@ -76,23 +114,12 @@ void build_rigid_body_load(const RawRigidBodyLoad& raw, Build& build) {
   model::RigidBodyLoad load;
   load.body = build.find(Item::RigidBody, {raw.body, "PID", raw.where});
   load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
-  if (load.body == no_index || load.curve == no_index) return;
-  if (raw.direction <= 3)
-    load.force[static_cast<std::size_t>(raw.direction - 1)] = raw.scale;
-  else
-    load.moment[static_cast<std::size_t>(raw.direction - 5)] = raw.scale;
+  const auto acting = find_force(build, raw.direction, raw.scale, raw.system, raw.plane, raw.where);
+  if (load.body == no_index || load.curve == no_index || !acting) return;
+  load.force = acting->force;
+  load.moment = acting->moment;
+  load.plane = acting->plane;
   build.model.rigid_body_loads.push_back(load);
-}
-
-void build_mass_damping(Build& build) {
-  if (build.deck.mass_dampings.empty()) return;
-  if (build.deck.mass_dampings.size() > 1)
-    build.report.error(build.deck.mass_dampings[1].where, "damping",
-                       "*DAMPING_GLOBAL stands twice; the damping of the whole model is given once");
-  const RawMassDamping& raw = build.deck.mass_dampings.front();
-  model::MassDamping damping = raw.damping;
-  if (raw.curve != 0) damping.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
-  if (damping.curve != no_index || damping.constant > 0) build.model.mass_damping = damping;
 }
 
 }  // namespace
@@ -101,13 +128,7 @@ void build_motions(Build& build) {
   const Movers movers{bodies_of_nodes(build), connections_of_nodes(build)};
   for (const RawPrescribedMotion& raw : build.deck.prescribed_motions)
     build_prescribed_motion(raw, movers, build);
-  for (const RawBodyLoad& raw : build.deck.body_loads) {
-    model::BodyLoad load = raw.load;
-    load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
-    if (load.curve != no_index) build.model.body_loads.push_back(load);
-  }
   for (const RawRigidBodyLoad& raw : build.deck.rigid_body_loads) build_rigid_body_load(raw, build);
-  build_mass_damping(build);
 }
 
 }  // namespace crumple::deck

@@ -307,6 +307,11 @@ void take_erosions(Build& build) {
   }
 }
 
+void build_step_curve(Build& build) {
+  if (const auto& raw = build.deck.step_curve)
+    build.model.control.step_curve = build.find(Item::Curve, {raw->curve, "LCTM", raw->where});
+}
+
 }  // namespace
 
 void build_properties(Build& build, const ReadOptions& options) {
@@ -318,6 +323,7 @@ void build_properties(Build& build, const ReadOptions& options) {
     build.enter(Item::Curve, {raw.curve.id, "LCID", raw.where}, model.curves.size());
     model.curves.push_back(raw.function.empty() ? raw.curve : sample_function(raw, end_time, build.report));
   }
+  build_step_curve(build);
   for (std::size_t i = 0; i < deck.tables.size(); ++i)
     build.enter(Item::Table, {deck.tables[i].id, "TBID", deck.tables[i].where}, i);
   for (const RawSection& raw : deck.sections) {

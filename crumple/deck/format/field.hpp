@@ -66,6 +66,7 @@ struct Field {
   IdKind kind = IdKind::None;    ///< of an id; *INCLUDE_TRANSFORM adds the offset of its kind
   ChooseKind choose = nullptr;   ///< where the kind depends on the keyword or on other fields
   Geometry geometry = Geometry::None;
+  bool is_local = false;  ///< in the axes that CID or ICID of the card names, if it does: they turn, not this
 
   bool is_id() const { return kind != IdKind::None || choose != nullptr; }
 };
@@ -210,6 +211,12 @@ constexpr Field axes(Field field) {
 
 constexpr Field fixed(Field field) {
   return placed(Geometry::Fixed, field);
+}
+
+/// Along the axes of the coordinate system that the card names, if it does.
+constexpr Field local(Field field) {
+  field.is_local = true;
+  return field;
 }
 
 /// Read as a number, without influence on the result here (docs/deck.md says why).

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the transformation of a file does to the values of its cards.
+#include <cstdlib>
+
 #include "deck/format/cards.hpp"
 
 namespace crumple::deck {
@@ -20,14 +22,24 @@ Vector placed(const Affine& map, Geometry geometry, const Vector& x) {
   return result;
 }
 
+/// DOF 4 and 8 are along and about a vector or the normal of nodes, which turn with the file.
+bool is_along_vector(const Field& field, std::int64_t value) {
+  return field.name == "DOF" && (std::abs(value) == 4 || std::abs(value) == 8);
+}
+
 }  // namespace
 
 void Cards::place(Card& card) {
+  bool has_system = false;
   for (std::size_t i = 0; i < card.layout_.size(); ++i) {
-    const Geometry geometry = card.layout_[i].geometry;
-    if (geometry == Geometry::None) continue;
-    if (!is_vector(geometry)) {
-      check_placed(card, i);
+    const std::string_view name = card.layout_[i].name;
+    has_system = has_system || ((name == "CID" || name == "ICID") && card.values_[i].integer != 0);
+  }
+  for (std::size_t i = 0; i < card.layout_.size(); ++i) {
+    const Field& field = card.layout_[i];
+    if (field.geometry == Geometry::None || (field.is_local && has_system)) continue;
+    if (!is_vector(field.geometry)) {
+      if (!is_along_vector(field, card.values_[i].integer)) check_placed(card, i);
     } else if (i + 2 < card.layout_.size()) {
       place_vector(card, i);
       i += 2;

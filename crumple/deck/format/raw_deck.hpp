@@ -242,6 +242,10 @@ struct RawFixed {
   std::array<bool, 3> translation{};
   std::array<bool, 3> rotation{};
   Where where;
+  UserId system = 0;      ///< CID; 0 is global axes
+  bool is_timed = false;  ///< BIRTH_DEATH
+  double birth = 0;
+  double death = 1e28;
 };
 
 struct RawVelocity {
@@ -260,6 +264,8 @@ struct RawVelocity {
   bool is_generation = false;
   bool replaces_given = false;   ///< IRIGID: velocities that come with a given inertia do not count
   bool of_whole_bodies = false;  ///< IVATN: of the nodes tied to these, too
+  UserId system = 0;             ///< ICID, of velocities and spins; 0 is global axes
+  UserId box = 0;                ///< only nodes in it; 0 is all
   Where where;
 };
 
@@ -406,6 +412,12 @@ struct UnsupportedDefinition {
   Where where;
 };
 
+/// LCTM of *CONTROL_TIMESTEP.
+struct RawStepCurve {
+  UserId curve = 0;
+  Where where;
+};
+
 /// NFAIL1 and NFAIL4 of *CONTROL_SHELL: LS-DYNA deletes shells with a negative Jacobian, or stops.
 struct RawDistortedShells {
   Where where;
@@ -466,6 +478,12 @@ struct RawDeck {
   std::vector<RawBodyLoad> body_loads;
   std::vector<RawRigidBodyLoad> rigid_body_loads;
   std::vector<RawMassDamping> mass_dampings;
+  std::vector<RawMassDamping> part_dampings;
+  std::vector<RawInertiaField> inertia_fields;
+  std::vector<RawBodyLoadParts> body_load_parts;
+  std::vector<RawVector> vectors;
+  std::vector<RawPartMass> part_masses;
+  std::optional<RawStepCurve> step_curve;
   std::vector<RawWall> walls;
   std::vector<RawContact> contacts;
   std::vector<RawInterior> interiors;

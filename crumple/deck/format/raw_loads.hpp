@@ -15,9 +15,11 @@ namespace crumple::deck {
 struct RawNodalLoad {
   UserId target = 0;
   bool is_set = false;
-  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
+  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments; 4 and 8 along and about the normal of a plane
   UserId curve = 0;
   double scale = 1;
+  UserId system = 0;              ///< CID: axes of the direction; 0 is global ones
+  std::array<UserId, 3> plane{};  ///< M1, M2, M3
   Where where;
 };
 
@@ -51,12 +53,40 @@ struct RawPrescribedMotion {
   UserId id = 0;
   UserId curve = 0;
   model::PrescribedMotion motion;
+  UserId vector = 0;  ///< VID in the place of an axis; 0 is none
   Where where;
 };
 
 struct RawBodyLoad {
   model::BodyLoad load;
   UserId curve = 0;
+  UserId system = 0;  ///< CID; 0 is global axes
+  Where where;
+};
+
+/// Forces of inertia by rotation, along a vector, or on some of the masses.
+struct RawInertiaField {
+  enum class On { All, Part, PartSet, NodeSet, NodeRange };
+  model::InertiaField field;
+  UserId curve = 0;
+  UserId system = 0;  ///< CID, of acceleration and spin; 0 is global axes
+  On on = On::All;    ///< All: but for what *LOAD_BODY_PARTS says
+  UserId target = 0;
+  UserId last = 0;  ///< of a range
+  Where where;
+};
+
+/// *LOAD_BODY_PARTS: the only parts that *LOAD_BODY acts on.
+struct RawBodyLoadParts {
+  UserId part_set = 0;
+  Where where;
+};
+
+/// A direction in space.
+struct RawVector {
+  UserId id = 0;
+  std::array<double, 3> vector{};
+  UserId system = 0;  ///< CID, of the components; 0 is global axes
   Where where;
 };
 
@@ -64,14 +94,27 @@ struct RawMassDamping {
   model::MassDamping damping;
   UserId curve = 0;  ///< 0 is none
   Where where;
+  UserId target = 0;  ///< a part, or a part set; 0 is all
+  bool is_set = false;
+};
+
+/// Mass that is spread over the nodes of a part or of the parts of a set.
+struct RawPartMass {
+  UserId target = 0;
+  bool is_set = false;
+  double added = 0;
+  double final_mass = 0;
+  Where where;
 };
 
 struct RawRigidBodyLoad {
   UserId body = 0;
-  int direction = 0;  ///< DOF: 1-3 forces, 5-7 moments
+  int direction = 0;  ///< as in RawNodalLoad
   UserId curve = 0;
   double scale = 1;
   Where where;
+  UserId system = 0;
+  std::array<UserId, 3> plane{};
 };
 
 }  // namespace crumple::deck

@@ -6,6 +6,10 @@
 
 namespace crumple::deck {
 
+/// Of a load along or about the normal of three nodes (DOF 4 or 8): false, with a message, if M1, M2, M3 are
+/// not three nodes.
+bool check_followed_nodes(const Card& card, Report& report);
+
 /// The readers of the keywords, one file per family (read_*.cpp). Each takes the cards of one keyword and
 /// adds what they say to the raw deck.
 using KeywordReader = void (*)(Cards& cards, RawDeck& deck);
@@ -87,6 +91,7 @@ void read_define_table_2d(Cards& cards, RawDeck& deck);
 void read_define_coordinate_system(Cards& cards, RawDeck& deck);
 void read_define_coordinate_nodes(Cards& cards, RawDeck& deck);
 void read_define_coordinate_vector(Cards& cards, RawDeck& deck);
+void read_define_vector(Cards& cards, RawDeck& deck);
 
 // read_sets.cpp
 void read_define_box(Cards& cards, RawDeck& deck);
@@ -155,6 +160,8 @@ void read_database_cross_section_plane(Cards& cards, RawDeck& deck);
 // read_conditions.cpp
 void read_boundary_spc_node(Cards& cards, RawDeck& deck);
 void read_boundary_spc_set(Cards& cards, RawDeck& deck);
+void read_boundary_spc_node_birth_death(Cards& cards, RawDeck& deck);
+void read_boundary_spc_set_birth_death(Cards& cards, RawDeck& deck);
 void read_initial_velocity(Cards& cards, RawDeck& deck);
 void read_initial_velocity_node(Cards& cards, RawDeck& deck);
 void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
@@ -189,7 +196,25 @@ void read_load_body_x(Cards& cards, RawDeck& deck);
 void read_load_body_y(Cards& cards, RawDeck& deck);
 void read_load_body_z(Cards& cards, RawDeck& deck);
 void read_load_rigid_body(Cards& cards, RawDeck& deck);
+
+// read_inertia_fields.cpp
+void read_load_body_rx(Cards& cards, RawDeck& deck);
+void read_load_body_ry(Cards& cards, RawDeck& deck);
+void read_load_body_rz(Cards& cards, RawDeck& deck);
+void read_load_body_vector(Cards& cards, RawDeck& deck);
+void read_load_body_parts(Cards& cards, RawDeck& deck);
+void read_load_body_generalized(Cards& cards, RawDeck& deck);
+void read_load_body_generalized_set_node(Cards& cards, RawDeck& deck);
+void read_load_body_generalized_set_part(Cards& cards, RawDeck& deck);
+void read_load_gravity_part(Cards& cards, RawDeck& deck);
+void read_load_gravity_part_set(Cards& cards, RawDeck& deck);
+
+// read_damping.cpp
 void read_damping_global(Cards& cards, RawDeck& deck);
+void read_damping_part_mass(Cards& cards, RawDeck& deck);
+void read_damping_part_mass_set(Cards& cards, RawDeck& deck);
+void read_element_mass_part(Cards& cards, RawDeck& deck);
+void read_element_mass_part_set(Cards& cards, RawDeck& deck);
 
 // read_loads.cpp
 void read_load_node_point(Cards& cards, RawDeck& deck);

@@ -135,11 +135,12 @@ constexpr Substitute substitutes[] = {
     {"INITIAL_STRAIN_", "", "the run begins without the stresses and strains of forming"},
     {"INITIAL_VELOCITY_GENERATION_START_TIME", "INITIAL_VELOCITY_GENERATION",
      "the velocity holds from time zero"},
-    {"DAMPING_PART_MASS", "DAMPING_GLOBAL", "all parts are damped alike"},
-    {"DAMPING_", "", "nothing damps the motion but *DAMPING_GLOBAL, contact, plasticity and bulk viscosity"},
-    {"BOUNDARY_SPC_", "BOUNDARY_SPC_SET", "the nodes are held during the whole run"},
+    {"DAMPING_RELATIVE", "DAMPING_PART_MASS", "the motion of the body is damped as well"},
+    {"DAMPING_", "",
+     "nothing damps the motion but damping in proportion to mass, contact, plasticity and bulk viscosity"},
+    {"BOUNDARY_SPC_", "BOUNDARY_SPC_SET", "the nodes are those of a set"},
     {"BOUNDARY_PRESCRIBED_MOTION_", "BOUNDARY_PRESCRIBED_MOTION_SET",
-     "the motion is along or about a global axis"},
+     "the motion is along or about an axis or a vector fixed in space"},
     {"BOUNDARY_NON_REFLECTING", "", "waves are reflected at the boundary"},
     {"CONSTRAINED_JOINT_SPHERICAL_", "CONSTRAINED_JOINT_SPHERICAL", "the joint does not fail"},
     {"CONSTRAINED_JOINT_REVOLUTE_", "CONSTRAINED_JOINT_REVOLUTE", "the joint does not fail"},
@@ -174,9 +175,7 @@ constexpr Substitute substitutes[] = {
     {"CONTACT_FORCE_TRANSDUCER_", "CONTACT_FORCE_TRANSDUCER_PENALTY",
      "forces of all contacts are summed, those by constraint too"},
     {"CONTACT_ENTITY", "RIGIDWALL_GEOMETRIC_SPHERE", "the shape is fixed in space or moves by a curve"},
-    {"LOAD_BODY_R", "", "the frame does not rotate; there are no centrifugal forces"},
-    {"LOAD_BODY_", "LOAD_BODY_Z", "the acceleration acts on all parts"},
-    {"LOAD_GRAVITY_PART", "LOAD_BODY_Z", "gravity acts on all parts"},
+    {"LOAD_BODY_", "LOAD_BODY_GENERALIZED", "the acceleration is the same at all places"},
     {"LOAD_BLAST", "LOAD_SEGMENT_SET",
      "the pressure is given as a curve over time, the same on all segments"},
     {"LOAD_THERMAL_", "", "nothing expands with temperature"},
@@ -258,11 +257,10 @@ NearestKeyword nearest_keyword(std::string_view name) {
   const bool has_heading = full.ends_with("_TITLE") || full.ends_with("_ID");
   const std::string_view bare =
       std::string_view(full).substr(0, has_heading ? full.rfind('_') : std::string_view::npos);
-  // Names of laws and families come before likeness: MAT_025 is not a mistyped MAT_024, BODY_RX no BODY_X.
+  // Names of laws and families come before likeness: MAT_025 is not a mistyped MAT_024.
   const auto found = std::find_if(std::begin(substitutes), std::end(substitutes), [&](const Substitute& row) {
     if (!bare.starts_with(row.name)) return false;
-    return bare.size() == row.name.size() || row.name.ends_with('_') || bare[row.name.size()] == '_' ||
-           row.name == "LOAD_BODY_R";
+    return bare.size() == row.name.size() || row.name.ends_with('_') || bare[row.name.size()] == '_';
   });
   const bool is_broad = found != std::end(substitutes) && found->name.ends_with('_');
   if (found != std::end(substitutes) && !is_broad) return {found->keyword, std::string(found->change)};

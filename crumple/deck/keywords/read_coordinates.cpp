@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *DEFINE_COORDINATE_SYSTEM, _NODES, _VECTOR.
+// *DEFINE_COORDINATE_SYSTEM, _NODES, _VECTOR, and *DEFINE_VECTOR.
 #include "deck/format/vector.hpp"
 #include "deck/keywords/families.hpp"
 
@@ -36,6 +36,17 @@ constexpr Field vector_card[] = {
     direction(real("YV")),
     direction(real("ZV")),
     only("NID", {0}, "the axes do not turn with a node"),
+};
+
+constexpr Field define_vector_card[] = {
+    id("VID"),
+    local(point(real("XT"))),
+    local(point(real("YT"))),
+    local(point(real("ZT"))),
+    local(point(real("XH"))),
+    local(point(real("YH"))),
+    local(point(real("ZH"))),
+    reference("CID"),
 };
 
 }  // namespace
@@ -82,6 +93,25 @@ void read_define_coordinate_vector(Cards& cards, RawDeck& deck) {
     system.other = {card.real("XV"), card.real("YV"), card.real("ZV")};
     system.where = card.where();
     if (card.good("CID")) deck.coordinate_systems.push_back(system);
+  }
+}
+
+void read_define_vector(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    cards.heading();
+    const Card card = cards.next_filled(define_vector_card);
+    RawVector raw;
+    raw.id = card.integer("VID");
+    raw.vector = difference({card.real("XH"), card.real("YH"), card.real("ZH")},
+                            {card.real("XT"), card.real("YT"), card.real("ZT")});
+    raw.system = card.integer("CID");
+    raw.where = card.where();
+    const bool good = card.good("XT") && card.good("XH") && card.good("CID");
+    if (good && !(length_of(raw.vector) > 0))
+      cards.report().field_error(card.where(), {"XH", std::string(card.text("XH")), "the head of a vector",
+                                                "XT, YT, ZT is the same point", "vector"});
+    else if (good && card.good("VID"))
+      deck.vectors.push_back(raw);
   }
 }
 

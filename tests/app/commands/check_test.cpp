@@ -18,7 +18,7 @@ class Check : public ProgramTest {
 
 constexpr const char* harmless = "*DATABASE_ABSTAT\n0.1\n*DATABASE_NODFOR\n0.1\n*DATABASE_NODFOR\n0.1\n";
 constexpr const char* lacking =
-    "*DAMPING_PART_MASS\n         0       0.1\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,0,1\n";
+    "*DAMPING_PART_STIFFNESS\n         0       0.1\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,0,1\n";
 
 TEST_F(Check, OfCardsWithoutEffectForPrograms) {
   const Result result = run({"check", "--json", deck_with(harmless)});
@@ -42,7 +42,7 @@ TEST_F(Check, OfWhatIsMissingForPrograms) {
   EXPECT_FALSE(json["can_run"]);
   EXPECT_EQ(json["errors"], 2);
   EXPECT_EQ(json["counts"]["missing"], 2);
-  EXPECT_EQ(json["missing"][0]["name"], "*DAMPING_PART_MASS");
+  EXPECT_EQ(json["missing"][0]["name"], "*DAMPING_PART_STIFFNESS");
   EXPECT_EQ(json["missing"][1]["name"], "*CONTROL_TIMESTEP MS1ST");
   EXPECT_EQ(json["messages"].size(), 3U);  // with the note on defaults
   const Result allowed = run({"check", "--json", "--allow-unsupported", deck});
@@ -56,14 +56,14 @@ TEST_F(Check, HeadingsSeparateRefusedFromHarmless) {
   const std::string deck = deck_with(std::string(harmless) + lacking);
   const Result refused = run({"check", deck});
   EXPECT_EQ(refused.code, ExitCode::Input);
-  const std::size_t first = refused.out.find("Not supported\n  *DAMPING_PART_MASS (1 time");
+  const std::size_t first = refused.out.find("Not supported\n  *DAMPING_PART_STIFFNESS (1 time");
   const std::size_t second =
       refused.out.find("Left out, without effect on the result\n  *DATABASE_ABSTAT (1 time");
   EXPECT_TRUE(first != std::string::npos && second != std::string::npos && first < second) << refused.out;
   EXPECT_EQ(refused.out.find("ON REQUEST"), std::string::npos);
   const Result allowed = run({"check", "--allow-unsupported", deck});
   EXPECT_EQ(allowed.code, ExitCode::Normal);
-  EXPECT_NE(allowed.out.find("LEFT OUT ON REQUEST, although it changes the result\n  *DAMPING_PART_MASS"),
+  EXPECT_NE(allowed.out.find("LEFT OUT ON REQUEST, although it changes the result\n  *DAMPING_PART_STIFFNESS"),
             std::string::npos)
       << allowed.out;
 }
@@ -75,7 +75,7 @@ TEST_F(Check, ARunListsWhatWasLeftOut) {
   EXPECT_NE(result.out.rfind("LEFT OUT ON REQUEST"), result.out.find("LEFT OUT ON REQUEST"));
   const nlohmann::json left_out = record(path("out"))["left_out"];
   ASSERT_EQ(left_out.size(), 4U);
-  EXPECT_EQ(left_out[0]["name"], "*DAMPING_PART_MASS");
+  EXPECT_EQ(left_out[0]["name"], "*DAMPING_PART_STIFFNESS");
   EXPECT_EQ(left_out[0]["reason"], "on request");
   EXPECT_EQ(left_out[3]["name"], "*DATABASE_NODFOR");
   EXPECT_EQ(left_out[3]["reason"], "without effect");

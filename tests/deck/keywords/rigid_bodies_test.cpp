@@ -340,10 +340,14 @@ TEST(PrescribedMotions, OfNodesSetsAndBodies) {
   EXPECT_EQ(motions[3].death, 3);
 }
 
-TEST(PrescribedMotions, DirectionsByVectorsAreRefused) {
-  const std::string found =
+TEST(PrescribedMotions, OfBodiesAlongVectorsNeedOneAndHoldNothingAcross) {
+  const std::string without =
       message_with("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n         2         4         0         1\n");
-  EXPECT_TRUE(has(found, "DOF") && has(found, "vectors")) << found;
+  EXPECT_TRUE(has(without, "field VID") && has(without, "*DEFINE_VECTOR")) << without;
+  const std::string across = message_with("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n2,-4,0,1,,7\n");
+  EXPECT_TRUE(has(across, "field DOF") && has(across, "nodes alone")) << across;
+  const std::string offset = message_with("*BOUNDARY_PRESCRIBED_MOTION_RIGID\n2,9,0,1\n");
+  EXPECT_TRUE(has(offset, "field DOF") && has(offset, "offsets")) << offset;
 }
 
 TEST(MassDamping, IsConstantOrACurveAndOfAllDirectionsUnlessOneIsGiven) {

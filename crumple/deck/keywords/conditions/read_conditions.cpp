@@ -12,27 +12,30 @@ namespace {
 using namespace row;
 
 constexpr Check fixed_or_free = within(0, 1, "0 is free, 1 fixed");
-constexpr std::string_view global_axes = "only global axes are supported";
-constexpr std::string_view no_boxes = "take *SET_NODE_GENERAL with the option BOX instead";
 
 constexpr Field spc_card[] = {
     id("NID", kind_of_target),
-    only("CID", {0}, global_axes),
-    axes(integer("DOFX", 0, fixed_or_free)),
-    axes(integer("DOFY", 0, fixed_or_free)),
-    axes(integer("DOFZ", 0, fixed_or_free)),
-    axes(integer("DOFRX", 0, fixed_or_free)),
-    axes(integer("DOFRY", 0, fixed_or_free)),
-    axes(integer("DOFRZ", 0, fixed_or_free)),
+    reference("CID"),
+    local(axes(integer("DOFX", 0, fixed_or_free))),
+    local(axes(integer("DOFY", 0, fixed_or_free))),
+    local(axes(integer("DOFZ", 0, fixed_or_free))),
+    local(axes(integer("DOFRX", 0, fixed_or_free))),
+    local(axes(integer("DOFRY", 0, fixed_or_free))),
+    local(axes(integer("DOFRZ", 0, fixed_or_free))),
+};
+
+constexpr Field birth_death_card[] = {
+    real("BIRTH", 0, not_negative),
+    real_or_default("DEATH", 1e20, above_zero),
 };
 
 constexpr Field velocity_card_1[] = {
     reference("NSID"),
     reference("NSIDEX"),
-    only("BOXID", {0}, no_boxes),
+    reference("BOXID"),
     only("IRIGID", {0, -1, -2},
          "-1 and -2 go before the velocities of *PART_INERTIA, 0 does not; sets of parts are not supported"),
-    only("ICID", {0}, global_axes),
+    reference("ICID", IdKind::Definition),
 };
 
 constexpr Field velocity_card_2[] = {velocity(real("VX")), velocity(real("VY")), velocity(real("VZ")),
@@ -41,9 +44,22 @@ constexpr Field velocity_card_2[] = {velocity(real("VX")), velocity(real("VY")),
 constexpr Field velocity_card_3[] = {velocity(real("VXE")), velocity(real("VYE")), velocity(real("VZE")),
                                      spin(real("VXRE")),    spin(real("VYRE")),    spin(real("VZRE"))};
 
+// The same in the axes of ICID, which turn with the file.
+constexpr Field local_velocity_card_2[] = {real("VX"),  real("VY"),  real("VZ"),
+                                           real("VXR"), real("VYR"), real("VZR")};
+
+constexpr Field local_velocity_card_3[] = {real("VXE"),  real("VYE"),  real("VZE"),
+                                           real("VXRE"), real("VYRE"), real("VZRE")};
+
 constexpr Field velocity_node_card[] = {
-    id("NID"),         velocity(real("VX")), velocity(real("VY")), velocity(real("VZ")),
-    spin(real("VXR")), spin(real("VYR")),    spin(real("VZR")),    only("ICID", {0}, global_axes),
+    id("NID"),
+    local(velocity(real("VX"))),
+    local(velocity(real("VY"))),
+    local(velocity(real("VZ"))),
+    local(spin(real("VXR"))),
+    local(spin(real("VYR"))),
+    local(spin(real("VZR"))),
+    reference("ICID", IdKind::Definition),
 };
 
 /// STYP 2 is a part, others are sets.
@@ -55,36 +71,48 @@ constexpr Field generation_card_1[] = {
     reference("ID", kind_of_generation),
     integer("STYP", 1, within(1, 3, "1 is a part set, 2 a part, 3 a node set")),
     real("OMEGA"),
-    velocity(real("VX")),
-    velocity(real("VY")),
-    velocity(real("VZ")),
+    local(velocity(real("VX"))),
+    local(velocity(real("VY"))),
+    local(velocity(real("VZ"))),
     only("IVATN", {0, 1}, "1 is for what is tied to the rigid parts as well, 0 is not"),
-    only("ICID", {0}, global_axes),
+    reference("ICID", IdKind::Definition),
 };
+
+constexpr Check no_phase = check_of(Check::Kind::Only, {0}, "there is no dynamic relaxation before the run");
+constexpr Check given_velocities =
+    check_of(Check::Kind::Only, {0, 1}, "1 goes before the velocities of *PART_INERTIA, 0 does not");
 
 constexpr Field generation_card_2[] = {
-    point(real("XC")),
-    point(real("YC")),
-    point(real("ZC")),
-    spin(real("NX")),
-    spin(real("NY")),
-    spin(real("NZ")),
-    only("PHASE", {0}, "there is no dynamic relaxation before the run"),
-    only("IRIGID", {0, 1}, "1 goes before the velocities of *PART_INERTIA, 0 does not"),
+    point(real("XC")), point(real("YC")), point(real("ZC")),          spin(real("NX")),
+    spin(real("NY")),  spin(real("NZ")),  real("PHASE", 0, no_phase), real("IRIGID", 0, given_velocities),
 };
 
-void read_spc(Cards& cards, RawDeck& deck, bool is_set) {
+// The same with the axis along those of ICID.
+constexpr Field local_generation_card_2[] = {
+    point(real("XC")), point(real("YC")), point(real("ZC")),          real("NX"),
+    real("NY"),        real("NZ"),        real("PHASE", 0, no_phase), real("IRIGID", 0, given_velocities),
+};
+
+enum class SupportTimes { WholeRun, Given };
+
+void read_spc(Cards& cards, RawDeck& deck, bool is_set, SupportTimes times = SupportTimes::WholeRun) {
   while (cards.more()) {
     cards.heading();
     const Card card = cards.next_filled(spc_card);
-    if (!card.good("NID")) continue;
     RawFixed fixed;
     fixed.target = card.integer("NID");
     fixed.is_set = is_set;
     fixed.translation = {card.integer("DOFX") == 1, card.integer("DOFY") == 1, card.integer("DOFZ") == 1};
     fixed.rotation = {card.integer("DOFRX") == 1, card.integer("DOFRY") == 1, card.integer("DOFRZ") == 1};
+    fixed.system = card.good("CID") ? card.integer("CID") : 0;
     fixed.where = card.where();
-    deck.fixed.push_back(fixed);
+    if (times == SupportTimes::Given) {
+      const Card second = cards.next(birth_death_card);
+      fixed.is_timed = true;
+      fixed.birth = second.real("BIRTH");
+      fixed.death = second.real("DEATH");
+    }
+    if (card.good("NID") && card.good("CID")) deck.fixed.push_back(fixed);
   }
 }
 
@@ -118,10 +146,21 @@ void read_boundary_spc_set(Cards& cards, RawDeck& deck) {
   read_spc(cards, deck, true);
 }
 
+void read_boundary_spc_node_birth_death(Cards& cards, RawDeck& deck) {
+  read_spc(cards, deck, false, SupportTimes::Given);
+}
+
+void read_boundary_spc_set_birth_death(Cards& cards, RawDeck& deck) {
+  read_spc(cards, deck, true, SupportTimes::Given);
+}
+
 void read_initial_velocity(Cards& cards, RawDeck& deck) {
   const Card first = cards.next(velocity_card_1);
-  const Card second = cards.next(velocity_card_2);
+  const bool is_local = first.integer("ICID") != 0;
+  const Card second = cards.next(is_local ? Layout(local_velocity_card_2) : Layout(velocity_card_2));
   RawVelocity velocity;
+  velocity.system = first.integer("ICID");
+  velocity.box = first.integer("BOXID");
   velocity.id = first.integer("NSID");
   velocity.target = velocity.id == 0 ? RawVelocity::Target::All : RawVelocity::Target::NodeSet;
   velocity.velocity = {second.real("VX"), second.real("VY"), second.real("VZ")};
@@ -129,20 +168,22 @@ void read_initial_velocity(Cards& cards, RawDeck& deck) {
   velocity.exempt_set = first.integer("NSIDEX");
   velocity.replaces_given = first.real("IRIGID") < 0;
   if (velocity.exempt_set > 0) {
-    const Card third = cards.next(velocity_card_3);
+    const Card third = cards.next(is_local ? Layout(local_velocity_card_3) : Layout(velocity_card_3));
     velocity.exempt_velocity = {third.real("VXE"), third.real("VYE"), third.real("VZE")};
     velocity.exempt_angular_velocity = {third.real("VXRE"), third.real("VYRE"), third.real("VZRE")};
   }
   velocity.where = first.where();
-  if (first.good("NSID") && first.good("NSIDEX")) deck.velocities.push_back(velocity);
+  const bool good = first.good("NSID") && first.good("NSIDEX") && first.good("BOXID") && first.good("ICID");
+  if (good) deck.velocities.push_back(velocity);
 }
 
 void read_initial_velocity_node(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Card card = cards.next_filled(velocity_node_card);
-    if (!card.good("NID")) continue;
+    if (!card.good("NID") || !card.good("ICID")) continue;
     RawVelocity velocity;
     velocity.target = RawVelocity::Target::Node;
+    velocity.system = card.integer("ICID");
     velocity.id = card.integer("NID");
     velocity.velocity = {card.real("VX"), card.real("VY"), card.real("VZ")};
     velocity.angular_velocity = {card.real("VXR"), card.real("VYR"), card.real("VZR")};
@@ -154,8 +195,10 @@ void read_initial_velocity_node(Cards& cards, RawDeck& deck) {
 void read_initial_velocity_generation(Cards& cards, RawDeck& deck) {
   do {
     const Card first = cards.next(generation_card_1);
-    const Card second = cards.next(generation_card_2);
+    const bool is_local = first.integer("ICID") != 0;
+    const Card second = cards.next(is_local ? Layout(local_generation_card_2) : Layout(generation_card_2));
     RawVelocity velocity;
+    velocity.system = first.integer("ICID");
     velocity.id = first.integer("ID");
     constexpr std::array targets = {RawVelocity::Target::PartSet, RawVelocity::Target::Part,
                                     RawVelocity::Target::NodeSet};
@@ -168,7 +211,7 @@ void read_initial_velocity_generation(Cards& cards, RawDeck& deck) {
     velocity.where = first.where();
     const double omega = first.real("OMEGA");
     if (omega != 0) take_rotation(second, omega, velocity, cards.report());
-    if (first.good("ID") && first.good("STYP")) deck.velocities.push_back(velocity);
+    if (first.good("ID") && first.good("STYP") && first.good("ICID")) deck.velocities.push_back(velocity);
   } while (cards.more());
 }
 

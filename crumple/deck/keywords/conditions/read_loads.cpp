@@ -11,13 +11,17 @@ using namespace row;
 
 constexpr Field node_card[] = {
     id("NID", kind_of_target),
-    axes(integer("DOF", 0, within(1, 7, "1, 2, 3 are forces along x, y, z and 5, 6, 7 moments about them"))),
+    local(axes(
+        integer("DOF", 0,
+                within(1, 8,
+                       "1, 2, 3 are forces along x, y, z and 5, 6, 7 moments about them, 4 and 8 along and "
+                       "about the normal of M1, M2, M3")))),
     id("LCID"),
     real_or_default("SF", 1.0),
-    only("CID", {0}, "only global axes are supported"),
-    unused("M1"),  // for following loads
-    unused("M2"),
-    unused("M3"),
+    reference("CID"),
+    reference("M1", IdKind::Node),
+    reference("M2", IdKind::Node),
+    reference("M3", IdKind::Node),
 };
 
 constexpr Field segment_card[] = {
@@ -59,15 +63,10 @@ void read_nodal(Cards& cards, RawDeck& deck, bool is_set) {
     load.curve = card.integer("LCID");
     load.scale = card.real("SF");
     load.where = card.where();
-    constexpr int follower = 4;
-    if (load.direction == follower)
-      cards.report().field_unsupported(card.where(),
-                                       {"DOF", "4", "1, 2, 3, 5, 6 or 7",
-                                        "forces that follow the motion of three nodes are not supported; "
-                                        "*LOAD_SEGMENT and *LOAD_SHELL_ELEMENT follow",
-                                        "direction"});
-    else if (card.good("NID") && card.good("DOF") && card.good("LCID"))
-      deck.nodal_loads.push_back(load);
+    load.system = card.integer("CID");
+    load.plane = {card.integer("M1"), card.integer("M2"), card.integer("M3")};
+    const bool good = card.good("NID") && card.good("DOF") && card.good("LCID") && card.good("CID");
+    if (check_followed_nodes(card, cards.report()) && good) deck.nodal_loads.push_back(load);
   }
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *BOUNDARY_PRESCRIBED_MOTION, *LOAD_BODY, *LOAD_RIGID_BODY, *DAMPING_GLOBAL.
+// *BOUNDARY_PRESCRIBED_MOTION, *LOAD_BODY along an axis, *LOAD_RIGID_BODY.
+#include <cstdlib>
+
 #include "deck/keywords/families.hpp"
 
 namespace crumple::deck {
@@ -10,57 +12,80 @@ using namespace row;
 
 constexpr Field motion_card[] = {
     id("NID", kind_of_target),
-    axes(only(
-        "DOF", {0, 1, 2, 3, 5, 6, 7},
-        "1, 2, 3 are along x, y, z, 5, 6, 7 about them; directions by vectors (4, 8, below zero) and with "
-        "offsets (9 to 11) are not supported")),
+    axes(integer("DOF")),
     only("VAD", {0, 1, 2}, "0 is a velocity, 1 an acceleration, 2 a displacement"),
     id("LCID"),
     real_or_default("SF", 1.0),
-    only("VID", {0}, "directions by vectors are not supported"),
+    reference("VID"),
     real_or_default("DEATH", 1e28, above_zero),
     real("BIRTH", 0, not_negative),
 };
 
 constexpr Field body_load_card[] = {
-    axes(id("LCID")),  // the axis is in the keyword
+    local(axes(id("LCID"))),  // the axis is in the keyword
     real_or_default("SF", 1.0),
     only("LCIDDR", {0}, "there is no dynamic relaxation before the run"),
     unused("XC"),  // of the loads by rotation
     unused("YC"),
     unused("ZC"),
-    only("CID", {0}, "only global axes are supported"),
+    reference("CID"),
 };
 
 constexpr Field rigid_body_load_card[] = {
     id("PID"),
-    axes(only("DOF", {0, 1, 2, 3, 5, 6, 7},
-              "1, 2, 3 are forces along x, y, z and 5, 6, 7 moments about them; forces that follow are not "
-              "supported")),
+    local(axes(integer("DOF"))),
     id("LCID"),
     real_or_default("SF", 1.0),
-    only("CID", {0}, "only global axes are supported"),
-    unused("M1"),  // for following loads
-    unused("M2"),
-    unused("M3"),
+    reference("CID"),
+    reference("M1", IdKind::Node),
+    reference("M2", IdKind::Node),
+    reference("M3", IdKind::Node),
 };
 
-constexpr Field damping_card[] = {
-    reference("LCID"),
-    real("VALDMP", 0, not_negative),
-    axes(real("STX", 0, not_negative)),
-    axes(real("STY", 0, not_negative)),
-    axes(real("STZ", 0, not_negative)),
-    axes(real("SRX", 0, not_negative)),
-    axes(real("SRY", 0, not_negative)),
-    axes(real("SRZ", 0, not_negative)),
-};
+constexpr std::string_view directions_of_loads =
+    "1, 2, 3 are forces along x, y, z and 5, 6, 7 moments about them, 4 and 8 along and about the normal of "
+    "M1, "
+    "M2, M3";
+constexpr std::string_view directions_of_motions =
+    "1, 2, 3 are along x, y, z, 5, 6, 7 about them, 4 and 8 along and about the vector VID; with offsets (9 "
+    "to "
+    "11) they are not supported";
 
-bool check_direction(const Card& card, Report& report) {
-  if (card.good("DOF") && card.real("DOF") == 0)
-    report.field_error(card.where(), {"DOF", std::string(card.text("DOF")), "1, 2, 3, 5, 6 or 7",
-                                      "it is the direction, and has no default", "direction"});
-  return card.good("DOF") && card.real("DOF") != 0;
+/// Of DOF from 1 to 8: whether it may be that, which must be given.
+bool check_direction(const Card& card, std::string_view meaning, Report& report) {
+  if (!card.good("DOF")) return false;
+  const std::int64_t direction = card.integer("DOF");
+  if (direction >= 1 && direction <= 8) return true;
+  FieldFault fault{"DOF", std::string(card.text("DOF")), "a number from 1 to 8", std::string(meaning),
+                   "direction"};
+  if (direction == 0) {
+    fault.hint = "it is the direction, and has no default";
+    report.field_error(card.where(), fault);
+  } else {
+    report.field_unsupported(card.where(), fault);
+  }
+  return false;
+}
+
+/// The same of motions, which along vectors may have a sign.
+bool check_motion_direction(const Card& card, bool of_body, Report& report) {
+  const std::int64_t direction = card.integer("DOF");
+  const bool along_vector = std::abs(direction) == 4 || std::abs(direction) == 8;
+  if (!along_vector) return check_direction(card, directions_of_motions, report);
+  const std::string text(card.text("DOF"));
+  if (direction < 0 && of_body) {
+    report.field_unsupported(
+        card.where(),
+        {"DOF", text, "4 or 8", "below zero what is across the vector is held, which is for nodes alone",
+         "direction"});
+    return false;
+  }
+  if (card.good("VID") && card.integer("VID") == 0) {
+    report.field_error(card.where(), {"VID", std::string(card.text("VID")), "the number of a *DEFINE_VECTOR",
+                                      "DOF " + text + " is along or about it", "vector"});
+    return false;
+  }
+  return card.good("DOF") && card.good("VID");
 }
 
 void read_motions(Cards& cards, RawDeck& deck, RawPrescribedMotion::Target target) {
@@ -73,16 +98,21 @@ void read_motions(Cards& cards, RawDeck& deck, RawPrescribedMotion::Target targe
     raw.id = card.integer("NID");
     raw.curve = card.integer("LCID");
     raw.where = card.where();
-    const int direction = static_cast<int>(card.real("DOF"));
-    raw.motion.rotation = direction >= 5;
-    raw.motion.axis = raw.motion.rotation ? direction - 5 : direction - 1;
+    const int direction = static_cast<int>(card.integer("DOF"));
+    const int magnitude = std::abs(direction);
+    const bool by_vector = magnitude == 4 || magnitude == 8;
+    raw.motion.rotation = magnitude >= 5;
+    raw.motion.axis = by_vector ? 0 : raw.motion.rotation ? magnitude - 5 : magnitude - 1;
+    raw.motion.holds_plane = direction < 0;
+    raw.vector = by_vector ? card.integer("VID") : 0;
     raw.motion.kind = card.real("VAD") == 0   ? Kind::Velocity
                       : card.real("VAD") == 1 ? Kind::Acceleration
                                               : Kind::Displacement;
     raw.motion.scale = card.real("SF");
     raw.motion.birth = card.real("BIRTH");
     raw.motion.death = card.real("DEATH");
-    if (check_direction(card, cards.report()) && card.good("NID") && card.good("LCID"))
+    const bool of_body = target == RawPrescribedMotion::Target::Body;
+    if (check_motion_direction(card, of_body, cards.report()) && card.good("NID") && card.good("LCID"))
       deck.prescribed_motions.push_back(raw);
   }
 }
@@ -93,12 +123,26 @@ void read_body_loads(Cards& cards, RawDeck& deck, int axis) {
     RawBodyLoad raw;
     raw.load = {axis, no_index, card.real("SF")};
     raw.curve = card.integer("LCID");
+    raw.system = card.integer("CID");
     raw.where = card.where();
-    if (card.good("LCID")) deck.body_loads.push_back(raw);
+    if (card.good("LCID") && card.good("CID")) deck.body_loads.push_back(raw);
   }
 }
 
 }  // namespace
+
+bool check_followed_nodes(const Card& card, Report& report) {
+  const std::int64_t direction = card.integer("DOF");
+  if (direction != 4 && direction != 8) return true;
+  for (const std::string_view field : {"M1", "M2", "M3"}) {
+    if (!card.good(field)) return false;
+    if (card.integer(field) != 0) continue;
+    report.field_error(card.where(), {field, std::string(card.text(field)), "the number of a node",
+                                      "DOF 4 and 8 are along and about the normal of M1, M2, M3", "plane"});
+    return false;
+  }
+  return true;
+}
 
 void read_boundary_prescribed_motion_node(Cards& cards, RawDeck& deck) {
   read_motions(cards, deck, RawPrescribedMotion::Target::Node);
@@ -124,28 +168,20 @@ void read_load_body_z(Cards& cards, RawDeck& deck) {
   read_body_loads(cards, deck, 2);
 }
 
-void read_damping_global(Cards& cards, RawDeck& deck) {
-  const Card card = cards.next(damping_card);
-  RawMassDamping raw;
-  raw.damping.constant = card.real("VALDMP");
-  raw.damping.translation = {card.real("STX"), card.real("STY"), card.real("STZ")};
-  raw.damping.rotation = {card.real("SRX"), card.real("SRY"), card.real("SRZ")};
-  // All blank means all of them.
-  const std::array<double, 3> none{};
-  if (raw.damping.translation == none && raw.damping.rotation == none)
-    raw.damping.translation = raw.damping.rotation = {1, 1, 1};
-  raw.curve = card.integer("LCID");
-  raw.where = card.where();
-  deck.mass_dampings.push_back(raw);
-}
-
 void read_load_rigid_body(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Card card = cards.next_filled(rigid_body_load_card);
-    const bool good = check_direction(card, cards.report()) && card.good("PID") && card.good("LCID");
+    const bool good = check_direction(card, directions_of_loads, cards.report()) &&
+                      check_followed_nodes(card, cards.report()) && card.good("PID") && card.good("LCID") &&
+                      card.good("CID");
     if (good)
-      deck.rigid_body_loads.push_back({card.integer("PID"), static_cast<int>(card.real("DOF")),
-                                       card.integer("LCID"), card.real("SF"), card.where()});
+      deck.rigid_body_loads.push_back({card.integer("PID"),
+                                       static_cast<int>(card.integer("DOF")),
+                                       card.integer("LCID"),
+                                       card.real("SF"),
+                                       card.where(),
+                                       card.integer("CID"),
+                                       {card.integer("M1"), card.integer("M2"), card.integer("M3")}});
   }
 }
 

@@ -23,7 +23,7 @@ constexpr Field timestep_card[] = {
     harmless("ISDO", {0}, "the element length is area over the longest side or diagonal (ISDO=0)"),
     only("TSLIMT", {0}, "use DT2MS for a minimum time step"),
     real("DT2MS"),
-    only("LCTM", {0}, "the time step is not limited by a curve; TSSFAC scales it"),
+    reference("LCTM", IdKind::Function),
     harmless("ERODE", {0}, "elements are not deleted by their time step"),
     only("MS1ST", {0}, "mass is added whenever an element's time step needs it"),
 };
@@ -136,6 +136,8 @@ void read_control_timestep(Cards& cards, RawDeck& deck) {
                        "it is used, but leaves little of the stable step to contact, friction and damping",
                        "factor on the step"});
   deck.control.mass_scaling_step = card.real("DT2MS");
+  if (card.good("LCTM") && card.integer("LCTM") != 0)
+    deck.step_curve = RawStepCurve{card.integer("LCTM"), card.where()};
   if (cards.has_line()) cards.next(timestep_card_2);
 }
 

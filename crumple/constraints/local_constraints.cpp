@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "constraints/local_constraints.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "base/error.hpp"
+#include "math/to_vec3.hpp"
+
+namespace crumple::constraints {
+
+using domain::Domain;
+using math::Vec3;
+
+namespace {
+
+/// Sine of the angle to the plane of the directions before it, below which a direction adds nothing to them.
+constexpr double dependent = 1e-6;
+
+/// Any unit vector across another one.
+Vec3 across(const Vec3& direction) {
+  Vec3 axis;
+  int least = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::fabs(direction[i]) < std::fabs(direction[least])) least = i;
+  axis[least] = 1;
+  return normalised(cross(direction, axis));
+}
+
+/// Directions of length one across each other, which the constraints of a node have used up.
+class Basis {
+ public:
+  /// The part of a direction that is new; zero if there is none.
+  Vec3 new_part(const Vec3& direction) const {
+    Vec3 rest = direction;
+    // Twice: what rounding leaves of the first time is gone after the second.
+    for (int pass = 0; pass < 2; ++pass)
+      for (int i = 0; i < count_; ++i)
+        rest -= dot(rest, used_[static_cast<std::size_t>(i)]) * used_[static_cast<std::size_t>(i)];
+    const double length = norm(rest);
+    return count_ == 3 || !(length > dependent) ? Vec3{} : (1 / length) * rest;
+  }
+  void use(const Vec3& direction) { used_[static_cast<std::size_t>(count_++)] = direction; }
+
+ private:
+  std::array<Vec3, 3> used_{};
+  int count_ = 0;
+};
+
+}  // namespace
+
+std::vector<char> nodes_with_local_constraints(const model::Model& model) {
+  std::vector<char> local(static_cast<std::size_t>(model.nodes.count()), 0);
+  for (const model::LocalSupport& support : model.local_supports)
+    local[static_cast<std::size_t>(support.node)] = 1;
+  for (const model::PrescribedMotion& motion : model.prescribed_motions)
+    if (motion.node != no_index && motion.has_direction()) local[static_cast<std::size_t>(motion.node)] = 1;
+  return local;
+}
+
+LocalConstraints::LocalConstraints(const model::Model& model, Domain& domain) : model_(&model) {
+  const std::vector<char> local = nodes_with_local_constraints(model);
+  for (Index node = 0; node < model.nodes.count(); ++node) {
+    if (local[static_cast<std::size_t>(node)] == 0) continue;
+    const Index own = domain.nodes.domain_node[node];
+    if (!domain.nodes.is_free(own))
+      throw Error("Node " + std::to_string(model.nodes.id[node]) +
+                  " is held or moved along axes of its own, but a rigid body moves it.");
+    Node entry;
+    entry.node = own;
+    entry.first = rows_.size();
+    add_rows(model, node, domain.nodes.fixed[own]);
+    entry.last = rows_.size();
+    nodes_.push_back(entry);
+    reactions_.push_back({own, {}, {}});
+    stop_initial_motion(domain, entry);
+  }
+  deferred_.assign(nodes_.size(), 0.0);
+}
+
+/// Motions go before supports, and of motions the last one first.
+void LocalConstraints::add_rows(const model::Model& model, Index model_node, std::uint8_t fixed) {
+  const auto motions = static_cast<Index>(model.prescribed_motions.size());
+  for (Index place = motions - 1; place >= 0; --place)
+    if (const model::PrescribedMotion& motion = model.prescribed_motions[place]; motion.node == model_node)
+      add_motion(motion, place);
+  for (const model::LocalSupport& support : model.local_supports) {
+    if (support.node != model_node) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const bool rotation : {false, true})
+        if (rotation ? support.rotation[axis] : support.translation[axis])
+          rows_.push_back(
+              {math::to_vec3(support.axes[axis]), rotation, no_index, true, support.birth, support.death});
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 direction;
+    direction[axis] = 1;
+    if ((fixed & domain::fixed_translation(axis)) != 0) rows_.push_back({.direction = direction});
+    if ((fixed & domain::fixed_rotation(axis)) != 0)
+      rows_.push_back({.direction = direction, .rotation = true});
+  }
+}
+
+void LocalConstraints::add_motion(const model::PrescribedMotion& motion, Index place) {
+  Row row;
+  row.rotation = motion.rotation;
+  row.motion = place;
+  row.is_support = false;
+  row.birth = motion.birth;
+  row.death = motion.death;
+  if (motion.has_direction())
+    row.direction = math::to_vec3(motion.direction);
+  else
+    row.direction[motion.axis] = 1;
+  rows_.push_back(row);
+  if (!motion.holds_plane) return;
+  const Vec3 along = row.direction;
+  row.motion = no_index;
+  row.direction = across(along);
+  rows_.push_back(row);
+  row.direction = cross(along, row.direction);
+  rows_.push_back(row);
+}
+
+void LocalConstraints::stop_initial_motion(Domain& domain, const Node& node) const {
+  for (const bool rotation : {false, true}) {
+    Vec3& velocity = (rotation ? domain.nodes.angular_velocity : domain.nodes.velocity)[node.node];
+    Basis basis;
+    for (std::size_t i = node.first; i < node.last; ++i) {
+      const Row& row = rows_[i];
+      if (!row.is_support || row.rotation != rotation || row.birth > 0) continue;
+      const Vec3 part = basis.new_part(row.direction);
+      if (norm(part) == 0) continue;
+      velocity -= dot(velocity, part) * part;
+      basis.use(part);
+    }
+  }
+  domain.nodes.publish(node.node);
+}
+
+void LocalConstraints::remember(const Domain& domain) {
+  for (Node& node : nodes_) {
+    node.velocity = domain.nodes.velocity[node.node];
+    node.spin = domain.nodes.angular_velocity[node.node];
+  }
+}
+
+Vec3 LocalConstraints::constrain(const Node& node, bool rotation, const MotionTimes& times,
+                                 Vec3& velocity) const {
+  Vec3 by_supports;
+  Basis basis;
+  for (std::size_t i = node.first; i < node.last; ++i) {
+    const Row& row = rows_[i];
+    if (row.rotation != rotation || times.time < row.birth || times.time >= row.death) continue;
+    const Vec3 part = basis.new_part(row.direction);
+    if (norm(part) == 0) continue;
+    double target = 0;
+    if (row.motion != no_index) {
+      const model::PrescribedMotion& motion = model_->prescribed_motions[row.motion];
+      const double before = dot(rotation ? node.spin : node.velocity, row.direction);
+      target = prescribed_velocity(motion, model_->curves[motion.curve], times, before);
+    }
+    // Along the new part alone, so that what goes before stays as it is.
+    const Vec3 change = ((target - dot(velocity, row.direction)) / dot(part, row.direction)) * part;
+    velocity += change;
+    if (row.is_support) by_supports += change;
+    basis.use(part);
+  }
+  return by_supports;
+}
+
+KineticChange LocalConstraints::impose(Domain& domain, double interval, double next_step) {
+  domain::NodeFields& nodes = domain.nodes;
+  const MotionTimes times{domain.clock.time, interval, next_step};
+  KineticChange sum;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const Node& node = nodes_[i];
+    domain.energy.external_work += deferred_[i];
+    deferred_[i] = 0;
+    for (const bool rotation : {false, true}) {
+      const double mass = rotation ? nodes.moving_inertia(node.node) : nodes.moving_mass(node.node);
+      Vec3& velocity = (rotation ? nodes.angular_velocity : nodes.velocity)[node.node];
+      const Vec3 kicked = velocity;
+      const Vec3 by_supports = constrain(node, rotation, times, velocity);
+      const Vec3 impulse = mass * (velocity - kicked);
+      const double work = 0.5 * dot(impulse, rotation ? node.spin : node.velocity);
+      domain.energy.external_work += work;
+      (rotation ? sum.rotational : sum.translational) += work;
+      deferred_[i] += 0.5 * dot(impulse, velocity);
+      (rotation ? reactions_[i].moment : reactions_[i].force) = (mass / interval) * by_supports;
+    }
+  }
+  return sum;
+}
+
+void LocalConstraints::declare(domain::StateList& list) {
+  if (!empty()) list.add("local_deferred_work", "energy", domain::Entity::Run, 1, std::span(deferred_));
+}
+
+}  // namespace crumple::constraints

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Forces of inertia, and damping by mass.
+#include <algorithm>
+
+#include "deck/build/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+/// The parts that *LOAD_BODY_PARTS names, ascending; absent without that keyword.
+std::optional<std::vector<Index>> loaded_parts(Build& build) {
+  if (build.deck.body_load_parts.empty()) return std::nullopt;
+  std::vector<Index> all;
+  for (const RawBodyLoadParts& raw : build.deck.body_load_parts) {
+    const std::vector<Index> parts = find_parts(build, true, {raw.part_set, "PSID", raw.where});
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+/// A load along an axis of all the model has a form of its own.
+void build_body_load(const RawBodyLoad& raw, const std::optional<std::vector<Index>>& parts, Build& build) {
+  model::BodyLoad load = raw.load;
+  load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  if (load.curve == no_index) return;
+  if (!parts && raw.system == 0) {
+    build.model.body_loads.push_back(load);
+    return;
+  }
+  Vector along{};
+  along[static_cast<std::size_t>(load.axis)] = load.scale;
+  const auto acceleration = turned(build, along, raw.system, "CID", raw.where);
+  if (!acceleration) return;
+  model::InertiaField field;
+  field.curve = load.curve;
+  field.acceleration = *acceleration;
+  field.of_all = !parts;
+  if (parts) field.parts = *parts;
+  if (field.of_all || !field.parts.empty()) build.model.inertia_fields.push_back(field);
+}
+
+std::vector<Index> nodes_in_range(const RawInertiaField& raw, Build& build) {
+  std::vector<Index> found;
+  const UserId last = std::max(raw.target, raw.last);
+  for (std::size_t node = 0; node < build.model.nodes.id.size(); ++node)
+    if (build.model.nodes.id[node] >= raw.target && build.model.nodes.id[node] <= last)
+      found.push_back(static_cast<Index>(node));
+  if (found.empty())
+    build.report.field_error(raw.where, {"N1", std::to_string(raw.target), "the first of some nodes",
+                                         "there is no node from N1 to N2", "reference"});
+  return found;
+}
+
+/// Chooses the masses of a load; false, with a message, if there are none.
+bool choose_masses(const RawInertiaField& raw, const std::optional<std::vector<Index>>& parts, Build& build,
+                   model::InertiaField& field) {
+  using On = RawInertiaField::On;
+  field.of_all = raw.on == On::All && !parts;
+  if (field.of_all) return true;
+  if (raw.on == On::All) {
+    field.parts = *parts;
+  } else if (raw.on == On::Part || raw.on == On::PartSet) {
+    const bool is_set = raw.on == On::PartSet;
+    field.parts = find_parts(build, is_set, {raw.target, is_set ? "PSID" : "PID", raw.where});
+  } else if (raw.on == On::NodeRange) {
+    field.nodes = nodes_in_range(raw, build);
+  } else if (const auto* nodes = set_nodes(build, {raw.target, "NSID", raw.where})) {
+    field.nodes = *nodes;
+    std::sort(field.nodes.begin(), field.nodes.end());
+    field.nodes.erase(std::unique(field.nodes.begin(), field.nodes.end()), field.nodes.end());
+  }
+  return !field.parts.empty() || !field.nodes.empty();
+}
+
+void build_inertia_field(const RawInertiaField& raw, const std::optional<std::vector<Index>>& parts,
+                         Build& build) {
+  model::InertiaField field = raw.field;
+  field.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  const auto acceleration = turned(build, raw.field.acceleration, raw.system, "CID", raw.where);
+  const auto spin = turned(build, raw.field.spin, raw.system, "CID", raw.where);
+  if (!choose_masses(raw, parts, build, field) || field.curve == no_index || !acceleration || !spin) return;
+  field.acceleration = *acceleration;
+  field.spin = *spin;
+  build.model.inertia_fields.push_back(field);
+}
+
+void build_mass_damping(Build& build) {
+  if (build.deck.mass_dampings.empty()) return;
+  if (build.deck.mass_dampings.size() > 1)
+    build.report.error(build.deck.mass_dampings[1].where, "damping",
+                       "*DAMPING_GLOBAL stands twice; the damping of the whole model is given once");
+  const RawMassDamping& raw = build.deck.mass_dampings.front();
+  model::MassDamping damping = raw.damping;
+  if (raw.curve != 0) damping.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  if (damping.curve != no_index || damping.constant > 0) build.model.mass_damping = damping;
+}
+
+void build_part_damping(const RawMassDamping& raw, Build& build) {
+  model::MassDamping damping = raw.damping;
+  damping.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  damping.parts = find_parts(build, raw.is_set, {raw.target, raw.is_set ? "PSID" : "PID", raw.where});
+  if (damping.curve != no_index && !damping.parts.empty()) build.model.part_dampings.push_back(damping);
+}
+
+}  // namespace
+
+std::vector<Index> find_parts(Build& build, bool is_set, const Reference& reference) {
+  const Index index = build.find(is_set ? Item::PartSet : Item::Part, reference);
+  if (index == no_index) return {};
+  return is_set ? build.model.part_sets[static_cast<std::size_t>(index)].parts : std::vector<Index>{index};
+}
+
+void build_inertia_fields(Build& build) {
+  const auto parts = loaded_parts(build);
+  for (const RawBodyLoad& raw : build.deck.body_loads) build_body_load(raw, parts, build);
+  for (const RawInertiaField& raw : build.deck.inertia_fields) build_inertia_field(raw, parts, build);
+  build_mass_damping(build);
+  for (const RawMassDamping& raw : build.deck.part_dampings) build_part_damping(raw, build);
+}
+
+}  // namespace crumple::deck
