@@ -55,6 +55,7 @@ struct Model {
   std::vector<Joint> joints;
   std::vector<JointStiffness> joint_stiffnesses;
   std::vector<PartMass> part_masses;
+  std::vector<LinearEquation> linear_equations;
   std::vector<FixedNode> fixed_nodes;
   std::vector<LocalSupport> local_supports;
   std::vector<InitialVelocity> initial_velocities;

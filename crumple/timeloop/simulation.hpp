@@ -34,6 +34,7 @@
 
 #include "constraints/joints.hpp"
 #include "constraints/local_constraints.hpp"
+#include "constraints/linear_equations.hpp"
 #include "constraints/node_sets.hpp"
 #include "constraints/prescribed_motion.hpp"
 #include "constraints/rigid_bodies.hpp"
@@ -153,6 +154,7 @@ class Simulation {
   constraints::SpotWelds spot_welds_;
   constraints::TiedNodes tied_nodes_;
   constraints::NodeSets node_sets_;
+  constraints::LinearEquations linear_equations_;
   constraints::Rivets rivets_;
   constraints::PrescribedMotions prescribed_motions_;
   constraints::LocalConstraints local_constraints_;
