@@ -267,11 +267,8 @@ struct SpotWeldLaw {
 /// The constitutive law and its constants. A new law is one more alternative here.
 using ConstitutiveLaw =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
-                 OrthotropicElastic, NullMaterial, ResultantPlasticity, BlatzKo, MooneyRivlin, CrushableFoam,
-                 LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic>;
-using ConstitutiveLaw = std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity,
-                                     JohnsonCook, OrthotropicElastic, NullMaterial, ResultantPlasticity,
-                                     SpotWeldLaw, BlatzKo, MooneyRivlin, CrushableFoam>;
+                 OrthotropicElastic, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo, MooneyRivlin,
+                 CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {
