@@ -16,8 +16,8 @@ struct MotionTimes {
   double next_step = 0;
 };
 
-/// The velocity of n+1/2 that a motion asks for where that of n-1/2 is `before`. Displacements are met exactly
-/// at n+1.
+/// The velocity of n+1/2 that a motion asks for where that of n-1/2 is `before`. Displacements are met
+/// exactly at n+1.
 double prescribed_velocity(const model::PrescribedMotion& motion, const model::Curve& curve,
                            const MotionTimes& times, double before);
 

@@ -90,7 +90,7 @@ struct Domain {
   AlignedArray<Vec3> contact_force;  ///< on the nodes at time n, normal and friction [force]
   Clock clock;
   EnergyLedger energy;
-  double added_mass = 0;  ///< by mass scaling [mass]
+  double added_mass = 0;               ///< by mass scaling [mass]
   std::vector<PartShare> part_shares;  ///< by part; empty unless a load, a damping or a mass asks for parts
   std::vector<ContactReport> contacts;
   std::vector<TransducerReport> transducers;

@@ -40,7 +40,7 @@ domain::Domain moving(const model::Model& model, int threads) {
 TEST(MassDamping, ForcesAndMomentsFollowTheCurveAndTheFactors) {
   const model::Model model = plate();
   domain::Domain domain = moving(model, 1);
-  loads::MassDamping damping(model);
+  loads::MassDamping damping(model, domain);
   domain.clock.time = 3;  // D = 5
   damping.add_forces(domain);
   double worst = 0;
@@ -64,7 +64,7 @@ TEST(MassDamping, TakesTheWorkOfItsForcesTheSameForAnyThreads) {
   double energy[2] = {};
   for (const int threads : {1, 2}) {
     domain::Domain domain = moving(model, threads);
-    loads::MassDamping damping(model);
+    loads::MassDamping damping(model, domain);
     damping.add_forces(domain);  // at time 0, D = 2
     domain.clock.step = 0.5;
     domain.clock.time = 0.5;  // D = 2.5

@@ -63,8 +63,9 @@ TEST_F(Check, HeadingsSeparateRefusedFromHarmless) {
   EXPECT_EQ(refused.out.find("ON REQUEST"), std::string::npos);
   const Result allowed = run({"check", "--allow-unsupported", deck});
   EXPECT_EQ(allowed.code, ExitCode::Normal);
-  EXPECT_NE(allowed.out.find("LEFT OUT ON REQUEST, although it changes the result\n  *DAMPING_PART_STIFFNESS"),
-            std::string::npos)
+  EXPECT_NE(
+      allowed.out.find("LEFT OUT ON REQUEST, although it changes the result\n  *DAMPING_PART_STIFFNESS"),
+      std::string::npos)
       << allowed.out;
 }
 
