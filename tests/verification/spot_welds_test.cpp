@@ -51,9 +51,9 @@ TEST(SpotWelds, CantileverBendsAndShearsAsTimoshenkoSays) {
   model.fixed_nodes.push_back({.node = 0, .translation = {true, true, true}, .rotation = {true, true, true}});
   model.curves.push_back({1, {0, 0.3, 1e9}, {0, 1, 1}});
   model.nodal_loads.push_back({.node = 3, .force = {0, force, 0}, .curve = 0});
-  model.control.end_time = 1;
+  model.control.end_time = 2;
   timeloop::Simulation simulation(model, test::execution());
-  test::run_damped(simulation, 5e-3);
+  test::run_damped(simulation, 2e-2);
   const double bending = force * length * length * length / (3 * 210 * section.inertia_t);
   const double exact = bending + force * length / (210 / 2.6 * section.shear_area);
   test::verified("cantilever of three weld beams, slenderness 1.2: deflection over exact", "Timoshenko")
@@ -209,13 +209,13 @@ TEST(SpotWelds, LapJointPulledAlongFailsByShear) {
 
 TEST(SpotWelds, LapJointPulledAcrossFailsByTension) {
   model::SpotWeldLaw law = steel();
-  law.tension_strength = 0.1;
+  law.tension_strength = 0.01;
   const Joint joint = pull_apart(lap_joint(2, law));
   std::printf("tension %.4f, fails at %.4f, energy %.2e\n", joint.largest_axial, joint.failure_time,
               joint.energy_error);
   test::verified("lap joint with one weld, pulled across: largest tension over its strength", "criterion")
-      .near(joint.largest_axial / 0.1, 1, 0.02);
-  EXPECT_LE(joint.largest_axial, 0.1);
+      .near(joint.largest_axial / 0.01, 1, 0.02);
+  EXPECT_LE(joint.largest_axial, 0.01);
   EXPECT_LT(joint.energy_error, 5e-3);
 }
 
@@ -225,13 +225,18 @@ TEST(SpotWelds, SameBitsForThreadsAndInstructionSets) {
     law.yield_stress = 0.3;
     law.hardening = 1;
     law.tension_strength = 4;
-    law.bending_strength_s = law.bending_strength_t = 6;
+    law.shear_strength_s = law.shear_strength_t = 2;
+    law.torsion_strength = 3.5;
+    law.bending_strength_s = law.bending_strength_t = 4;
     model::Model model = test::one_beam_part(weld_material(law), round_section(5));
     test::add_line(model, 200, {0, 1, 0}, [](double u) { return Point{1000 * u, 0, 0}; });
-    for (Index i = 0; i <= 200; ++i)
-      model.initial_velocities.push_back({.node = i,
-                                          .velocity = {2 * std::sin(7.0 * i), 2 * std::cos(5.0 * i), 0.1},
-                                          .angular_velocity = {std::cos(2.0 * i), std::sin(4.0 * i), 1}});
+    for (Index i = 0; i <= 200; ++i) {
+      const double size = i / 200.0;  // so that some fail, and some do not even yield
+      model.initial_velocities.push_back(
+          {.node = i,
+           .velocity = {2 * size * std::sin(7.0 * i), 2 * size * std::cos(5.0 * i), 0.1},
+           .angular_velocity = {size * std::cos(2.0 * i), size * std::sin(4.0 * i), size}});
+    }
     model.control.end_cycle = 60;
     model.control.end_time = 1e9;
     timeloop::Simulation simulation(model, {Precision::Double, isa, threads});

@@ -26,7 +26,8 @@ void print_welds(const HistoryItems& items, const Sample& sample, std::string& t
     fmt::format_to(std::back_inserter(text), "      {:5}{:13.5E}{:13.5E}{:13.5E}  {:<7}    {:<15}  ID {:8}\n",
                    i + 1, sample.of("axial")[i], sample.of("shear")[i], sample.time(),
                    sample.of("failure_flag")[i] != 0 ? "failure" : "",
-                   items.marks.front().second[i] == weld_beam_type ? "beam" : "constraint/weld", items.ids[i]);
+                   items.marks.front().second[i] == weld_beam_type ? "beam" : "constraint/weld",
+                   items.ids[i]);
 }
 
 constexpr HistoryForm swforc_form{model::HistoryFile::Swforc, "swforc", "swforc", "", print_welds};
