@@ -25,10 +25,9 @@ constexpr std::string_view names[] = {"run.json",         "report.html",        
                                       "abstat.csv"};
 
 /// LS-DYNA writes files of the same names: of these only our own are removed. All start with whose they are.
-constexpr std::array<std::string_view, 15> shared_names{"glstat",  "matsum", "rwforc", "rcforc", "nodout",
-                                                        "rbdout",  "swforc", "sleout", "deforc", "secforc",
-                                                        "spcforc", "elout",  "ncforc", "jntforc",
-                                                        "abstat"};
+constexpr std::array<std::string_view, 15> shared_names{"glstat",  "matsum", "rwforc", "rcforc",  "nodout",
+                                                        "rbdout",  "swforc", "sleout", "deforc",  "secforc",
+                                                        "spcforc", "elout",  "ncforc", "jntforc", "abstat"};
 constexpr std::string_view binout_name = "binout0000";
 
 bool mentions(const std::filesystem::path& path, std::string_view mark) {

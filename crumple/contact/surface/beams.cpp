@@ -11,11 +11,9 @@
 namespace crumple::contact {
 namespace {
 
-/// The sides of the contact that a part is on. Spot welds are on none: they lie in the sheets that they join.
-std::uint8_t sides_of(const model::Model& model, const model::Contact& contact, Index part) {
+/// The sides of the contact that a part is on.
+std::uint8_t sides_of(const model::Contact& contact, Index part) {
   std::uint8_t sides = 0;
-  const model::BeamSection& section = model.beam_sections[model.parts[part].beam_section];
-  if (section.formulation == model::BeamFormulation::SpotWeld) return sides;
   for (std::size_t i = 0; i < contact.side.size(); ++i)
     if (std::binary_search(contact.side[i].parts.begin(), contact.side[i].parts.end(), part))
       sides |= i == 0 ? first_side : second_side;
@@ -31,7 +29,7 @@ std::vector<ContactBeam> collect_beams(const model::Model& model, const domain::
   const auto before = static_cast<Index>(domain.shells.size() + domain.solids.size());
   for (std::size_t b = 0; b < domain.beams.size(); ++b) {
     const domain::BeamBlock& block = domain.beams[b];
-    const std::uint8_t sides = sides_of(model, contact, block.part);
+    const std::uint8_t sides = sides_of(contact, block.part);
     if (sides == 0) continue;
     const model::ContactSide& side = contact.side[(sides & first_side) != 0 ? 0 : 1];
     const model::Part& part = model.parts[block.part];
