@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/index.hpp"
+#include "deck/format/report.hpp"
+#include "model/model.hpp"
+
+namespace crumple::deck {
+
+// Rigid bodies and what joins them and nodes, as the cards say it.
+
+/// Mass properties of a rigid part, or of a nodal rigid body.
+struct RawInertia {
+  model::RigidInertia inertia;
+  UserId centre_node = 0;  ///< the centre is this node's place; 0: it is given
+  Where where;
+};
+
+/// Two rigid bodies that are one.
+struct RawRigidMerge {
+  UserId leading = 0;
+  UserId merged = 0;
+  Where where;
+};
+
+/// *INITIAL_VELOCITY_RIGID_BODY.
+struct RawRigidVelocity {
+  UserId body = 0;
+  UserId system = 0;  ///< coordinate system of both; 0 is global axes
+  model::RigidMotion motion;
+  Where where;
+};
+
+/// Nodes that are tied to a rigid part.
+struct RawExtraNodes {
+  UserId part = 0;
+  UserId target = 0;  ///< a node, or a node set
+  bool is_set = false;
+  bool adds_mass = false;  ///< to a given inertia
+  Where where;
+};
+
+/// Nodes of a set as a rigid body of their own.
+struct RawNodalBody {
+  UserId id = 0;
+  std::string title;
+  UserId node_set = 0;
+  model::RigidMaterial held{};
+  UserId held_system = 0;  ///< as in RawMaterial
+  std::optional<RawInertia> inertia{};
+  Where where;
+};
+
+/// A weld of two nodes, or of the nodes of a set.
+struct RawWeld {
+  model::SpotWeld weld;
+  std::array<UserId, 2> node{};
+  UserId node_set = 0;
+  Where where;
+  Where limits_where;  ///< of a second card
+};
+
+struct RawRivet {
+  UserId id = 0;
+  std::array<UserId, 2> node{};
+  double failure_time = 0;
+  Where where;
+};
+
+/// *CONSTRAINED_LINEAR_GLOBAL.
+struct RawEquation {
+  struct Term {
+    UserId node = 0;
+    int component = 0;  ///< from 0
+    double factor = 0;
+    Where where;
+  };
+  UserId id = 0;
+  std::vector<Term> terms;
+  Where where;
+};
+
+/// *CONSTRAINED_ADAPTIVITY: the first node is in the middle of the others.
+struct RawMidNode {
+  std::array<UserId, 3> node{};
+  Where where;
+};
+
+struct RawConstrainedSet {
+  UserId node_set = 0;
+  std::array<bool, 3> direction{};
+  double failure_time = 0;
+  Where where;
+};
+
+/// A joint between two rigid bodies.
+struct RawJoint {
+  model::Joint joint;
+  std::array<UserId, 6> node{};  ///< zero where the kind needs none
+  Where where;
+};
+
+}  // namespace crumple::deck
