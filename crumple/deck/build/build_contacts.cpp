@@ -273,7 +273,7 @@ UserId unnamed_contact_id(const Build& build, std::size_t place) {
 }
 
 bool add_contact_side(Build& build, const RawContactSide& raw, const Where& where, model::ContactSide& side) {
-  return Sides(build).add(raw, where, false, side);
+  return Sides(build).add(raw, where, BeamRule::LeaveOut, side);
 }
 
 void build_contacts(Build& build, bool automatic_contact) {
