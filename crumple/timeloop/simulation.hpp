@@ -32,6 +32,7 @@
 #include <span>
 #include <vector>
 
+#include "constraints/joint_stiffness.hpp"
 #include "constraints/joints.hpp"
 #include "constraints/node_sets.hpp"
 #include "constraints/prescribed_motion.hpp"
@@ -146,6 +147,7 @@ class Simulation {
   std::vector<contact::TieSprings> tie_springs_;
   constraints::RigidBodies rigid_bodies_;
   constraints::Joints joints_;
+  constraints::JointStiffnesses joint_stiffnesses_;
   constraints::SpotWelds spot_welds_;
   constraints::TiedNodes tied_nodes_;
   constraints::NodeSets node_sets_;

@@ -144,6 +144,8 @@ void print_conditions(std::ostream& out, const model::Model& model) {
   if (!model.constrained_node_sets.empty())
     print(out, "  constrained sets      {}\n", model.constrained_node_sets.size());
   if (!model.joints.empty()) print(out, "  joints                {}\n", model.joints.size());
+  if (!model.joint_stiffnesses.empty())
+    print(out, "  joint stiffnesses     {}\n", model.joint_stiffnesses.size());
   for (const model::RigidWall& wall : model.rigid_walls)
     print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
           describe_motion(wall), counted(wall.nodes.size(), "node"), wall.friction);

@@ -156,6 +156,8 @@ void enter_coordinate_systems(Build& build);
 /// where it has no axes.
 std::optional<std::array<Vector, 3>> find_axes(Build& build, UserId id, std::string_view field,
                                                const Where& where);
+/// Where a coordinate system has its origin. Its axes must have been found.
+Vector origin_of(const Build& build, UserId id);
 // build_defaults.cpp
 /// Settles what the deck leaves open about shells: with thickness change and the hourglass stiffness of their
 /// material, or as LS-DYNA does. Says so.
@@ -193,6 +195,8 @@ std::map<Index, Connection> connections_of_nodes(const Build& build);
 // build_joints.cpp
 /// Joints between rigid bodies.
 void build_joints(Build& build);
+// build_joint_stiffness.cpp
+void build_joint_stiffnesses(Build& build);
 // build_walls.cpp
 void build_walls(Build& build);
 // build_rigid_bodies.cpp

@@ -172,9 +172,10 @@ struct RawTable {
 /// Axes that are fixed in space, by two vectors or by three nodes.
 struct RawCoordinateSystem {
   UserId id = 0;
-  std::array<double, 3> first{};  ///< along the x axis
-  std::array<double, 3> other{};  ///< in the xy plane
-  std::array<UserId, 3> node{};   ///< origin, on the x axis, in the xy plane; 0: the vectors count
+  std::array<double, 3> first{};   ///< along the x axis
+  std::array<double, 3> other{};   ///< in the xy plane
+  std::array<UserId, 3> node{};    ///< origin, on the x axis, in the xy plane; 0: the vectors count
+  std::array<double, 3> origin{};  ///< where there are no nodes
   Where where;
 };
 
@@ -340,6 +341,19 @@ struct RawJoint {
   Where where;
 };
 
+/// Resistance of a joint: curves by id, in the order of the coordinates.
+struct RawJointStiffness {
+  model::JointStiffness stiffness;
+  std::array<UserId, 2> body{};    ///< parts or nodal rigid bodies
+  std::array<UserId, 2> system{};  ///< coordinate systems
+  std::array<UserId, 3> curve{};   ///< 0 is none
+  std::array<UserId, 3> damping_curve{};
+  std::array<UserId, 3> friction_curve{};
+  Where where;
+  Where curves_where;
+  Where friction_where;
+};
+
 /// What *DATABASE_HISTORY names.
 enum class HistoryItem { Node, Shell, Solid, Beam, Discrete };
 
@@ -434,6 +448,7 @@ struct RawDeck {
   std::vector<RawRivet> rivets;
   std::vector<RawConstrainedSet> constrained_sets;
   std::vector<RawJoint> joints;
+  std::vector<RawJointStiffness> joint_stiffnesses;
   std::vector<RawPrescribedMotion> prescribed_motions;
   std::vector<RawBodyLoad> body_loads;
   std::vector<RawRigidBodyLoad> rigid_body_loads;
