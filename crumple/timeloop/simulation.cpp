@@ -40,6 +40,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       sections_(model, domain_),
       rigid_bodies_(model, domain_),
       joints_(model, domain_),
+      joint_stiffnesses_(model, domain_),
       spot_welds_(model, domain_),
       tied_nodes_(model, domain_),
       node_sets_(model, domain_),
@@ -90,6 +91,7 @@ domain::StateList Simulation::state() {
   for (contact::Interface& contact : contacts_) contact.declare(list);
   for (contact::TieSprings& springs : tie_springs_) springs.declare(list);
   joints_.declare(list);
+  joint_stiffnesses_.declare(list);
   tied_nodes_.declare(list);
   prescribed_motions_.declare(list);
   local_constraints_.declare(list);

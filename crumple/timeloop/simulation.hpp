@@ -32,6 +32,7 @@
 #include <span>
 #include <vector>
 
+#include "constraints/joint_stiffness.hpp"
 #include "constraints/joints.hpp"
 #include "constraints/linear_equations.hpp"
 #include "constraints/local_constraints.hpp"
@@ -151,6 +152,7 @@ class Simulation {
   std::vector<contact::TieSprings> tie_springs_;
   constraints::RigidBodies rigid_bodies_;
   constraints::Joints joints_;
+  constraints::JointStiffnesses joint_stiffnesses_;
   constraints::SpotWelds spot_welds_;
   constraints::TiedNodes tied_nodes_;
   constraints::NodeSets node_sets_;

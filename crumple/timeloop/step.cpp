@@ -96,6 +96,7 @@ void Simulation::compute_forces() {
     domain_.transducers[i].force = transducers_[i].measure(contacts_);
   for (contact::TieSprings& springs : tie_springs_) springs.add_forces(domain_);
   joints_.add_forces(domain_);
+  joint_stiffnesses_.add_forces(domain_);
   pressure_loads_.add_forces(domain_);
   control_volumes_.add_forces(domain_);
   nodal_loads_.add_forces(domain_);
@@ -126,6 +127,7 @@ void Simulation::choose_step() {
   next_step_ = std::min({next_step_, largest_step_, curve_limit(*model_, domain_.clock.time)});
   for (const contact::Interface& contact : contacts_)
     next_step_ = std::min(next_step_, contact.longest_step());
+  next_step_ = std::min(next_step_, joint_stiffnesses_.longest_step());
   if (has_multipliers_) next_step_ = steady_step(domain_.clock.step, next_step_);
   if (!first) next_step_ = std::min(next_step_, growth_in_a_cycle * domain_.clock.step);
   if (!(next_step_ > 0) || !std::isfinite(next_step_))
@@ -225,6 +227,10 @@ void Simulation::balance() {
   }
   for (const domain::Tie& tie : domain_.ties) energy.contact += tie.energy;
   for (const domain::JointReport& joint : domain_.joints) energy.internal += joint.energy;
+  for (const domain::JointStiffnessReport& stiffness : domain_.joint_stiffnesses) {
+    energy.internal += stiffness.energy;
+    energy.friction += stiffness.friction_energy;
+  }
   for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;
   guard_kinetic_energy(*model_, domain_);
   if (guards_contact_energy_) guard_contact_energy(domain_);

@@ -146,6 +146,8 @@ void print_conditions(std::ostream& out, const model::Model& model) {
   if (!model.constrained_node_sets.empty())
     print(out, "  constrained sets      {}\n", model.constrained_node_sets.size());
   if (!model.joints.empty()) print(out, "  joints                {}\n", model.joints.size());
+  if (!model.joint_stiffnesses.empty())
+    print(out, "  joint stiffnesses     {}\n", model.joint_stiffnesses.size());
   if (!model.linear_equations.empty())
     print(out, "  linear equations      {}\n", model.linear_equations.size());
   for (const model::RigidWall& wall : model.rigid_walls)

@@ -149,6 +149,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_rigid_bodies(build);
   build_connections(build);
   build_joints(build);
+  build_joint_stiffnesses(build);
   build_fixed_nodes(build);
   build_velocities(build);
   build_loads(build);

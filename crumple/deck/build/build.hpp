@@ -167,6 +167,8 @@ std::optional<Vector> turned(Build& build, const Vector& components, UserId syst
 std::optional<Vector> find_vector(Build& build, UserId id, std::string_view field, const Where& where);
 /// Right-handed axes of unit length, the first along a vector of unit length, the others any.
 std::array<Vector, 3> axes_along(const Vector& first);
+/// Where a coordinate system has its origin. Its axes must have been found.
+Vector origin_of(const Build& build, UserId id);
 // build_defaults.cpp
 /// Settles what the deck leaves open about shells: with thickness change and the hourglass stiffness of their
 /// material, or as LS-DYNA does. Says so.
@@ -209,6 +211,8 @@ std::map<Index, Connection> connections_of_nodes(const Build& build);
 // build_joints.cpp
 /// Joints between rigid bodies.
 void build_joints(Build& build);
+// build_joint_stiffness.cpp
+void build_joint_stiffnesses(Build& build);
 // build_walls.cpp
 void build_walls(Build& build);
 // build_rigid_bodies.cpp

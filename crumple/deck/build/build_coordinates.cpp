@@ -84,4 +84,11 @@ std::optional<std::array<Vector, 3>> find_axes(Build& build, UserId id, std::str
   return axes;
 }
 
+Vector origin_of(const Build& build, UserId id) {
+  const auto index = static_cast<std::size_t>(build.find_quietly(Item::CoordinateSystem, id));
+  const RawCoordinateSystem& raw = build.deck.coordinate_systems[index];
+  if (raw.node[0] == 0) return raw.origin;
+  return build.model.nodes.position[static_cast<std::size_t>(build.find_quietly(Item::Node, raw.node[0]))];
+}
+
 }  // namespace crumple::deck

@@ -168,7 +168,11 @@ void Cards::add_offsets(Card& card) {
     value.written_real = value.real;
     if (!field.is_id()) continue;
     const IdKind kind = field.choose != nullptr ? field.choose(card) : field.kind;
-    if (kind != IdKind::None) value.integer = placement().id(kind, value.written);
+    if (kind == IdKind::None) continue;
+    if (field.type == FieldType::Integer)
+      value.integer = placement().id(kind, value.written);
+    else if (value.real < 0)
+      value.real = static_cast<double>(placement().id(kind, static_cast<std::int64_t>(value.real)));
   }
 }
 

@@ -63,7 +63,8 @@ struct Field {
   bool zero_is_default = false;  ///< a zero means the default as well
   int width = 10;                ///< columns in the standard format
   bool has_effect = true;        ///< false: read, but it makes no difference here
-  IdKind kind = IdKind::None;    ///< of an id; *INCLUDE_TRANSFORM adds the offset of its kind
+  IdKind kind = IdKind::None;    ///< of an id; *INCLUDE_TRANSFORM adds the offset of its kind. A real field
+                                 ///< is an id where it is negative
   ChooseKind choose = nullptr;   ///< where the kind depends on the keyword or on other fields
   Geometry geometry = Geometry::None;
   bool is_local = false;  ///< in the axes that CID or ICID of the card names, if it does: they turn, not this
@@ -178,6 +179,13 @@ consteval Field signed_id(std::string_view name, IdKind kind) {
 
 consteval Field signed_id(std::string_view name, ChooseKind choose) {
   return integer_of(name, Check::Kind::None, IdKind::None, choose);
+}
+
+/// A number that, where it is negative, is the number of another item.
+constexpr Field real_or_id(std::string_view name, IdKind kind) {
+  Field field{name, FieldType::Real};
+  field.kind = kind;
+  return field;
 }
 
 constexpr Field placed(Geometry geometry, Field field) {

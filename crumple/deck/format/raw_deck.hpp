@@ -175,9 +175,10 @@ struct RawTable {
 /// Axes that are fixed in space, by two vectors or by three nodes.
 struct RawCoordinateSystem {
   UserId id = 0;
-  std::array<double, 3> first{};  ///< along the x axis
-  std::array<double, 3> other{};  ///< in the xy plane
-  std::array<UserId, 3> node{};   ///< origin, on the x axis, in the xy plane; 0: the vectors count
+  std::array<double, 3> first{};   ///< along the x axis
+  std::array<double, 3> other{};   ///< in the xy plane
+  std::array<UserId, 3> node{};    ///< origin, on the x axis, in the xy plane; 0: the vectors count
+  std::array<double, 3> origin{};  ///< where there are no nodes
   Where where;
 };
 
@@ -300,6 +301,76 @@ struct RawTiedContact {
   Where where;
 };
 
+/// Two rigid bodies that are one.
+struct RawRigidMerge {
+  UserId leading = 0;
+  UserId merged = 0;
+  Where where;
+};
+
+/// Nodes that are tied to a rigid part.
+struct RawExtraNodes {
+  UserId part = 0;
+  UserId target = 0;  ///< a node, or a node set
+  bool is_set = false;
+  bool adds_mass = false;  ///< to a given inertia
+  Where where;
+};
+
+/// Nodes of a set as a rigid body of their own.
+struct RawNodalBody {
+  UserId id = 0;
+  std::string title;
+  UserId node_set = 0;
+  model::RigidMaterial held{};
+  UserId held_system = 0;  ///< as in RawMaterial
+  std::optional<RawInertia> inertia{};
+  Where where;
+};
+
+/// A weld of two nodes, or of the nodes of a set.
+struct RawWeld {
+  model::SpotWeld weld;
+  std::array<UserId, 2> node{};
+  UserId node_set = 0;
+  Where where;
+  Where limits_where;  ///< of a second card
+};
+
+struct RawRivet {
+  UserId id = 0;
+  std::array<UserId, 2> node{};
+  double failure_time = 0;
+  Where where;
+};
+
+struct RawConstrainedSet {
+  UserId node_set = 0;
+  std::array<bool, 3> direction{};
+  double failure_time = 0;
+  Where where;
+};
+
+/// A joint between two rigid bodies.
+struct RawJoint {
+  model::Joint joint;
+  std::array<UserId, 6> node{};  ///< zero where the kind needs none
+  Where where;
+};
+
+/// Resistance of a joint: curves by id, in the order of the coordinates.
+struct RawJointStiffness {
+  model::JointStiffness stiffness;
+  std::array<UserId, 2> body{};    ///< parts or nodal rigid bodies
+  std::array<UserId, 2> system{};  ///< coordinate systems
+  std::array<UserId, 3> curve{};   ///< 0 is none
+  std::array<UserId, 3> damping_curve{};
+  std::array<UserId, 3> friction_curve{};
+  Where where;
+  Where curves_where;
+  Where friction_where;
+};
+
 /// What *DATABASE_HISTORY names.
 enum class HistoryItem { Node, Shell, Solid, Beam, Discrete };
 
@@ -405,6 +476,7 @@ struct RawDeck {
   std::vector<RawJoint> joints;
   std::vector<RawEquation> equations;
   std::vector<RawMidNode> mid_nodes;
+  std::vector<RawJointStiffness> joint_stiffnesses;
   std::vector<RawPrescribedMotion> prescribed_motions;
   std::vector<RawBodyLoad> body_loads;
   std::vector<RawRigidBodyLoad> rigid_body_loads;

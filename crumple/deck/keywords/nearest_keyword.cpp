@@ -146,6 +146,8 @@ constexpr Substitute substitutes[] = {
     {"CONSTRAINED_JOINT_TRANSLATIONAL_", "CONSTRAINED_JOINT_TRANSLATIONAL", "the joint does not fail"},
     {"CONSTRAINED_JOINT_UNIVERSAL_", "CONSTRAINED_JOINT_UNIVERSAL", "the joint does not fail"},
     {"CONSTRAINED_JOINT_LOCKING_", "CONSTRAINED_JOINT_LOCKING", "the joint does not fail"},
+    {"CONSTRAINED_JOINT_STIFFNESS_", "CONSTRAINED_JOINT_STIFFNESS_GENERALIZED",
+     "moments over three rotations one after the other"},
     {"CONSTRAINED_JOINT_PLANAR", "CONSTRAINED_JOINT_TRANSLATIONAL",
      "the bodies slide along an axis instead of in a plane"},
     {"CONSTRAINED_JOINT_CONSTANT_VELOCITY", "CONSTRAINED_JOINT_UNIVERSAL",

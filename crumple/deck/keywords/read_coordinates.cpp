@@ -60,6 +60,7 @@ void read_define_coordinate_system(Cards& cards, RawDeck& deck) {
     RawCoordinateSystem system;
     system.id = card.integer("CID");
     system.first = difference({card.real("XL"), card.real("YL"), card.real("ZL")}, origin);
+    system.origin = origin;
     system.other = difference({plane.real("XP"), plane.real("YP"), plane.real("ZP")}, origin);
     system.where = card.where();
     if (card.good("CID")) deck.coordinate_systems.push_back(system);

@@ -55,9 +55,9 @@ constexpr Field mass_card[] = {
 // Its axes turn with the three nodes in LS-DYNA; here the motion of the first one is written in global axes.
 constexpr Field accelerometer_card[] = {
     id("SBACID", IdKind::Element),
-    id("NID1"),
-    reference("NID2"),
-    reference("NID3"),
+    id("NID1", IdKind::Node),
+    reference("NID2", IdKind::Node),
+    reference("NID3", IdKind::Node),
     unused("IGRAV"),
     unused("INTOPT"),
     only("MASS", {0}, "put *ELEMENT_MASS on its nodes"),

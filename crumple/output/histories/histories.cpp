@@ -96,6 +96,12 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   if (!view.domain.joints.empty())
     entries.push_back({"jntforc.csv", "time,joint,fx,fy,fz,mx,my,mz,force,moment,energy,damping,opening",
                        interval_or_glstat(asked, model::HistoryFile::Jntforc), make_joint_history()});
+  if (!view.domain.joint_stiffnesses.empty())
+    entries.push_back(
+        {"jntstiff.csv",
+         "time,joint,q1,q2,q3,rate1,rate2,rate3,elastic1,elastic2,elastic3,damping1,damping2,damping3,"
+         "energy,friction,damped",
+         interval_or_glstat(asked, model::HistoryFile::Jntforc), make_joint_stiffness_history()});
   if (!asked.history_nodes.empty())
     entries.push_back({"nodout.csv", "time,node,ux,uy,uz,vx,vy,vz,ax,ay,az,x,y,z",
                        asked.of(model::HistoryFile::Nodout).interval, make_node_history()});

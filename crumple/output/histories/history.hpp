@@ -66,6 +66,8 @@ std::unique_ptr<History> make_weld_history();
 
 /// Forces and moments of joints.
 std::unique_ptr<History> make_joint_history();
+/// Angles and moments, or displacements and forces, of joint stiffnesses.
+std::unique_ptr<History> make_joint_stiffness_history();
 
 /// Nodes that are still tied, and the resultant force of the tied contacts on them.
 std::unique_ptr<History> make_tie_history();
