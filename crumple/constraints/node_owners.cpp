@@ -14,6 +14,9 @@ NodeOwners owners_of_nodes(const model::Model& model) {
     for (const Index node : rivet.node) owners.joint[node] = "rivet " + std::to_string(rivet.id);
   for (const model::ConstrainedNodeSet& set : model.constrained_node_sets)
     for (const Index node : set.nodes) owners.joint[node] = "a constrained node set";
+  for (const model::LinearEquation& equation : model.linear_equations)
+    for (const model::LinearEquation::Term& term : equation.terms)
+      owners.joint[term.node] = "a linear equation";
   for (const model::PrescribedMotion& motion : model.prescribed_motions)
     if (motion.node != no_index) owners.joint[motion.node] = "a prescribed motion";
   return owners;

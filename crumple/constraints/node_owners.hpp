@@ -12,7 +12,7 @@ namespace crumple::constraints {
 /// Fixed degrees of freedom do not count.
 struct NodeOwners {
   std::vector<std::string> body;   ///< what moves all of the node: a rigid body or a spot weld
-  std::vector<std::string> joint;  ///< a rivet, a constrained set or a prescribed motion
+  std::vector<std::string> joint;  ///< a rivet, a constrained set, an equation or a prescribed motion
 };
 
 NodeOwners owners_of_nodes(const model::Model& model);

@@ -81,6 +81,7 @@ class Pass {
                         .components = block.components,
                         .groups = chunk.last_group - chunk.first_group,
                         .step = domain_.clock.step,
+                        .time = domain_.clock.time,
                         .constants = constants};
     beam_kernel(domain_.execution.isa, block.formulation)(task, sums);
   }

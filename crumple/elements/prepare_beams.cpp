@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <variant>
 
@@ -48,12 +49,40 @@ void take_hinges(const model::ResultantPlasticity& law, const model::BeamSection
   c.plastic_moment_t = law.yield_stress * 0.5 * std::sqrt(3 * section.area * section.inertia_t);
 }
 
+/// A round bar or tube, whose diameters are known by A and I: D^2, d^2 = 8 I / A +- 2 A / pi. The whole
+/// section yields under A, A / sqrt(3), pi (D^3 - d^3) / (12 sqrt(3)) and (D^3 - d^3) / 6 times the yield
+/// stress.
+void take_weld(const model::SpotWeldLaw& law, const model::BeamSection& section, BeamConstants& c) {
+  const double mean = 8 * section.inertia_s / section.area;
+  const double half = 2 * section.area / std::numbers::pi;
+  const double cubes = std::pow(mean + half, 1.5) - std::pow(std::max(mean - half, 0.0), 1.5);
+  const double shear = section.area / std::numbers::sqrt3;
+  const double torsion = std::numbers::pi * cubes / (12 * std::numbers::sqrt3);
+  c.plastic = 1;
+  c.yield_stress = law.yield_stress;
+  c.isotropic = law.hardening;
+  c.failure_strain = law.failure_strain;
+  c.failure_time = law.failure_time;
+  c.capacity = {section.area, shear, shear, torsion, cubes / 6, cubes / 6};
+  c.strength = {law.tension_strength, law.shear_strength_t,   law.shear_strength_s,
+                law.torsion_strength, law.bending_strength_s, law.bending_strength_t};
+}
+
 BeamConstants constants_of(const model::Model& model, const BeamBlock& block) {
   const model::Part& part = model.parts[block.part];
   const model::BeamSection& section = model.beam_sections[part.beam_section];
   const model::ConstitutiveLaw& law = model.materials[part.material].law;
   const bool truss = block.formulation == model::BeamFormulation::Truss;
   BeamConstants c;
+  if (block.formulation == model::BeamFormulation::SpotWeld) {
+    const auto* weld = std::get_if<model::SpotWeldLaw>(&law);
+    require(weld != nullptr, part, "spot weld beams need the material of spot welds");
+    require(section.shear_area > 0 && section.inertia_s == section.inertia_t, part,
+            "spot weld beams need a round section with a shear area");
+    take_elastic(weld->youngs_modulus, weld->poissons_ratio, section, c);
+    take_weld(*weld, section, c);
+    return c;
+  }
   if (const auto* elastic = std::get_if<model::Elastic>(&law)) {
     take_elastic(elastic->youngs_modulus, elastic->poissons_ratio, section, c);
   } else if (const auto* hinged = std::get_if<model::ResultantPlasticity>(&law); hinged && !truss) {
@@ -83,7 +112,14 @@ void declare_items(bool plastic, BeamBlock& block) {
     domain::add_item(block, "axes", "-", 12);
     domain::add_item(block, "deformation", "length and rad", 6);
     domain::add_item(block, "resultant", "force and moment", 6);
-    if (plastic) domain::add_item(block, "plastic_deformation", "length and rad", 5);
+    if (block.formulation == model::BeamFormulation::SpotWeld) {
+      domain::add_item(block, "plastic_deformation", "length and rad", weld_modes);
+      domain::add_item(block, "plastic_strain", "-", 1);
+      domain::add_item(block, "energy", "energy", 2);
+      domain::add_item(block, "failure_time", "time", 1);
+    } else if (plastic) {
+      domain::add_item(block, "plastic_deformation", "length and rad", 5);
+    }
   }
 }
 
@@ -143,6 +179,15 @@ double stable_step_of(const BeamConstants& c, const BeamMass& nodal, double leng
   return 2 / std::sqrt(highest);
 }
 
+/// Factor on the mass of a beam for DT2MS, and of a weld for the step that its material asks for.
+double factor_of(const model::Model& model, const BeamBlock& block, double step) {
+  if (block.rigid) return 1;
+  const double factor = mass_factor(model.control.mass_scaling_step, step);
+  const model::Part& part = model.parts[block.part];
+  const auto* weld = std::get_if<model::SpotWeldLaw>(&model.materials[part.material].law);
+  return weld == nullptr ? factor : std::max(factor, mass_factor(-weld->least_step, step));
+}
+
 void set_axes(BeamBlock& block, Index place, const Vec3& r, const Vec3& s) {
   for (int end = 0; end < 2; ++end)
     for (int axis = 0; axis < 3; ++axis) {
@@ -164,7 +209,7 @@ void prepare_element(const model::Model& model, domain::Domain& domain, BeamBloc
   const BeamMass nodal = nodal_mass(model.materials[part.material].density, length,
                                     model.beam_sections[part.beam_section], truss);
   const double step = stable_step_of(c, nodal, length);
-  const double factor = block.rigid ? 1 : mass_factor(model.control.mass_scaling_step, step);
+  const double factor = factor_of(model, block, step);
   block.set_state(place, beam_state::active, place < block.elements ? 1 : 0);
   block.set_state(place, beam_state::stable_step, step * std::sqrt(factor));
   block.set_state(place, beam_state::reference_length, length);

@@ -37,4 +37,16 @@ struct ConstrainedNodeSet {
   double failure_time = 1e20;       ///< [time]
 };
 
+/// A linear equation between components of velocities, sum of c_i v_i = 0 (*CONSTRAINED_LINEAR_GLOBAL,
+/// *CONSTRAINED_ADAPTIVITY).
+struct LinearEquation {
+  struct Term {
+    Index node = no_index;
+    int component = 0;  ///< 0 to 2: translation along x, y, z; 3 to 5: rotation about them
+    double factor = 0;  ///< c_i [-, or length of rotations beside translations]
+  };
+  UserId id = 0;
+  std::vector<Term> terms;
+};
+
 }  // namespace crumple::model

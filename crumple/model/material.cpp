@@ -18,6 +18,7 @@ struct Use {
   LawUse operator()(const JohnsonCook& law) const { return {true, true, !law.simplified, false}; }
   LawUse operator()(const NullMaterial& /*law*/) const { return {true, true, true, true}; }
   LawUse operator()(const ResultantPlasticity& /*law*/) const { return {false, false, false, false}; }
+  LawUse operator()(const SpotWeldLaw& /*law*/) const { return {false, false, false, false}; }
   LawUse operator()(const BlatzKo& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const MooneyRivlin& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const CrushableFoam& /*law*/) const { return {false, true, false, false}; }

@@ -173,10 +173,30 @@ struct ResultantPlasticity {
   double yield_stress = 0;    ///< [stress]
 };
 
+/// A spot weld, elastic-plastic with linear isotropic hardening (*MAT_SPOTWELD). It fails when (N / N_f)^2 +
+/// (S_s / S_sf)^2 + (S_t / S_tf)^2 + (T / T_f)^2 + (M_s / M_sf)^2 + (M_t / M_tf)^2 reaches 1, with the
+/// tension N, the shear forces S, the torsion T and the moments M; pressure does not count, and a strength of
+/// zero leaves its term out. It fails also by plastic strain, and at a time.
+struct SpotWeldLaw {
+  double youngs_modulus = 0;      ///< E [stress]
+  double poissons_ratio = 0;      ///< nu [-]
+  double yield_stress = 0;        ///< [stress]
+  double hardening = 0;           ///< slope of the stress over the plastic strain [stress]
+  double least_step = 0;          ///< stable step that mass is added for, of the weld alone; 0 is none [time]
+  double failure_time = 1e20;     ///< [time]
+  double failure_strain = 0;      ///< effective plastic strain at failure; 0 is none
+  double tension_strength = 0;    ///< N_f [force]
+  double shear_strength_s = 0;    ///< S_sf [force]
+  double shear_strength_t = 0;    ///< S_tf [force]
+  double torsion_strength = 0;    ///< T_f [force length]
+  double bending_strength_s = 0;  ///< M_sf [force length]
+  double bending_strength_t = 0;  ///< M_tf [force length]
+};
+
 /// The constitutive law and its constants. A new law is one more alternative here.
-using ConstitutiveLaw =
-    std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
-                 OrthotropicElastic, NullMaterial, ResultantPlasticity, BlatzKo, MooneyRivlin, CrushableFoam>;
+using ConstitutiveLaw = std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity,
+                                     JohnsonCook, OrthotropicElastic, NullMaterial, ResultantPlasticity,
+                                     SpotWeldLaw, BlatzKo, MooneyRivlin, CrushableFoam>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

@@ -50,6 +50,7 @@ struct Model {
   std::vector<SpotWeld> spot_welds;
   std::vector<Rivet> rivets;
   std::vector<ConstrainedNodeSet> constrained_node_sets;
+  std::vector<LinearEquation> linear_equations;
   std::vector<FixedNode> fixed_nodes;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<NodalLoad> nodal_loads;

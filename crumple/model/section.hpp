@@ -57,6 +57,7 @@ struct SolidSection {
 enum class BeamFormulation {
   Truss,             ///< axial force alone
   BelytschkoSchwer,  ///< resultants in axes that move with the beam, Belytschko, Schwer & Klein 1977
+  SpotWeld,          ///< the same, elastic-plastic, fails by its resultants
 };
 
 /// A cross section of a beam. Of a truss only the area counts.

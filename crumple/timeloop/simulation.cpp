@@ -42,6 +42,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       spot_welds_(model, domain_),
       tied_nodes_(model, domain_),
       node_sets_(model, domain_),
+      linear_equations_(model, domain_),
       rivets_(model, domain_),
       prescribed_motions_(model, domain_),
       supports_(model, domain_),

@@ -32,6 +32,7 @@
 #include <span>
 #include <vector>
 
+#include "constraints/linear_equations.hpp"
 #include "constraints/node_sets.hpp"
 #include "constraints/prescribed_motion.hpp"
 #include "constraints/rigid_bodies.hpp"
@@ -147,6 +148,7 @@ class Simulation {
   constraints::SpotWelds spot_welds_;
   constraints::TiedNodes tied_nodes_;
   constraints::NodeSets node_sets_;
+  constraints::LinearEquations linear_equations_;
   constraints::Rivets rivets_;
   constraints::PrescribedMotions prescribed_motions_;
   std::vector<constraints::RigidWall> walls_;

@@ -131,6 +131,7 @@ void Simulation::kick(double interval) {
     spot_welds_.break_overloaded(domain_);
     tied_nodes_.release(domain_);
     tied_nodes_.remember(domain_);
+    linear_equations_.remember(domain_);
     supports_.measure(domain_);
     rigid_bodies_.kick(domain_, interval);
   }
@@ -159,13 +160,14 @@ void Simulation::accelerate_free_nodes(double interval) {
 }
 
 bool Simulation::joins_nodes() const {
-  return !rivets_.empty() || !node_sets_.empty() || !tied_nodes_.empty();
+  return !rivets_.empty() || !node_sets_.empty() || !linear_equations_.empty() || !tied_nodes_.empty();
 }
 
 void Simulation::join_nodes(double interval) {
   kick_sums_.rotational += tied_nodes_.share(domain_).rotational;
   supports_.add_ties(domain_, tied_nodes_, interval);
   node_sets_.constrain(domain_);
+  kick_sums_.rotational += linear_equations_.constrain(domain_).rotational;
   rivets_.constrain(domain_, next_step_);
 }
 

@@ -143,6 +143,8 @@ void print_conditions(std::ostream& out, const model::Model& model) {
   if (!model.rivets.empty()) print(out, "  rivets                {}\n", model.rivets.size());
   if (!model.constrained_node_sets.empty())
     print(out, "  constrained sets      {}\n", model.constrained_node_sets.size());
+  if (!model.linear_equations.empty())
+    print(out, "  linear equations      {}\n", model.linear_equations.size());
   for (const model::RigidWall& wall : model.rigid_walls)
     print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
           describe_motion(wall), counted(wall.nodes.size(), "node"), wall.friction);

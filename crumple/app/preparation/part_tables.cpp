@@ -74,6 +74,7 @@ const char* material_words(const model::Model& model, const model::Part& part) {
     return model::name_of(model.spring_materials[part.spring_material].law);
   const model::ConstitutiveLaw& law = model.materials[part.material].law;
   if (std::holds_alternative<model::ResultantPlasticity>(law)) return "resultant plasticity";
+  if (std::holds_alternative<model::SpotWeldLaw>(law)) return "spot weld";
   return materials::shell_material_name(law);
 }
 

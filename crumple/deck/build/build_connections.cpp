@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spot welds, rivets and constrained sets of nodes.
+// Spot welds, rivets, constrained sets of nodes and linear equations.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -124,6 +124,64 @@ void build_node_sets(Build& build, Owners& owners) {
   }
 }
 
+/// The equation of a deck, if all is well with it.
+void build_equation(Build& build, const RawEquation& raw) {
+  model::LinearEquation equation{raw.id, {}};
+  for (const RawEquation::Term& term : raw.terms) {
+    const Index node = build.find(Item::Node, {term.node, "NID", term.where});
+    if (node == no_index) return;
+    for (const model::LinearEquation::Term& other : equation.terms)
+      if (other.node == node && other.component == term.component) {
+        build.report.field_error(term.where, {"NID", std::to_string(term.node), "another node or DOF",
+                                              "the equation has this one already", "twice"});
+        return;
+      }
+    if (term.factor == 0) {
+      build.report.field_error(
+          term.where, {"COEF", "0", "a number other than zero", "a term of zero says nothing", "zero"});
+      return;
+    }
+    equation.terms.push_back({node, term.component, term.factor});
+  }
+  if (equation.terms.empty())
+    build.report.error(raw.where, "terms", "the equation has no terms");
+  else
+    build.model.linear_equations.push_back(std::move(equation));
+}
+
+/// A node in the middle of two others moves and turns by the mean of theirs: twice it less both is zero.
+void build_mid_node(Build& build, const RawMidNode& raw) {
+  constexpr const char* fields[] = {"DNID", "NID1", "NID2"};
+  std::array<Index, 3> node{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    node[i] = build.find(Item::Node, {raw.node[i], fields[i], raw.where});
+    if (node[i] == no_index) return;
+  }
+  if (node[0] == node[1] || node[0] == node[2] || node[1] == node[2]) {
+    build.report.field_error(raw.where, {"DNID", std::to_string(raw.node[0]), "three different nodes",
+                                         "a node in the middle of two others", "same"});
+    return;
+  }
+  for (int component = 0; component < 6; ++component)
+    build.model.linear_equations.push_back(
+        {raw.node[0], {{node[0], component, 1}, {node[1], component, -0.5}, {node[2], component, -0.5}}});
+}
+
+/// Nodes of equations belong to no other connection, but to as many equations as there are.
+void build_equations(Build& build, Owners& owners) {
+  for (const RawEquation& raw : build.deck.equations) build_equation(build, raw);
+  for (const RawMidNode& raw : build.deck.mid_nodes) build_mid_node(build, raw);
+  std::vector<Index> nodes;
+  for (const model::LinearEquation& equation : build.model.linear_equations)
+    for (const model::LinearEquation::Term& term : equation.terms) nodes.push_back(term.node);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  if (nodes.empty()) return;
+  owners.take(
+      nodes, "a linear equation",
+      build.deck.equations.empty() ? build.deck.mid_nodes.front().where : build.deck.equations.front().where);
+}
+
 }  // namespace
 
 std::map<Index, Connection> connections_of_nodes(const Build& build) {
@@ -138,15 +196,25 @@ std::map<Index, Connection> connections_of_nodes(const Build& build) {
     take(rivet.node, {fmt::format("rivet {}", rivet.id), all, false});
   for (const model::ConstrainedNodeSet& set : build.model.constrained_node_sets)
     take(set.nodes, {"a constrained node set", set.direction, false});
+  for (const model::LinearEquation& equation : build.model.linear_equations)
+    for (const model::LinearEquation::Term& term : equation.terms) {
+      Connection& connection = found[term.node];
+      connection.name = "a linear equation";
+      if (term.component < 3) connection.translation[static_cast<std::size_t>(term.component)] = true;
+    }
   return found;
 }
 
 void build_connections(Build& build) {
-  if (build.deck.welds.empty() && build.deck.rivets.empty() && build.deck.constrained_sets.empty()) return;
+  const RawDeck& deck = build.deck;
+  if (deck.welds.empty() && deck.rivets.empty() && deck.constrained_sets.empty() && deck.equations.empty() &&
+      deck.mid_nodes.empty())
+    return;
   Owners owners(build);
   build_welds(build, owners);
   build_rivets(build, owners);
   build_node_sets(build, owners);
+  build_equations(build, owners);
 }
 
 }  // namespace crumple::deck

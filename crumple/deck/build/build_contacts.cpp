@@ -77,6 +77,13 @@ std::optional<std::vector<Index>> Sides::named_parts(const RawContactSide& raw, 
   return others;
 }
 
+/// Beams, but not spot welds, which touch nothing.
+bool can_touch_as_beams(const model::Model& model, const model::Part& part) {
+  return model::kind_of(part) == ElementKind::Beam &&
+         model.beam_sections[static_cast<std::size_t>(part.beam_section)].formulation !=
+             model::BeamFormulation::SpotWeld;
+}
+
 /// The parts of beams among what a side takes in.
 std::vector<Index> Sides::parts_with_beams(const RawContactSide& raw, const std::vector<Index>& named) const {
   std::vector<char> takes_part(build_.model.parts.size(), raw.target == Target::All ? 1 : 0);
@@ -89,7 +96,7 @@ std::vector<Index> Sides::parts_with_beams(const RawContactSide& raw, const std:
   for (const Index part : named) takes_part[static_cast<std::size_t>(part)] = 1;
   std::vector<Index> found;
   for (std::size_t part = 0; part < takes_part.size(); ++part)
-    if (takes_part[part] && model::kind_of(build_.model.parts[part]) == ElementKind::Beam)
+    if (takes_part[part] && can_touch_as_beams(build_.model, build_.model.parts[part]))
       found.push_back(static_cast<Index>(part));
   return found;
 }

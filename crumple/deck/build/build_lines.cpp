@@ -18,21 +18,41 @@ const Vector& position_of(const Build& build, Index node) {
   return build.model.nodes.position[static_cast<std::size_t>(node)];
 }
 
+/// Whether a kind of beam can have a law.
+bool suits(model::BeamFormulation formulation, const model::ConstitutiveLaw& law) {
+  const auto* plastic = std::get_if<model::PlasticKinematic>(&law);
+  const bool elastic = std::holds_alternative<model::Elastic>(law);
+  switch (formulation) {
+    case model::BeamFormulation::SpotWeld:
+      return std::holds_alternative<model::SpotWeldLaw>(law);
+    case model::BeamFormulation::Truss:
+      return elastic || (plastic != nullptr && !plastic->viscoplastic);
+    default:
+      return elastic || std::holds_alternative<model::ResultantPlasticity>(law);
+  }
+}
+
+/// The laws that a kind of beam can have, and why, in words.
+std::array<std::string, 2> suiting_laws(model::BeamFormulation formulation) {
+  switch (formulation) {
+    case model::BeamFormulation::SpotWeld:
+      return {"*MAT_SPOTWELD", "spot weld beams (ELFORM 9) have this law"};
+    case model::BeamFormulation::Truss:
+      return {"*MAT_ELASTIC or *MAT_PLASTIC_KINEMATIC with VP = 0", "trusses have these laws"};
+    default:
+      return {"*MAT_ELASTIC or *MAT_RESULTANT_PLASTICITY", "beams of resultants (ELFORM 2) have these laws"};
+  }
+}
+
 /// Laws that a kind of beam can have, said at the part.
 void check_beam_law(const RawPart& raw, const model::Part& part, Build& build) {
   const model::ConstitutiveLaw& law = build.model.materials[static_cast<std::size_t>(part.material)].law;
-  const bool truss = build.model.beam_sections[static_cast<std::size_t>(part.beam_section)].formulation ==
-                     model::BeamFormulation::Truss;
-  const auto* plastic = std::get_if<model::PlasticKinematic>(&law);
-  if (std::holds_alternative<model::Elastic>(law)) return;
-  if (truss && plastic != nullptr && !plastic->viscoplastic) return;
-  if (!truss && std::holds_alternative<model::ResultantPlasticity>(law)) return;
-  build.report.field_unsupported(
-      raw.where,
-      {"MID", std::to_string(raw.material),
-       truss ? "*MAT_ELASTIC or *MAT_PLASTIC_KINEMATIC with VP = 0"
-             : "*MAT_ELASTIC or *MAT_RESULTANT_PLASTICITY",
-       truss ? "trusses have these laws" : "beams of resultants (ELFORM 2) have these laws", "material"});
+  const model::BeamFormulation formulation =
+      build.model.beam_sections[static_cast<std::size_t>(part.beam_section)].formulation;
+  if (suits(formulation, law)) return;
+  const auto [expected, hint] = suiting_laws(formulation);
+  build.report.field_unsupported(raw.where,
+                                 {"MID", std::to_string(raw.material), expected, hint, "material"});
 }
 
 /// The orientation of a beam, where its section needs one.

@@ -30,6 +30,9 @@ void read_element_beam(Cards& cards, RawDeck& deck);
 void read_element_beam_orientation(Cards& cards, RawDeck& deck);
 void read_section_beam(Cards& cards, RawDeck& deck);
 void read_mat_resultant_plasticity(Cards& cards, RawDeck& deck);
+// read_spot_weld_materials.cpp
+void read_mat_spotweld(Cards& cards, RawDeck& deck);
+void read_mat_spotweld_damage_failure(Cards& cards, RawDeck& deck);
 
 // read_discretes.cpp
 void read_element_discrete(Cards& cards, RawDeck& deck);
@@ -155,6 +158,8 @@ void read_constrained_spotweld(Cards& cards, RawDeck& deck);
 void read_constrained_generalized_weld_spot(Cards& cards, RawDeck& deck);
 void read_constrained_rivet(Cards& cards, RawDeck& deck);
 void read_constrained_node_set(Cards& cards, RawDeck& deck);
+void read_constrained_linear_global(Cards& cards, RawDeck& deck);
+void read_constrained_adaptivity(Cards& cards, RawDeck& deck);
 // read_rigid_bodies.cpp
 void read_mat_rigid(Cards& cards, RawDeck& deck);
 void read_constrained_rigid_bodies(Cards& cards, RawDeck& deck);

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/material_cards.hpp"
@@ -34,9 +36,9 @@ constexpr Field orientation_card[] = {direction(real("VX")), direction(real("VY"
 constexpr Field section_card[] = {
     id("SECID"),
     integer_or_default("ELFORM", 1),
-    unused("SHRF"),  // of integrated beams
-    unused("QR"),
-    unused("CST"),
+    real_or_default("SHRF", 1, above_zero),  // of spot welds
+    unused("QR"),                            // of integrated beams
+    integer("CST", 0, within(0, 2, "0 is a rectangle, 1 a circle or tube, 2 arbitrary")),  // of spot welds
     unused("SCOOR"),  // of discrete beams
     only("NSM", {0}, "use *ELEMENT_MASS for mass that is not structural"),
     unused("NAUPD"),  // of discrete beams
@@ -52,6 +54,16 @@ constexpr Field truss_card[] = {
     real("A", 0, above_zero),
     only("RAMPT", {0}, "there is no dynamic relaxation with an initial stress"),
     only("STRESS", {0}, "there is no dynamic relaxation with an initial stress"),
+};
+
+constexpr Field weld_card[] = {
+    real("TS1", 0, above_zero),
+    real("TS2", 0, not_negative),
+    real("TT1", 0, not_negative),
+    real("TT2", 0, not_negative),
+    unused("PRINT"),  // output
+    unused("-"),
+    only("ITOFF", {0}, "welds twist elastically and plastically"),
 };
 
 constexpr Field resultant_plasticity_card[] = {
@@ -73,13 +85,13 @@ struct NamedForm {
 constexpr NamedForm forms[] = {
     {2, model::BeamFormulation::BelytschkoSchwer, "the Belytschko-Schwer beam of resultants"},
     {3, model::BeamFormulation::Truss, "the truss"},
+    {9, model::BeamFormulation::SpotWeld, "the spot weld beam"},
     {1, {}, "the Hughes-Liu beam, integrated over its section (the default)"},
     {4, {}, "the Belytschko-Schwer beam, integrated over its section"},
     {5, {}, "the Belytschko-Schwer tube, integrated over its section"},
     {6, {}, "the discrete beam or cable"},
     {7, {}, "the plane strain shell element in two dimensions"},
     {8, {}, "the axisymmetric shell element in two dimensions"},
-    {9, {}, "the spot weld beam"},
     {11, {}, "the Hughes-Liu beam of warped axes"},
     {12, {}, "the resultant warped beam"},
     {13, {}, "the Belytschko-Schwer beam of resultants with shear, small displacements"},
@@ -95,15 +107,55 @@ std::optional<model::BeamFormulation> formulation_of(const Card& card, Report& r
   if (form != std::end(forms) && form->formulation) return form->formulation;
   std::string hint = form == std::end(forms) ? "" : fmt::format("{} is {}; ", number, form->name);
   hint += "give A, ISS, ITT and J of the section with ELFORM 2";
-  report.code_unsupported(card.where(),
-                          {"ELFORM", std::string(card.text("ELFORM")),
-                           "2 (the Belytschko-Schwer beam of resultants) or 3 (the truss)", hint, "value"});
+  report.code_unsupported(
+      card.where(),
+      {"ELFORM", std::string(card.text("ELFORM")),
+       "2 (the Belytschko-Schwer beam of resultants), 3 (the truss) or 9 (the spot weld)", hint, "value"});
   return {};
 }
 
 /// A standard cross section has its name in the place of the area.
 bool names_a_shape(const Cards& cards) {
   return cards.peek().find("SECTION_") != std::string_view::npos;
+}
+
+/// The section of a spot weld, a circle of diameter TS1 or a tube whose inner diameter is TT1.
+void take_weld_section(const Card& first, const Card& size, model::BeamSection& section, Report& report) {
+  const double outer = size.real("TS1");
+  const double inner = size.real("TT1");
+  // A rectangle without a width is meant as a circle.
+  if (first.integer("CST") == 2 || (first.integer("CST") == 0 && inner > 0))
+    report.field_unsupported(first.where(),
+                             {"CST", std::string(first.text("CST")), "1", "spot welds are round", "shape"});
+  for (const auto& [one, other] : {std::pair{"TS1", "TS2"}, std::pair{"TT1", "TT2"}})
+    if (size.real(other) != 0 && size.real(other) != size.real(one))
+      report.field_unsupported(size.where(),
+                               {other, std::string(size.text(other)), "zero or that of the first end",
+                                "spot welds have one diameter", "taper"});
+  if (size.good("TS1") && size.good("TT1") && inner >= outer)
+    report.field_error(size.where(), {"TT1", std::string(size.text("TT1")), "an inner diameter below TS1",
+                                      "the wall of the tube has no thickness", "tube"});
+  const double square = outer * outer - inner * inner;
+  section.area = 0.25 * std::numbers::pi * square;
+  section.inertia_s = section.inertia_t = std::numbers::pi / 64 * square * (outer * outer + inner * inner);
+  section.torsion = 2 * section.inertia_s;
+  section.shear_area = first.real("SHRF") * section.area;
+}
+
+/// The second card by the formulation of the first.
+void read_size(Cards& cards, const Card& first, model::BeamSection& section) {
+  if (section.formulation == model::BeamFormulation::SpotWeld) {
+    take_weld_section(first, cards.next(weld_card), section, cards.report());
+    return;
+  }
+  const bool truss = section.formulation == model::BeamFormulation::Truss;
+  const Card size = cards.next(truss ? Layout(truss_card) : Layout(resultant_card));
+  section.area = size.real("A");
+  if (truss) return;
+  section.inertia_s = size.real("ISS");
+  section.inertia_t = size.real("ITT");
+  section.torsion = size.real("J") > 0 ? size.real("J") : size.real("ISS") + size.real("ITT");
+  section.shear_area = size.real("SA");
 }
 
 RawBeam beam_of(const Card& card) {
@@ -160,15 +212,7 @@ void read_section_beam(Cards& cards, RawDeck& deck) {
       return;
     }
     raw.section.formulation = *formulation;
-    const bool truss = *formulation == model::BeamFormulation::Truss;
-    const Card size = cards.next(truss ? Layout(truss_card) : Layout(resultant_card));
-    raw.section.area = size.real("A");
-    if (!truss) {
-      raw.section.inertia_s = size.real("ISS");
-      raw.section.inertia_t = size.real("ITT");
-      raw.section.torsion = size.real("J") > 0 ? size.real("J") : size.real("ISS") + size.real("ITT");
-      raw.section.shear_area = size.real("SA");
-    }
+    read_size(cards, card, raw.section);
     if (card.good("SECID")) deck.beam_sections.push_back(std::move(raw));
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *CONSTRAINED_SPOTWELD, *CONSTRAINED_GENERALIZED_WELD_SPOT, *CONSTRAINED_RIVET, *CONSTRAINED_NODE_SET.
+// *CONSTRAINED_SPOTWELD, *CONSTRAINED_GENERALIZED_WELD_SPOT, *CONSTRAINED_RIVET, *CONSTRAINED_NODE_SET,
+// *CONSTRAINED_LINEAR_GLOBAL, *CONSTRAINED_ADAPTIVITY.
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/rigid_inertia.hpp"
 
@@ -50,6 +51,20 @@ constexpr Field node_set_card[] = {
     id("NSID"),
     axes(integer("DOF", 0, within(1, 7, "1, 2, 3 are x, y, z, 4 is xy, 5 yz, 6 zx, 7 all"))),
     real_or_default("TF", 1e20, above_zero),
+};
+
+constexpr Field linear_card[] = {reference("LCID", IdKind::Other)};
+
+constexpr Field linear_term_card[] = {
+    id("NID"),
+    axes(integer("DOF", 1, within(1, 6, "1, 2, 3 move along x, y, z, 4, 5, 6 turn about them"))),
+    real("COEF"),
+};
+
+constexpr Field adaptivity_card[] = {
+    id("DNID", IdKind::Node),
+    id("NID1", IdKind::Node),
+    id("NID2", IdKind::Node),
 };
 
 /// Strength, exponents and limits, whose names but two both kinds of cards share.
@@ -112,6 +127,30 @@ void read_constrained_node_set(Cards& cards, RawDeck& deck) {
     if (!card.good("NSID") || !card.good("DOF")) continue;
     deck.constrained_sets.push_back(
         {card.integer("NSID"), held_axes(card.integer("DOF")), card.real("TF"), card.where()});
+  }
+}
+
+void read_constrained_linear_global(Cards& cards, RawDeck& deck) {
+  const Card first = cards.next(linear_card);
+  RawEquation raw;
+  raw.id = first.integer("LCID");
+  raw.where = first.where();
+  bool good = first.good("LCID");
+  while (cards.more()) {
+    const Card card = cards.next_filled(linear_term_card);
+    good = good && card.good("NID") && card.good("DOF") && card.good("COEF");
+    raw.terms.push_back(
+        {card.integer("NID"), static_cast<int>(card.integer("DOF")) - 1, card.real("COEF"), card.where()});
+  }
+  if (good) deck.equations.push_back(std::move(raw));
+}
+
+void read_constrained_adaptivity(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(adaptivity_card);
+    if (card.good("DNID") && card.good("NID1") && card.good("NID2"))
+      deck.mid_nodes.push_back(
+          {{card.integer("DNID"), card.integer("NID1"), card.integer("NID2")}, card.where()});
   }
 }
 

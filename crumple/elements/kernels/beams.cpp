@@ -3,12 +3,14 @@
 #include "elements/line/beam_chunk.hpp"
 #include "elements/line/beam_kernel_list.hpp"
 #include "elements/line/belytschko_schwer.hpp"
+#include "elements/line/spot_weld_beam.hpp"
 #include "elements/line/truss.hpp"
 
 namespace crumple::elements {
 template <>
 BeamKernel beam_formulation_kernel<compiled_isa>(model::BeamFormulation formulation) {
   if (formulation == model::BeamFormulation::Truss) return &beam_chunk<Truss, NativePack<double>>;
+  if (formulation == model::BeamFormulation::SpotWeld) return &beam_chunk<SpotWeldBeam, NativePack<double>>;
   return &beam_chunk<BelytschkoSchwer, NativePack<double>>;
 }
 

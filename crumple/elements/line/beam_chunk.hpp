@@ -50,8 +50,8 @@ void beam_chunk(const BeamTask& task, ElementSums& sums) {
     }
     lane_sums.add_group(rows);
     if constexpr (Formulation::can_fail)
-      if (task.constants.failure_strain > 0)
-        erode<Pack>({state + beam_state::active * lanes, state + truss_state::energy * lanes, rows,
+      if (Formulation::fails(task.constants))
+        erode<Pack>({state + beam_state::active * lanes, state + Formulation::energy * lanes, rows,
                      rows + beam_row::intact * materials::tile_lanes},
                     sums);
   }

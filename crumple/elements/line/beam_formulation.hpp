@@ -6,6 +6,7 @@
 //     BelytschkoSchwer   ELFORM 2   T. Belytschko, L. Schwer & M.J. Klein, IJNME 11 (1977) 65-84: resultants,
 //                                   elastic or with plastic hinges at the ends
 //     Truss              ELFORM 3   axial force alone; elastic or elastic-plastic
+//     SpotWeldBeam       ELFORM 9   as ELFORM 2 with shear, elastic-plastic, fails by its resultants
 //     springs, dampers   discrete_elements.hpp with the laws S01 to S05 of discrete_law.hpp
 //
 //                t
@@ -24,7 +25,9 @@
 // A formulation of beams is a type with
 //   static constexpr model::BeamFormulation formulation, const char* name
 //   static constexpr bool turns          its ends have moments
-//   static constexpr bool can_fail       it leaves the row `intact` and keeps its energy
+//   static constexpr bool can_fail       it leaves the row `intact` and keeps its energy; then also
+//   static constexpr Index energy          item of the state
+//   static bool fails(const BeamConstants&)
 //   template <class Pack> static BeamForces<Pack> forces(const BeamPlace&)
 // forces() brings state, energy and stable step of a pack up to date. Always in double: see BeamBlock.
 

@@ -4,6 +4,7 @@
 #include "base/isa_variants.hpp"
 #include "elements/line/beam_kernel_list.hpp"
 #include "elements/line/belytschko_schwer.hpp"
+#include "elements/line/spot_weld_beam.hpp"
 #include "elements/line/truss.hpp"
 
 namespace crumple::elements {
@@ -15,8 +16,10 @@ void for_each_number(Constants& c, const Visit& visit) {
   for (auto* number :
        {&c.area, &c.youngs_modulus, &c.bending_s, &c.bending_t, &c.twisting, &c.shear_stiffness, &c.plastic,
         &c.yield_stress, &c.isotropic, &c.kinematic, &c.rate, &c.rate_exponent, &c.failure_strain,
-        &c.plastic_force, &c.plastic_moment_s, &c.plastic_moment_t})
+        &c.plastic_force, &c.plastic_moment_s, &c.plastic_moment_t, &c.failure_time})
     visit(*number);
+  for (auto* list : {&c.capacity, &c.strength})
+    for (auto& number : *list) visit(number);
 }
 
 }  // namespace
@@ -39,7 +42,8 @@ BeamKernel beam_kernel(Isa isa, model::BeamFormulation formulation) {
 }
 
 const char* beam_name(model::BeamFormulation formulation) {
-  return formulation == model::BeamFormulation::Truss ? Truss::name : BelytschkoSchwer::name;
+  if (formulation == model::BeamFormulation::Truss) return Truss::name;
+  return formulation == model::BeamFormulation::SpotWeld ? SpotWeldBeam::name : BelytschkoSchwer::name;
 }
 
 }  // namespace crumple::elements

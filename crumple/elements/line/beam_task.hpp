@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "domain/beam_block.hpp"
 #include "domain/node_fields.hpp"
 #include "elements/common/element_sums.hpp"
 
 namespace crumple::elements {
+
+/// Independent resultants in the middle of a weld.
+inline constexpr int weld_modes = 6;
 
 /// Numbers of a block of beams that are the same for all its elements.
 struct BeamConstants {
@@ -25,6 +30,11 @@ struct BeamConstants {
   double plastic_force = 0;     ///< axial force at which the whole section yields [force]
   double plastic_moment_s = 0;  ///< moment at which it does, about s [force length]
   double plastic_moment_t = 0;  ///< about t [force length]
+  double failure_time = 1e20;   ///< of welds [time]
+  /// Of welds, the resultants at which the whole section yields by one alone, over the yield stress: axial,
+  /// shear, shear, torsion, bending, bending [length^2, length^3].
+  std::array<double, weld_modes> capacity{};
+  std::array<double, weld_modes> strength{};  ///< those at which it fails; 0: does not count [force, moment]
 };
 
 /// What every beam's state begins with; the formulation's items follow.
@@ -54,6 +64,14 @@ inline constexpr Index plastic =
     resultant + 6;  ///< if the law is plastic: stretch, turns about s, t at each end
 }  // namespace resultant_state
 
+/// Items of a spot weld besides those of `resultant_state`.
+namespace weld_state {
+inline constexpr Index plastic = resultant_state::plastic;  ///< deformations of the middle
+inline constexpr Index plastic_strain = plastic + weld_modes;
+inline constexpr Index energy = plastic_strain + 1;  ///< internal energy of the element and a zero
+inline constexpr Index failure_time = energy + 2;    ///< zero while it holds
+}  // namespace weld_state
+
 /// One chunk of one block.
 struct BeamTask {
   const domain::Vec3* position = nullptr;          ///< x at time n
@@ -65,6 +83,7 @@ struct BeamTask {
   Index components = 0;
   Index groups = 0;
   double step = 0;  ///< from n-1 to n [time]
+  double time = 0;  ///< n [time]
   BeamConstants constants;
 };
 

@@ -13,6 +13,8 @@ struct Truss {
   static constexpr const char* name = "truss";
   static constexpr bool turns = false;
   static constexpr bool can_fail = true;
+  static constexpr Index energy = truss_state::energy;
+  static bool fails(const BeamConstants& constants) { return constants.failure_strain > 0; }
 
   template <class Pack>
   static BeamForces<Pack> forces(const BeamPlace& place);

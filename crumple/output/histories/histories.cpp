@@ -13,6 +13,14 @@ bool any_wall_moves(const model::Model& model) {
   });
 }
 
+/// By constraints, or as beams.
+bool has_welds(const View& view) {
+  return !view.domain.welds.empty() ||
+         std::any_of(view.domain.beams.begin(), view.domain.beams.end(), [](const domain::BeamBlock& block) {
+           return block.formulation == model::BeamFormulation::SpotWeld;
+         });
+}
+
 /// Before the deck could ask for it, the file came as often as glstat does.
 double interval_or_glstat(const model::OutputRequests& asked, model::HistoryFile file) {
   return asked.of(asked.of(file).asked ? file : model::HistoryFile::Glstat).interval;
@@ -79,7 +87,7 @@ std::vector<HistoryEntry> histories_of(const View& view) {
   if (!view.model.rigid_bodies.empty())
     entries.push_back({"rbdout.csv", "time,body,x,y,z,vx,vy,vz,wx,wy,wz,kinetic,fx,fy,fz",
                        interval_or_glstat(asked, model::HistoryFile::Rbdout), make_rigid_body_history(view)});
-  if (!view.domain.welds.empty())
+  if (has_welds(view))
     entries.push_back({"swforc.csv", "time,weld,axial,shear,broken",
                        interval_or_glstat(asked, model::HistoryFile::Swforc), make_weld_history()});
   if (!asked.history_nodes.empty())

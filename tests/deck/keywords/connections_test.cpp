@@ -51,6 +51,29 @@ TEST(Connections, NodeSetsMayHaveANumber) {
   EXPECT_EQ(model.constrained_node_sets[0].nodes, (std::vector<Index>{1, 2}));
 }
 
+TEST(Connections, LinearEquations) {
+  const model::Model model = read_with(
+      "*CONSTRAINED_LINEAR_GLOBAL\n12\n2,1,1.0\n3,4,-2.5\n"
+      "*CONSTRAINED_ADAPTIVITY\n6,1,2\n");
+  ASSERT_EQ(model.linear_equations.size(), 7U);
+  const model::LinearEquation& given = model.linear_equations[0];
+  EXPECT_EQ(given.id, 12);
+  ASSERT_EQ(given.terms.size(), 2U);
+  EXPECT_EQ(given.terms[0].node, 1);
+  EXPECT_EQ(given.terms[0].component, 0);
+  EXPECT_EQ(given.terms[0].factor, 1);
+  EXPECT_EQ(given.terms[1].node, 2);
+  EXPECT_EQ(given.terms[1].component, 3);
+  EXPECT_EQ(given.terms[1].factor, -2.5);
+  const model::LinearEquation& middle = model.linear_equations[6];
+  ASSERT_EQ(middle.terms.size(), 3U);
+  EXPECT_EQ(middle.terms[0].node, 5);
+  EXPECT_EQ(middle.terms[0].component, 5);
+  EXPECT_EQ(middle.terms[0].factor, 1);
+  EXPECT_EQ(middle.terms[2].node, 1);
+  EXPECT_EQ(middle.terms[2].factor, -0.5);
+}
+
 void expect_one(const std::string& cards, const std::string& text) {
   const auto messages = messages_with(cards);
   ASSERT_EQ(messages.size(), 1U) << cards;
@@ -60,6 +83,13 @@ void expect_one(const std::string& cards, const std::string& text) {
 TEST(Connections, WhatDoesNotGoTogetherIsNamed) {
   expect_one("*CONSTRAINED_RIVET\n         1         6\n*CONSTRAINED_SPOTWELD\n         6         2\n",
              "node 6 belongs to spot weld 1 and rivet 1 (deck.k");
+  expect_one("*CONSTRAINED_RIVET\n         1         6\n*CONSTRAINED_ADAPTIVITY\n2,6,3\n",
+             "node 6 belongs to rivet 1");
+  expect_one("*CONSTRAINED_ADAPTIVITY\n2,6,6\n", "three different nodes");
+  expect_one("*CONSTRAINED_LINEAR_GLOBAL\n1\n2,1,1.0\n2,1,1.0\n", "has this one already");
+  expect_one("*CONSTRAINED_LINEAR_GLOBAL\n1\n2,1,1.0\n3,1\n", "a number other than zero");
+  expect_one("*CONSTRAINED_LINEAR_GLOBAL\n1\n", "the equation has no terms");
+  expect_one("*CONSTRAINED_LINEAR_GLOBAL\n1\n2,1,1.0\n99,1,1.0\n", "the deck has no node 99");
   expect_one("*CONSTRAINED_SPOTWELD\n         6         6\n", "another node than N1");
   expect_one("*CONSTRAINED_SPOTWELD\n         6        99\n", "the deck has no node 99");
   expect_one(
