@@ -269,9 +269,6 @@ using ConstitutiveLaw =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
                  OrthotropicElastic, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo, MooneyRivlin,
                  CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic>;
-using ConstitutiveLaw = std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity,
-                                     JohnsonCook, OrthotropicElastic, NullMaterial, ResultantPlasticity,
-                                     SpotWeldLaw, BlatzKo, MooneyRivlin, CrushableFoam>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

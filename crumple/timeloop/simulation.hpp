@@ -36,7 +36,6 @@
 #include "constraints/joints.hpp"
 #include "constraints/linear_equations.hpp"
 #include "constraints/local_constraints.hpp"
-#include "constraints/linear_equations.hpp"
 #include "constraints/node_sets.hpp"
 #include "constraints/prescribed_motion.hpp"
 #include "constraints/rigid_bodies.hpp"

@@ -344,25 +344,6 @@ struct RawRivet {
   Where where;
 };
 
-/// *CONSTRAINED_LINEAR_GLOBAL.
-struct RawEquation {
-  struct Term {
-    UserId node = 0;
-    int component = 0;  ///< from 0
-    double factor = 0;
-    Where where;
-  };
-  UserId id = 0;
-  std::vector<Term> terms;
-  Where where;
-};
-
-/// *CONSTRAINED_ADAPTIVITY: the first node is in the middle of the others.
-struct RawMidNode {
-  std::array<UserId, 3> node{};
-  Where where;
-};
-
 struct RawConstrainedSet {
   UserId node_set = 0;
   std::array<bool, 3> direction{};
@@ -496,8 +477,6 @@ struct RawDeck {
   std::vector<RawEquation> equations;
   std::vector<RawMidNode> mid_nodes;
   std::vector<RawJointStiffness> joint_stiffnesses;
-  std::vector<RawEquation> equations;
-  std::vector<RawMidNode> mid_nodes;
   std::vector<RawPrescribedMotion> prescribed_motions;
   std::vector<RawBodyLoad> body_loads;
   std::vector<RawRigidBodyLoad> rigid_body_loads;

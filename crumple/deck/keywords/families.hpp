@@ -185,8 +185,6 @@ void read_constrained_adaptivity(Cards& cards, RawDeck& deck);
 // read_joint_stiffness.cpp
 void read_constrained_joint_stiffness_generalized(Cards& cards, RawDeck& deck);
 void read_constrained_joint_stiffness_translational(Cards& cards, RawDeck& deck);
-void read_constrained_linear_global(Cards& cards, RawDeck& deck);
-void read_constrained_adaptivity(Cards& cards, RawDeck& deck);
 // read_rigid_bodies.cpp
 void read_mat_rigid(Cards& cards, RawDeck& deck);
 void read_constrained_rigid_bodies(Cards& cards, RawDeck& deck);

@@ -190,8 +190,6 @@ constexpr Keyword table[] = {
     {"CONSTRAINED_ADAPTIVITY", read_constrained_adaptivity},
     {"CONSTRAINED_JOINT_STIFFNESS_GENERALIZED", read_constrained_joint_stiffness_generalized, identity},
     {"CONSTRAINED_JOINT_STIFFNESS_TRANSLATIONAL", read_constrained_joint_stiffness_translational, identity},
-    {"CONSTRAINED_LINEAR_GLOBAL", read_constrained_linear_global},
-    {"CONSTRAINED_ADAPTIVITY", read_constrained_adaptivity},
     {"CONSTRAINED_RIGID_BODIES", read_constrained_rigid_bodies},
     {"CONSTRAINED_EXTRA_NODES_NODE", read_constrained_extra_nodes_node},
     {"CONSTRAINED_EXTRA_NODES_SET", read_constrained_extra_nodes_set},
