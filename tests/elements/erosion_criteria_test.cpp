@@ -7,6 +7,7 @@
 
 #include "elements/common/erosion_check.hpp"
 #include "elements/solid_harness.hpp"
+#include "materials/common/solid_material.hpp"
 
 namespace crumple::elements::testing::erosion_criteria_test {
 namespace {

@@ -107,4 +107,17 @@ struct RawJoint {
   Where where;
 };
 
+/// Resistance of a joint: curves by id, in the order of the coordinates.
+struct RawJointStiffness {
+  model::JointStiffness stiffness;
+  std::array<UserId, 2> body{};    ///< parts or nodal rigid bodies
+  std::array<UserId, 2> system{};  ///< coordinate systems
+  std::array<UserId, 3> curve{};   ///< 0 is none
+  std::array<UserId, 3> damping_curve{};
+  std::array<UserId, 3> friction_curve{};
+  Where where;
+  Where curves_where;
+  Where friction_where;
+};
+
 }  // namespace crumple::deck
