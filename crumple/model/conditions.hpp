@@ -106,7 +106,7 @@ struct MassDamping {
   double scale = 1;                            ///< on the curve
   std::array<double, 3> translation{1, 1, 1};  ///< factors on it, by global axis
   std::array<double, 3> rotation{1, 1, 1};
-  std::vector<Index> parts;  ///< in Model::parts: of their masses; empty: of all
+  std::vector<Index> parts{};  ///< in Model::parts: of their masses; empty: of all
 };
 
 /// Mass that is spread over the nodes of some parts in proportion to what they have (*ELEMENT_MASS_PART).

@@ -170,7 +170,7 @@ struct OnePoint {
     std::vector<Real> intact(materials::tile_lanes, Real(1));
     check_erosion(erosion_check(block, time, dt), ErosionTile<Real>{.state = state.data(),
                                                                     .groups = 1,
-                                                                    .points = static_cast<int>(block.points),
+                                                                    .points = block.points,
                                                                     .strain = strain.data(),
                                                                     .turn = turn.data(),
                                                                     .energy = energy.data(),
