@@ -136,16 +136,17 @@ TEST(StrainLimits, PlasticStrainStillCounts) {
   model::Material material = limited(0, 0.1, 2);
   std::get<model::PiecewiseLinearPlasticity>(material.law).failure_strain = 0.02;
   PointDriver<double> element(material, available_isas().back(), 3);
-  while (element.intact()) {
+  int steps = 0;
+  do {
     for (int p = 0; p < 3; ++p) element.set_strain(0, p, {0, 0, 0.004 * (p + 1), 0, 0});
     element.apply();
-  }
+  } while (element.intact() && ++steps < 100);
   EXPECT_GE(element.item("plastic_strain", 0, 1), 0.02);
   EXPECT_LT(element.item("plastic_strain", 0, 0), 0.02);
 }
 
 TEST(StrainLimits, AreChecked) {
-  EXPECT_THROW(shell_material_constants(limited(-0.1, 0)), Error);
+  EXPECT_THROW(shell_material_constants(limited(-0.1, 0.1)), Error);
   EXPECT_THROW(shell_material_constants(limited(0.1, 0, 0, 1.5)), Error);
   EXPECT_EQ(shell_material_kind(limited(0, 0).law), shell_material_kind(tabulated({0}, {250}).law));
   EXPECT_NE(shell_material_kind(limited(0.1, 0).law), shell_material_kind(tabulated({0}, {250}).law));

@@ -38,8 +38,7 @@ double modulus_at(const std::vector<model::Relaxation>& parts, double time) {
 double integral_to(const std::vector<model::Relaxation>& parts, double time) {
   double sum = 0;
   for (const model::Relaxation& part : parts)
-    sum +=
-        part.decay > 0 ? part.modulus / part.decay * (1 - std::exp(-part.decay * time)) : part.modulus * time;
+    sum += part.decay > 0 ? -part.modulus / part.decay * std::expm1(-part.decay * time) : part.modulus * time;
   return sum;
 }
 

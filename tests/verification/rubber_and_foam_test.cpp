@@ -50,8 +50,6 @@ TEST_P(Soft, RubberBouncesAndKeepsItsEnergy) {
   const model::ConstitutiveLaw laws[] = {
       model::BlatzKo{2 * 1.04e-3 * 1.463, 0.463},
       model::MooneyRivlin{4 * 0.69e-3 * 1.49, 0.49, 0.55e-3, 0.14e-3},
-      model::OgdenRubber{1.38e-3 * 2 * 1.49, 0.49, {1.2e-3, 0.12e-3, -0.06e-3}, {1.5, 5, -6}},
-      model::PolynomialRubber{4 * 0.69e-3 * 1.49, 0.49, 0.55e-3, 0.14e-3, 0, 0.02e-3, 0, 0.01e-3},
   };
   for (const model::ConstitutiveLaw& law : laws)
     for (const auto form :
@@ -71,9 +69,10 @@ TEST_P(Soft, RubberBouncesAndKeepsItsEnergy) {
         limit_change = test::larger_of(limit_change, 1 - domain.clock.element_limit / first_limit);
       });
       const domain::EnergyLedger& energy = simulation.domain().energy;
-      std::printf("law %zu: lowest %.3f mm, energy error %.1e, hourglass %.1f %%, step down by %.0f %%\n",
-                  law.index(), lowest, worst, 100 * energy.hourglass / energy.initial_total,
-                  100 * limit_change);
+      std::printf(
+          "%s: lowest %.3f mm, energy error %.1e, hourglass %.1f %%, step down by %.0f %%\n",
+          law.index() == model::ConstitutiveLaw(model::BlatzKo{}).index() ? "Blatz-Ko" : "Mooney-Rivlin",
+          lowest, worst, 100 * energy.hourglass / energy.initial_total, 100 * limit_change);
       EXPECT_LT(lowest, 18);
       EXPECT_GT(lowest, 5);
       EXPECT_LT(worst, 0.005);
@@ -186,59 +185,6 @@ TEST_P(Soft, InteriorContactHoldsWhatItsLawLetsCollapse) {
   EXPECT_LT(lowest, 0.1 * 40);
   EXPECT_GT(lowest, 0);
   test::verified("foam crushed flat: energy error with interior contact", "conservation").below(worst, 1e-3);
-}
-
-/// The same column of foam that springs back: the plate leaves with what the hysteresis has left of its
-/// energy, 1 - (1 - HU) SHAPE / (1 + SHAPE), as all points of a column compressed slowly have the same
-/// energy.
-TEST_P(Soft, FoamGivesBackWhatItsHysteresisLeaves) {
-  for (const double factor : {1.0, 0.2}) {
-    model::LowDensityFoam law;
-    law.youngs_modulus = 2e-3;  // kg, mm, ms: GPa
-    law.compression = {0, 0.5, 0.8};
-    law.stress = {0, 1e-3, 4e-3};
-    law.unloading_factor = factor;
-    law.unloading_shape = 1;
-    model::Material foam{.id = 1, .title = "foam", .density = 6e-8, .law = law};
-    model::Model model = test::one_solid_part(foam);
-    model.control.end_time = 20;
-    test::add_box(model, 0, 2, 2, 4, [](double u, double v, double w) {
-      return test::Point{20 * u, 20 * v, 40 * w};
-    });
-    constexpr double plate = 0.15;
-    constexpr double velocity = 8;
-    for (Index i = 0; i < model.nodes.count(); ++i) {
-      const auto& x = model.nodes.position[i];
-      if (x[2] == 0) model.fixed_nodes.push_back({.node = i, .translation = {true, true, true}});
-      if (x[2] != 40) continue;
-      model.fixed_nodes.push_back({.node = i, .translation = {true, true, false}});
-      const double share = (x[0] == 10 ? 2 : 1) * (x[1] == 10 ? 2 : 1) / 16.0;
-      model.lumped_masses.push_back({.id = i, .node = i, .mass = plate * share});
-      model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -velocity}});
-    }
-    timeloop::Simulation simulation(model, {GetParam(), default_isa(), 1});
-    double lowest = 40;
-    double back = 0;
-    double worst = 0;
-    test::run(simulation, [&](const domain::Domain& domain) {
-      double kinetic = 0;
-      for (Index i = 0; i < domain.nodes.count(); ++i) {
-        if (domain.nodes.reference[i].z != 40) continue;
-        lowest = std::min(lowest, domain.nodes.position[i].z);
-        kinetic = test::larger_of(kinetic, domain.nodes.velocity[i].z);
-      }
-      back = test::larger_of(back, kinetic);
-      worst = test::larger_of(worst, energy_error(domain, domain.energy.initial_total));
-    });
-    const double returned = back * back / (velocity * velocity);
-    std::printf("HU %.1f: compressed to %.2f mm, share of the energy given back %.4f, energy error %.1e\n",
-                factor, lowest, returned, worst);
-    test::verified("foam block that springs back, HU " + std::to_string(factor) +
-                       ": energy of the plate given back, share",
-                   "1 - (1 - HU) SHAPE / (1 + SHAPE)")
-        .near(returned, 1 - (1 - factor) / 2, 0.01);
-    EXPECT_LT(worst, 1e-3);
-  }
 }
 
 }  // namespace

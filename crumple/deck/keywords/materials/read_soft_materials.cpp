@@ -219,7 +219,7 @@ void read_mat_ogden_rubber(Cards& cards, RawDeck& deck) {
       law.exponent[n] = exponents.real(ogden_exponents_card[n].name);
       shear_modulus += 0.5 * law.modulus[n] * law.exponent[n];
     }
-    if (card.real("N") == 0) check_rubber(moduli, "MU1", shear_modulus, cards.report());
+    if (card.good("N")) check_rubber(moduli, "MU1", shear_modulus, cards.report());
     law.poissons_ratio = card.real("PR");
     law.youngs_modulus = 2 * shear_modulus * (1 + law.poissons_ratio);
     raw.material.law = law;
@@ -242,7 +242,7 @@ void read_mat_hyperelastic_rubber(Cards& cards, RawDeck& deck) {
     law.c02 = constants.real("C02");
     law.c30 = constants.real("C30");
     const double shear_modulus = 2 * (law.c10 + law.c01);
-    if (card.real("N") == 0) check_rubber(constants, "C10", shear_modulus, cards.report());
+    if (card.good("N")) check_rubber(constants, "C10", shear_modulus, cards.report());
     law.poissons_ratio = card.real("PR");
     law.youngs_modulus = 2 * shear_modulus * (1 + law.poissons_ratio);
     raw.material.law = law;
