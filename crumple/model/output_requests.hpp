@@ -28,7 +28,7 @@ enum class HistoryFile {
   Jntforc,  ///< forces of joints
   Abstat,   ///< control volumes of airbags and tyres
 };
-inline constexpr std::size_t history_files = 14;
+inline constexpr std::size_t history_files = static_cast<std::size_t>(HistoryFile::Abstat) + 1;
 
 /// How often one of them is to be written, and in which of LS-DYNA's forms besides our own.
 struct HistoryRequest {

@@ -66,9 +66,9 @@ TEST(MatAddErosion, WhatIsZeroOrExcludedDoesNotCount) {
 TEST(MatAddErosion, SaysWhatDoesNotFit) {
   only_message("*MAT_ADD_EROSION\n2,,,,0.4\n", "the deck has no material 2");
   only_message("*MAT_ADD_EROSION\n1\n", "there is no criterion");
-  only_message("*MAT_ADD_EROSION\n1,,,0.3\n", "field MNEPS: read \"0.3\", expected a number below zero");
-  only_message("*MAT_ADD_EROSION\n1\n40\n", "field MNPRES");
-  only_message("*MAT_ADD_EROSION\n1\n0,0,-7\n", "field SIGVM");
+  only_message("*MAT_ADD_EROSION\n1,,,0.3,0.4\n", "field MNEPS: read \"0.3\", expected a number below zero");
+  only_message("*MAT_ADD_EROSION\n1,,,,0.4\n40\n", "field MNPRES");
+  only_message("*MAT_ADD_EROSION\n1,,,,0.4\n0,0,-7\n", "field SIGVM");
   only_message("*MAT_ADD_EROSION\n1,,,,0.3,,150\n", "field NUMFIP");
   only_message("*MAT_ADD_EROSION\n1,,,,0.3\n\n1\n", "field IDAM");
   only_message("*MAT_ADD_EROSION\n1,,,,0.3\n\n0\n0,0,0.2\n", "field EPSTHIN");

@@ -173,6 +173,7 @@ TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
       "four nodes\n");
   EXPECT_EQ(
       message("15"),
+      "deck.k: note: densities and moduli look like the units kg, mm, ms\n"
       "deck.k:20: warning: *SECTION_SOLID card 1 field ELFORM: read \"15\", expected 1, 2, 10 or 13; of "
       "the wedge with two points: wedges are computed as hexahedra with equal nodes\n");
   EXPECT_EQ(message("115").find("error"), std::string::npos);

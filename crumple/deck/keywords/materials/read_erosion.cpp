@@ -114,6 +114,7 @@ model::ErosionCriteria criteria_of(const Card& first, const Card& second, Report
 }  // namespace
 
 void read_mat_add_erosion(Cards& cards, RawDeck& deck) {
+  cards.heading();
   const Card first = cards.next(erosion_card_1);
   const Card second = cards.next_or_default(erosion_card_2);
   for (const Layout layout : {Layout(erosion_card_3), Layout(erosion_card_4), Layout(erosion_card_5)})
