@@ -16,7 +16,7 @@ class Check : public ProgramTest {
   }
 };
 
-constexpr const char* harmless = "*DATABASE_ABSTAT\n0.1\n*DATABASE_NODFOR\n0.1\n*DATABASE_NODFOR\n0.1\n";
+constexpr const char* harmless = "*DATABASE_ACEOUT\n0.1\n*DATABASE_NODFOR\n0.1\n*DATABASE_NODFOR\n0.1\n";
 constexpr const char* lacking =
     "*DAMPING_PART_STIFFNESS\n         0       0.1\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,0,1\n";
 
@@ -58,7 +58,7 @@ TEST_F(Check, HeadingsSeparateRefusedFromHarmless) {
   EXPECT_EQ(refused.code, ExitCode::Input);
   const std::size_t first = refused.out.find("Not supported\n  *DAMPING_PART_STIFFNESS (1 time");
   const std::size_t second =
-      refused.out.find("Left out, without effect on the result\n  *DATABASE_ABSTAT (1 time");
+      refused.out.find("Left out, without effect on the result\n  *DATABASE_ACEOUT (1 time");
   EXPECT_TRUE(first != std::string::npos && second != std::string::npos && first < second) << refused.out;
   EXPECT_EQ(refused.out.find("ON REQUEST"), std::string::npos);
   const Result allowed = run({"check", "--allow-unsupported", deck});
