@@ -12,14 +12,10 @@ using math::Matrix3;
 
 namespace {
 
-bool all(const std::array<bool, 3>& axes) {
-  return axes[0] && axes[1] && axes[2];
-}
-
 /// Inverse of the moments of inertia about the body's axes; zero where nothing can turn it.
 Vec3 inverse_inertia(const RigidBody& body) {
   Vec3 inverse;
-  if (all(body.fixed_rotation)) return inverse;
+  if (all_of(body.fixed_rotation)) return inverse;
   for (int axis = 0; axis < 3; ++axis)
     if (body.principal_inertia[axis] > 0) inverse[axis] = 1 / body.principal_inertia[axis];
   return inverse;
@@ -80,7 +76,7 @@ Vec3 velocity_of(const RigidBody& body, const Vec3& place) {
 /// The trace of (arm x)^T I^-1 (arm x) is at least its largest eigenvalue.
 double point_response(const RigidBody& body, const Vec3& arm) {
   const Vec3 inverse = inverse_inertia(body);
-  double response = all(body.fixed_translation) ? 0.0 : 1 / body.mass;
+  double response = all_of(body.fixed_translation) ? 0.0 : 1 / body.mass;
   for (int axis = 0; axis < 3; ++axis) response += inverse[axis] * (dot(arm, arm) - arm[axis] * arm[axis]);
   return response;
 }

@@ -15,6 +15,11 @@ struct JointLoad {
   std::array<Vec3, 2> moment;  ///< on each, about its centre of mass [force * length]
 };
 
+/// True if all three axes are held.
+inline bool all_of(const std::array<bool, 3>& axes) {
+  return axes[0] && axes[1] && axes[2];
+}
+
 using JointBodies = std::array<const domain::RigidBody*, 2>;
 
 /// The bodies with these places in the domain.

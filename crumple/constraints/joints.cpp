@@ -28,13 +28,9 @@ constexpr double largest_budget = 0.8;
 /// Damping over mass times the step at most [-]: with it (omega dt)^2 may be 2.
 constexpr double largest_damping = 1.0;
 
-bool all(const std::array<bool, 3>& axes) {
-  return axes[0] && axes[1] && axes[2];
-}
-
 /// What is held of a vector.
 Vec3 held_part(const Vec3& vector, const Matrix3& axes, const std::array<bool, 3>& held) {
-  if (all(held)) return vector;
+  if (all_of(held)) return vector;
   Vec3 part;
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (held[axis]) part += dot(vector, axes.column[axis]) * axes.column[axis];
@@ -42,7 +38,7 @@ Vec3 held_part(const Vec3& vector, const Matrix3& axes, const std::array<bool, 3
 }
 
 /// The global axis that is furthest from a direction.
-Vec3 across(const Vec3& direction) {
+Vec3 furthest_axis(const Vec3& direction) {
   int furthest = 0;
   for (int axis = 1; axis < 3; ++axis)
     if (std::fabs(direction[axis]) < std::fabs(direction[furthest])) furthest = axis;
@@ -112,7 +108,7 @@ void Joints::add_springs(const Places& place, JointKind kind, const JointBodies&
 void Joints::add_sliding_springs(const Places& place, JointKind kind, const JointBodies& body, Joint& joint) {
   const bool is_guided = kind == JointKind::Translational;
   const Vec3 axis = normalised(place[2] - place[0]);
-  Vec3 side = is_guided ? place[4] - place[0] : across(axis);
+  Vec3 side = is_guided ? place[4] - place[0] : furthest_axis(axis);
   side = normalised(side - dot(side, axis) * axis);
   const Matrix3 axes{{axis, side, cross(axis, side)}};
   const auto hold = [&](std::size_t node, std::array<bool, 3> held) {

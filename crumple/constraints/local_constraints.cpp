@@ -18,7 +18,7 @@ namespace {
 constexpr double dependent = 1e-6;
 
 /// Any unit vector across another one.
-Vec3 across(const Vec3& direction) {
+Vec3 unit_across(const Vec3& direction) {
   Vec3 axis;
   int least = 0;
   for (int i = 1; i < 3; ++i)
@@ -116,7 +116,7 @@ void LocalConstraints::add_motion(const model::PrescribedMotion& motion, Index p
   if (!motion.holds_plane) return;
   const Vec3 along = row.direction;
   row.motion = no_index;
-  row.direction = across(along);
+  row.direction = unit_across(along);
   rows_.push_back(row);
   row.direction = cross(along, row.direction);
   rows_.push_back(row);

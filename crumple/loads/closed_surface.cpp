@@ -11,7 +11,7 @@ using math::Vec3;
 
 namespace {
 
-constexpr Index piece = 1024;
+constexpr Index surface_piece = 1024;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ ClosedSurface::ClosedSurface(const std::vector<std::array<Index, 4>>& segments) 
   }
   parts_.resize(segments_.size());
   gradients_.resize(nodes_.size());
-  sums_.resize(static_cast<std::size_t>(pieces(static_cast<Index>(segments_.size()), piece)));
+  sums_.resize(static_cast<std::size_t>(pieces(static_cast<Index>(segments_.size()), surface_piece)));
 }
 
 void ClosedSurface::measure(const domain::NodeFields& fields, int threads) {
@@ -62,9 +62,9 @@ void ClosedSurface::measure(const domain::NodeFields& fields, int threads) {
   const auto nodes = static_cast<Index>(nodes_.size());
   // Seen from one of its nodes: far away from the origin digits would be lost.
   const Vec3 origin = nodes_.empty() ? Vec3{} : fields.position[nodes_.front()];
-  parallel_for(pieces(segments, piece), threads, [&](Index p) {
+  parallel_for(pieces(segments, surface_piece), threads, [&](Index p) {
     std::array<double, 2> sum{};
-    for (Index s = p * piece; s < std::min((p + 1) * piece, segments); ++s) {
+    for (Index s = p * surface_piece; s < std::min((p + 1) * surface_piece, segments); ++s) {
       const std::array<Index, 4>& segment = segments_[static_cast<std::size_t>(s)];
       std::array<Vec3, 4> x;
       for (std::size_t k = 0; k < 4; ++k) x[k] = fields.position[segment[k]] - origin;
@@ -82,8 +82,8 @@ void ClosedSurface::measure(const domain::NodeFields& fields, int threads) {
     volume_ += sum[0] / 3;
     area_ += sum[1];
   }
-  parallel_for(pieces(nodes, piece), threads, [&](Index p) {
-    for (Index i = p * piece; i < std::min((p + 1) * piece, nodes); ++i) {
+  parallel_for(pieces(nodes, surface_piece), threads, [&](Index p) {
+    for (Index i = p * surface_piece; i < std::min((p + 1) * surface_piece, nodes); ++i) {
       const auto at = static_cast<std::size_t>(i);
       Vec3 sum;
       for (Index c = first_corner_[at]; c < first_corner_[at + 1]; ++c) {

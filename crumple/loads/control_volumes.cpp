@@ -14,7 +14,7 @@ using math::Vec3;
 
 namespace {
 
-constexpr Index piece = 1024;
+constexpr Index airbag_piece = 1024;
 
 std::vector<std::array<Index, 4>> domain_segments(const model::ControlVolume& volume,
                                                   const domain::Domain& domain) {
@@ -59,10 +59,10 @@ void ControlVolumes::push_nodes(domain::Domain& domain, Volume& volume, double p
   const std::vector<Index>& pushed = volume.surface.nodes();
   const auto count = static_cast<Index>(pushed.size());
   const double half_step = 0.5 * domain.clock.step;
-  sums_.assign(static_cast<std::size_t>(pieces(count, piece)), {});
-  parallel_for(pieces(count, piece), domain.execution.threads, [&](Index p) {
+  sums_.assign(static_cast<std::size_t>(pieces(count, airbag_piece)), {});
+  parallel_for(pieces(count, airbag_piece), domain.execution.threads, [&](Index p) {
     std::array<double, 2> sum{};
-    for (Index i = p * piece; i < std::min((p + 1) * piece, count); ++i) {
+    for (Index i = p * airbag_piece; i < std::min((p + 1) * airbag_piece, count); ++i) {
       const auto at = static_cast<std::size_t>(i);
       const Index node = pushed[at];
       const Vec3& gradient = volume.surface.gradients()[at];
