@@ -11,7 +11,6 @@
 namespace crumple::elements {
 namespace {
 
-using materials::SolidStrain;
 using materials::SolidStress;
 using materials::tile_lanes;
 using Tensor = SolidStress<double>;  // stresses, and strains with the shears of the tensor
