@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "constraints/local_constraints.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
+#include <utility>
 
 #include "base/error.hpp"
 #include "math/to_vec3.hpp"
@@ -47,6 +50,27 @@ class Basis {
   int count_ = 0;
 };
 
+/// Places of a list by the node that they are of: pairs in ascending order.
+using PlacesByNode = std::vector<std::pair<Index, Index>>;
+
+template <class Items>
+PlacesByNode places_by_node(const Items& items, const std::vector<char>& local) {
+  PlacesByNode found;
+  for (Index place = 0; place < static_cast<Index>(items.size()); ++place) {
+    const Index node = items[static_cast<std::size_t>(place)].node;
+    if (node != no_index && local[static_cast<std::size_t>(node)] != 0) found.emplace_back(node, place);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// The part of the list that is of one node.
+std::span<const std::pair<Index, Index>> of_node(const PlacesByNode& list, Index node) {
+  const auto first = std::lower_bound(list.begin(), list.end(), std::pair<Index, Index>{node, 0});
+  const auto last = std::lower_bound(first, list.end(), std::pair<Index, Index>{node + 1, 0});
+  return {first, last};
+}
+
 }  // namespace
 
 std::vector<char> nodes_with_local_constraints(const model::Model& model) {
@@ -60,6 +84,8 @@ std::vector<char> nodes_with_local_constraints(const model::Model& model) {
 
 LocalConstraints::LocalConstraints(const model::Model& model, Domain& domain) : model_(&model) {
   const std::vector<char> local = nodes_with_local_constraints(model);
+  const PlacesByNode motions = places_by_node(model.prescribed_motions, local);
+  const PlacesByNode supports = places_by_node(model.local_supports, local);
   for (Index node = 0; node < model.nodes.count(); ++node) {
     if (local[static_cast<std::size_t>(node)] == 0) continue;
     const Index own = domain.nodes.domain_node[node];
@@ -69,7 +95,12 @@ LocalConstraints::LocalConstraints(const model::Model& model, Domain& domain) : 
     Node entry;
     entry.node = own;
     entry.first = rows_.size();
-    add_rows(model, node, domain.nodes.fixed[own]);
+    // Motions go before supports, and of motions the last one first.
+    const auto own_motions = of_node(motions, node);
+    for (auto motion = own_motions.rbegin(); motion != own_motions.rend(); ++motion)
+      add_motion(model.prescribed_motions[motion->second], motion->second);
+    for (const auto& [of, place] : of_node(supports, node)) add_support(model.local_supports[place]);
+    add_held_axes(domain.nodes.fixed[own]);
     entry.last = rows_.size();
     nodes_.push_back(entry);
     reactions_.push_back({own, {}, {}});
@@ -78,20 +109,15 @@ LocalConstraints::LocalConstraints(const model::Model& model, Domain& domain) : 
   deferred_.assign(nodes_.size(), 0.0);
 }
 
-/// Motions go before supports, and of motions the last one first.
-void LocalConstraints::add_rows(const model::Model& model, Index model_node, std::uint8_t fixed) {
-  const auto motions = static_cast<Index>(model.prescribed_motions.size());
-  for (Index place = motions - 1; place >= 0; --place)
-    if (const model::PrescribedMotion& motion = model.prescribed_motions[place]; motion.node == model_node)
-      add_motion(motion, place);
-  for (const model::LocalSupport& support : model.local_supports) {
-    if (support.node != model_node) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      for (const bool rotation : {false, true})
-        if (rotation ? support.rotation[axis] : support.translation[axis])
-          rows_.push_back(
-              {math::to_vec3(support.axes[axis]), rotation, no_index, true, support.birth, support.death});
-  }
+void LocalConstraints::add_support(const model::LocalSupport& support) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const bool rotation : {false, true})
+      if (rotation ? support.rotation[axis] : support.translation[axis])
+        rows_.push_back(
+            {math::to_vec3(support.axes[axis]), rotation, no_index, true, support.birth, support.death});
+}
+
+void LocalConstraints::add_held_axes(std::uint8_t fixed) {
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 direction;
     direction[axis] = 1;

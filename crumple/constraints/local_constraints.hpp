@@ -57,7 +57,8 @@ class LocalConstraints {
     math::Vec3 velocity;    ///< v(n-1/2)
     math::Vec3 spin;        ///< omega(n-1/2)
   };
-  void add_rows(const model::Model& model, Index model_node, std::uint8_t fixed);
+  void add_support(const model::LocalSupport& support);
+  void add_held_axes(std::uint8_t fixed);  ///< of the global ones
   void add_motion(const model::PrescribedMotion& motion, Index place);
   void stop_initial_motion(domain::Domain& domain, const Node& node) const;
   /// Changes the velocity as the rows of one sort ask; returns the part that supports have in the change.
