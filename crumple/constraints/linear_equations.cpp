@@ -48,7 +48,8 @@ LinearEquations::LinearEquations(const model::Model& model, Domain& domain) {
   make_groups(model, domain);
   remember(domain);
   for (Group& group : groups_) {
-    assemble(domain.nodes, group);
+    take_masses(domain.nodes, group);
+    assemble(group);
     if (!factorise(group))
       throw Error("The linear equation " + std::to_string(group.equations.front().id) +
                   " and those that share its nodes cannot be solved: they depend on each other.");
@@ -104,12 +105,21 @@ void LinearEquations::make_groups(const model::Model& model, const Domain& domai
                spins_.end());
 }
 
-void LinearEquations::assemble(const NodeFields& nodes, Group& group) {
-  const std::size_t count = group.equations.size();
+/// Returns whether any is not what it was.
+bool LinearEquations::take_masses(const NodeFields& nodes, Group& group) {
+  bool changed = false;
   for (const Equation& equation : group.equations)
-    for (const Term& term : equation.terms)
-      group.inverse_mass[static_cast<std::size_t>(term.place)] =
-          inverse_mass_of(nodes, term.node, term.component);
+    for (const Term& term : equation.terms) {
+      double& known = group.inverse_mass[static_cast<std::size_t>(term.place)];
+      const double now = inverse_mass_of(nodes, term.node, term.component);
+      changed = changed || now != known;
+      known = now;
+    }
+  return changed;
+}
+
+void LinearEquations::assemble(Group& group) {
+  const std::size_t count = group.equations.size();
   for (std::size_t row = 0; row < count; ++row) {
     std::fill(group.impulse.begin(), group.impulse.end(), 0.0);
     for (const Term& term : group.equations[row].terms) {
@@ -181,8 +191,10 @@ KineticChange LinearEquations::constrain(Domain& domain) {
   const double before = rotational();
   for (Group& group : groups_) {
     // Masses change when a tie ends.
-    assemble(nodes, group);
-    factorise(group);
+    if (take_masses(nodes, group)) {
+      assemble(group);
+      factorise(group);
+    }
     for (std::size_t row = 0; row < group.equations.size(); ++row) {
       group.right[row] = 0;
       for (const Term& term : group.equations[row].terms)

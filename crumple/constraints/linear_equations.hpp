@@ -52,7 +52,8 @@ class LinearEquations {
   };
 
   void make_groups(const model::Model& model, const domain::Domain& domain);
-  static void assemble(const domain::NodeFields& nodes, Group& group);
+  static bool take_masses(const domain::NodeFields& nodes, Group& group);
+  static void assemble(Group& group);
   static bool factorise(Group& group);
   static void solve(Group& group);
   static void push(domain::NodeFields& nodes, const Group& group);
