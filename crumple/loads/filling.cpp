@@ -6,8 +6,13 @@
 #include <type_traits>
 #include <variant>
 
+#include "math/power.hpp"
+
 namespace crumple::loads {
 namespace {
+
+// Powers and logarithms are ours: those of the library differ between processors.
+constexpr double natural_log = 0.69314718055994530942;  // of two
 
 using Curves = std::vector<model::Curve>;
 
@@ -37,7 +42,7 @@ void settle(const model::PressureOfVolume& law, const Curves& curves, FillingSta
 
 void settle(const model::AdiabaticGas& law, FillingState& state) {
   const double absolute =
-      (law.pressure + law.ambient) * std::pow(state.initial_volume / state.volume, law.exponent);
+      (law.pressure + law.ambient) * math::power(state.initial_volume / state.volume, law.exponent);
   state.pressure = law.scale * (absolute - law.ambient);
   state.stiffness = law.scale * law.exponent * absolute / state.volume;
   state.energy = absolute * state.volume / (law.exponent - 1);
@@ -48,7 +53,7 @@ void settle(const model::AdiabaticGas& law, FillingState& state) {
 void settle(const model::LinearFluid& law, const Curves& curves, double time, FillingState& state) {
   const double bulk_modulus = at(curves, law.bulk_modulus_time, time, law.bulk_modulus);
   const double unloaded = state.mass / law.density;
-  const double strain = std::log(state.volume / unloaded);
+  const double strain = natural_log * math::binary_log(state.volume / unloaded);
   state.pressure = -bulk_modulus * strain + at(curves, law.added_pressure, time, 0);
   state.stiffness = bulk_modulus / state.volume;
   state.energy = bulk_modulus * (state.volume * strain - state.volume + unloaded);
@@ -134,10 +139,11 @@ void advance(const model::InflatedGas& law, const Curves& curves, const FillingS
 
 double orifice_flow(double pressure, double density, double ambient, double exponent) {
   if (!(pressure > ambient) || !(density > 0)) return 0;
-  const double critical = std::pow(2 / (exponent + 1), exponent / (exponent - 1));
+  const double critical = math::power(2 / (exponent + 1), exponent / (exponent - 1));
   const double ratio = std::max(ambient / pressure, critical);
-  const double head = 1 - std::pow(ratio, (exponent - 1) / exponent);
-  return std::pow(ratio, 1 / exponent) * std::sqrt(2 * exponent / (exponent - 1) * pressure * density * head);
+  const double head = 1 - math::power(ratio, (exponent - 1) / exponent);
+  return math::power(ratio, 1 / exponent) *
+         std::sqrt(2 * exponent / (exponent - 1) * pressure * density * head);
 }
 
 FillingState Filling::initial(double volume) const {
