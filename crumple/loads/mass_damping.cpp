@@ -116,11 +116,11 @@ double MassDamping::damp_bodies(Damping& damping, domain::Domain& domain) {
 }
 
 /// The mean of the dampings at a node, which its mass weighs, is no larger than the largest of a part.
-double MassDamping::stable_share(double undamped_step) const {
+double MassDamping::stable_share(double undamped_step) {
   if (dampings_.empty()) return 1;
   double of_all = 0;
   double of_parts = 0;
-  std::vector<double> by_part(model_->part_dampings.empty() ? 0 : model_->parts.size(), 0.0);
+  rate_of_part_.assign(model_->part_dampings.empty() ? 0 : model_->parts.size(), 0.0);
   for (const Damping& damping : dampings_) {
     const double rate = std::max(0.0, damping.factor) * largest_factor(*damping.given);
     if (damping.of_all) {
@@ -128,7 +128,7 @@ double MassDamping::stable_share(double undamped_step) const {
       continue;
     }
     for (const Index part : damping.given->parts)
-      of_parts = std::max(of_parts, by_part[static_cast<std::size_t>(part)] += rate);
+      of_parts = std::max(of_parts, rate_of_part_[static_cast<std::size_t>(part)] += rate);
   }
   const double a = 0.25 * (of_all + of_parts) * undamped_step;
   return std::sqrt(1 + a * a) - a;

@@ -24,7 +24,7 @@ class MassDamping {
   void add_forces(domain::Domain& domain);
 
   /// The part of an undamped stable step that is stable at time n: 1 without damping [-].
-  double stable_share(double undamped_step) const;
+  double stable_share(double undamped_step);
 
   /// Declares what is remembered of time n-1.
   void declare(domain::StateList& list);
@@ -53,7 +53,8 @@ class MassDamping {
 
   const model::Model* model_;
   std::vector<Damping> dampings_;
-  std::vector<double> taken_;  ///< by the pieces of nodes; kept for its room alone
+  std::vector<double> taken_;         ///< by the pieces of nodes; kept for its room alone
+  std::vector<double> rate_of_part_;  ///< the same
 };
 
 }  // namespace crumple::loads
