@@ -83,20 +83,11 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
       search_(settings_of(settings, threads)),
       motion_(0, 0, threads),
       travel_(0, threads) {
-  const double largest_distance = 2 * surface.largest_half_thickness;
-  if (settings.expansion > 0) {
-    if (settings.expansion <= largest_distance)
-      throw Error("The territory expansion of the contact search is " + std::to_string(settings.expansion) +
-                  ", but it must exceed the largest contact distance, " + std::to_string(largest_distance) +
-                  ".");
-    statistics_.margin = settings.expansion - largest_distance;
-  } else {
-    statistics_.margin = tolerances::margin_over_edge * surface.mean_edge;
-  }
+  statistics_.margin = margin_of(surface, settings);
   // The node's half thickness and the margin are common to all territories, the other half is the segment's.
   common_expansion_ = surface.largest_half_thickness + statistics_.margin;
   segment_expansion_ = surface.half_thickness;
-  statistics_.expansion = largest_distance + statistics_.margin;
+  statistics_.expansion = 2 * surface.largest_half_thickness + statistics_.margin;
   searched_segment_.assign(surface.segment_id.size(), 1);
   std::uint8_t sides = 0;
   for (const std::uint8_t touching : surface.touched_by) {
