@@ -8,6 +8,7 @@
 
 #include "app/session/restart_writer.hpp"
 #include "base/error.hpp"
+#include "output/files/own_file.hpp"
 
 namespace crumple::app {
 
@@ -153,6 +154,7 @@ void set_restart_files_aside(const std::filesystem::path& results, const Restart
       if (output::read_restart_file(path).record.cycle <= restart.content.record.cycle) continue;
       other += abandoned_ending;
     } catch (const Error&) {
+  output::remove_unfinished_files(results / restart_folder);
       other += damaged_ending;
     }
     std::filesystem::rename(path, other, ignored);

@@ -121,6 +121,7 @@ void RunSession::open_files(const Restart* restart) {
   if (goes_on) {
     output::remove_ending(folder_);
     set_restart_files_aside(folder_, *restart);
+  output::require_no_link(folder_ / restart_folder);
   } else {
     output::remove_earlier_results(folder_);
     remove_restart_files(folder_);
