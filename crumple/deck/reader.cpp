@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
+#include <unordered_map>
 
 #include "deck/build/build.hpp"
 #include "deck/build/units.hpp"
@@ -74,8 +76,9 @@ class Reading final : private DeckHandler {
   Parameters parameters_;
   RawDeck deck_;
   std::deque<Placement> placements_;                      ///< of the files of *INCLUDE_TRANSFORM
-  std::vector<std::pair<const Keyword*, Where>> single_;  ///< keywords that count once, with their place
+  std::map<const Keyword*, Where> single_;                ///< keywords that count once, with their last place
   std::vector<IgnoredKeyword> ignored_;
+  std::unordered_map<std::string_view, std::size_t> ignored_index_;  ///< by keyword
   bool has_keywords_ = false;
 };
 
@@ -111,16 +114,17 @@ void Reading::take_block(const Block& block) {
     return;
   }
   if (!found->keyword->repeats) {
-    for (auto& [keyword, where] : single_)
-      if (keyword == found->keyword)
-        report_.warning(block.where, "again",
-                        fmt::format("replaces what the same keyword says at {}", report_.place(where)));
-    single_.emplace_back(found->keyword, block.where);
+    const auto [earlier, is_first] = single_.try_emplace(found->keyword, block.where);
+    if (!is_first)
+      report_.warning(block.where, "again",
+                      fmt::format("replaces what the same keyword says at {}", report_.place(earlier->second)));
+    earlier->second = block.where;
   }
   Cards cards(block, found->heading, parameters_, report_);
   found->keyword->read(cards, deck_);
   cards.report_unread();
-  if (cards.is_damaged()) deck_.faulty.push_back(block.where.keyword);
+  if (cards.is_damaged() && std::ranges::find(deck_.faulty, block.where.keyword) == deck_.faulty.end())
+    deck_.faulty.push_back(block.where.keyword);
 }
 
 std::vector<Inclusion> Reading::inclusions_of(const Block& block) {
@@ -141,7 +145,9 @@ void Reading::leave_out(const Block& block) {
     // All output keywords of LS-DYNA are known: another one is a mistake.
     const std::string_view fault =
         block.name.starts_with("DATABASE_") ? "LS-DYNA has no such keyword" : "this keyword is not supported";
-    const std::string advice = advice_on(block.name);
+    // Beyond so many there is no message, and finding the nearest keyword takes longer than reading.
+    const bool is_shown = ignored_.size() < Report::most_kinds;
+    const std::string advice = is_shown ? advice_on(block.name) : "";
     const std::string_view left_out = report_.allow_unsupported() ? ", and is left out" : "";
     const std::string_view link = advice.ends_with('?')                ? " If not, "
                                   : advice.starts_with("; nearest is") ? "; otherwise "
@@ -155,11 +161,11 @@ void Reading::leave_out(const Block& block) {
   const Omission why = row                           ? Omission::Harmless
                        : report_.allow_unsupported() ? Omission::OnRequest
                                                      : Omission::Refused;
-  const std::string name(block.where.keyword);
-  const auto known = std::find_if(ignored_.begin(), ignored_.end(),
-                                  [&](const IgnoredKeyword& ignored) { return ignored.keyword == name; });
-  if (known == ignored_.end())
-    ignored_.push_back({name, report_.file_name(block.where.file), block.where.line, 1, why});
+  // The scanner keeps the names.
+  const auto [known, is_new] = ignored_index_.try_emplace(block.where.keyword, ignored_.size());
+  if (is_new)
+    ignored_.push_back({std::string(block.where.keyword), report_.file_name(block.where.file), block.where.line,
+                        1, why});
   else
     ++known->count;
 }

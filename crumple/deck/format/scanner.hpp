@@ -90,6 +90,7 @@ class Scanner {
   ColumnFormat format_ = ColumnFormat::Standard;
   std::optional<Block> block_;
   int includes_ = 0;
+  std::uint64_t bytes_ = 0;  ///< of all files
   std::uint64_t hash_ = 14695981039346656037ULL;
 };
 
