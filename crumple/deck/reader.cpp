@@ -135,6 +135,8 @@ std::vector<Inclusion> Reading::inclusions_of(const Block& block) {
 
 void Reading::leave_out(const Block& block) {
   note_definition(block);
+  if (!options_.parameters.empty())
+    for (const Line& line : block.lines) parameters_.note_references(line.text);
   const IgnoredRow* row = find_ignored(block.name);
   if (row) {
     report_.warning(block.where, "ignored", fmt::format("is left out: {}", row->reason));
@@ -167,7 +169,7 @@ void Reading::leave_out(const Block& block) {
     ignored_.push_back({std::string(block.where.keyword), report_.file_name(block.where.file), block.where.line,
                         1, why});
   else
-    ++known->count;
+    ++ignored_[known->second].count;
 }
 
 void Reading::note_definition(const Block& block) {
@@ -211,8 +213,10 @@ ReadResult Reading::run() {
   result.text_hash = scanner_.text_hash();
   result.ignored_keywords = ignored_;
   result.texts = std::move(texts_);
+  result.parameters = parameters_.all();
   if (has_keywords_) {
     check_settings(deck_, report_);
+    parameters_.report_unused_presets(report_);
     model::Model model = build_model(deck_, options_, report_);
     check_whole(model);
     result.unit_system = guess_units(model);
@@ -250,6 +254,13 @@ ReadResult read_deck_text(std::string_view text, const ReadOptions& options,
                           const std::map<std::string, std::string>& included, const std::string& name) {
   MemorySource source(name, text, included);
   return Reading(source, options).run();
+}
+
+std::uint64_t hash_with_parameters(const ReadResult& deck) {
+  std::uint64_t hash = deck.text_hash;
+  for (const SetParameter& parameter : deck.parameters)
+    if (parameter.is_preset) hash = fnv1a(hash, fmt::format("{}={}\n", parameter.name, parameter.value));
+  return hash;
 }
 
 int error_count(const std::vector<Diagnostic>& diagnostics) {

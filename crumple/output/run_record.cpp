@@ -2,6 +2,7 @@
 #include "output/run_record.hpp"
 
 #include <fmt/core.h>
+#include <zlib.h>
 
 #include <nlohmann/json.hpp>
 
@@ -153,6 +154,32 @@ Json energy_trace_of(const View& view) {
       {"parts", list_of(report.parts)}, {"contacts", list_of(report.contacts)}, {"worst_elements", worst}};
 }
 
+/// As numbers where they can be read back as they are.
+Json parameters_of(const std::vector<RunParameter>& parameters) {
+  Json json = Json::object();
+  for (const RunParameter& parameter : parameters) {
+    Json value = Json::parse(parameter.value, nullptr, false);
+    if (!value.is_number()) value = parameter.value;
+    json[parameter.name] = {{"value", std::move(value)},
+                            {"source", parameter.by_command_line ? "command line" : "deck"}};
+  }
+  return json;
+}
+
+Json versions_of(const RunRecord& record) {
+#if defined(__clang__)
+  const std::string compiler = "Clang " __clang_version__;
+#else
+  const std::string compiler = "GCC " __VERSION__;
+#endif
+  return {{"crumple", record.version},
+          {"compiler", compiler},
+          {"fmt", FMT_VERSION},
+          {"zlib", ZLIB_VERSION},
+          {"json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                               NLOHMANN_JSON_VERSION_PATCH)}};
+}
+
 Json checks_of(const std::vector<Check>& checks) {
   Json list = Json::array();
   for (const Check& check : checks) {
@@ -193,6 +220,11 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
   const Json json = {{"version", record.version},
                      {"deck", record.deck},
                      {"deck_hash", fmt::format("{:016x}", record.deck_hash)},
+                     {"deck_hash_with_parameters", fmt::format("{:016x}", record.deck_hash_with_parameters)},
+                     {"parameters", parameters_of(record.parameters)},
+                     {"command", record.command},
+                     {"options", record.options.empty() ? Json() : Json::parse(record.options, nullptr, false)},
+                     {"versions", versions_of(record)},
                      {"perturbation", record.perturbation},
                      {"seed", record.seed},
                      {"title", view.model.title},

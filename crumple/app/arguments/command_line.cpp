@@ -129,7 +129,8 @@ void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
               options.parameters.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
             }
           },
-          "NAME=NUMBER: value of a parameter (&NAME), before that of *PARAMETER; may be repeated")
+          "NAME=NUMBER: value of a parameter (&NAME) that the deck uses, before that of *PARAMETER; may be\n"
+          "repeated")
       ->allow_extra_args(false)
       ->check(parameter_setting());
   command.add_flag("--allow-unsupported", options.allow_unsupported,
@@ -376,5 +377,6 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
                                       : Command::Bench;
   return line;
 }
+  line.options.command = arguments;
 
 }  // namespace crumple::app

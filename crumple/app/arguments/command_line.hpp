@@ -53,6 +53,7 @@ struct Options {
   std::uint64_t seed = 1;          ///< of the perturbation
   int scatter_runs = 8;            ///< of `crumple scatter`, with the unperturbed one
   std::vector<std::string> notes;  ///< on arguments that were accepted without effect
+  std::vector<std::string> command;  ///< the arguments as they were given
 };
 
 enum class Command { Run, Check, Scatter, Bench, Report, Compare, Keywords, Help, Mistake };

@@ -126,6 +126,12 @@ bool changes_end_time(const std::filesystem::path& changes) {
 
 }  // namespace
 
+std::string options_text(const Options& options) {
+  Json json = json_of(options);
+  json.erase("parameters");
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 output::RestartRecord make_restart_record(const RestartSettings& settings) {
   output::RestartRecord record;
   record.version = program_version();
@@ -173,6 +179,7 @@ Options continued_options(const Options& asked, const Restart& restart) {
   options.verify_search = asked.verify_search;
   options.notes = asked.notes;
   options.allow_negative_contact_energy |= asked.allow_negative_contact_energy;
+  options.command = asked.command;
   options.d3plot = options.d3plot || asked.d3plot;
   if (asked.threads) options.threads = asked.threads;
   if (asked.isa) options.isa = asked.isa;

@@ -276,6 +276,11 @@ void RunSession::write_record(const Ending& ending) {
   record.seed = restart_settings_.options.seed;
   record.units = deck::guess_units(simulation_.model());
   record.termination = ending.termination;
+  record.deck_hash_with_parameters = deck::hash_with_parameters(deck_);
+  record.command = options_.command;
+  record.options = options_text(restart_settings_.options);
+  for (const deck::SetParameter& parameter : deck_.parameters)
+    record.parameters.push_back({parameter.name, parameter.value, parameter.is_preset});
   record.reason = ending.reason;
   record.wall_seconds = wall_.seconds();
   record.loop_seconds = loop_seconds_;

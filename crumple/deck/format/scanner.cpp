@@ -29,6 +29,14 @@ std::optional<std::string_view> crumple_setting(std::string_view comment) {
 
 }  // namespace
 
+std::uint64_t fnv1a(std::uint64_t hash, std::string_view text) {
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 1099511628211ULL;
+  }
+  return hash;
+}
+
 void Scanner::read_deck() {
   static const Placement unmoved;
   read_file(source_->deck(), {}, &unmoved);
@@ -54,14 +62,6 @@ void Scanner::read_file(LoadedText loaded, const Where& from, const Placement* p
     report_->error(from, "too many", "too many files are included, or too deep; is there a mistake?");
     return;
   }
-  OpenFile file{std::move(loaded), 0, placement};
-  file.number = report_->add_file(file.loaded.name);
-  files_.push_back(file.loaded.path.empty() ? std::filesystem::path(file.loaded.name) : file.loaded.path);
-  texts_.push_back(std::move(*file.loaded.text));
-  const std::string_view text = texts_.back();
-  hash_ = fnv1a(hash_, text);
-  if (!is_text(text, file.number)) return;
-
   bytes_ += loaded.text->size();
   if (bytes_ > most_input_bytes()) {
     report_->error(from, "too large",
@@ -70,6 +70,14 @@ void Scanner::read_file(LoadedText loaded, const Where& from, const Placement* p
                                size_text(most_input_bytes()), loaded.name));
     return;
   }
+  OpenFile file{std::move(loaded), 0, placement};
+  file.number = report_->add_file(file.loaded.name);
+  files_.push_back(file.loaded.path.empty() ? std::filesystem::path(file.loaded.name) : file.loaded.path);
+  texts_.push_back(std::move(*file.loaded.text));
+  const std::string_view text = texts_.back();
+  hash_ = fnv1a(hash_, text);
+  if (!is_text(text, file.number)) return;
+
   open_.push_back(file.loaded.identity);
   const ColumnFormat outer = format_;
   handler_->begin_file();

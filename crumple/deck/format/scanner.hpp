@@ -94,6 +94,9 @@ class Scanner {
   std::uint64_t hash_ = 14695981039346656037ULL;
 };
 
+/// Goes on with a hash, FNV-1a of 64 bits.
+std::uint64_t fnv1a(std::uint64_t hash, std::string_view text);
+
 /// Appends a line of a file's or folder's name. True if it goes on in the next line, behind " +".
 bool append_name(std::string& name, std::string_view text);
 
