@@ -22,6 +22,7 @@
 #include "output/files/write_error.hpp"
 #include "output/run_record.hpp"
 
+#include "timeloop/fitting_state.hpp"
 namespace crumple::app {
 
 namespace {
@@ -105,6 +106,7 @@ void RunSession::begin() {
 void RunSession::take_up(const Restart& restart) {
   restart.content.simulation.put_back(simulation_.state());
   simulation_.resume();
+  timeloop::require_fitting_state(restart.content.simulation, simulation_.state(), simulation_.domain());
   restart.content.files.put_back_known(own_state());
   warnings_ = restart.settings.warnings;
   if (options_.quiet) return;
