@@ -22,7 +22,7 @@ live::RunStatus live_status(const domain::Domain& domain, const Progress& progre
   status.time = domain.clock.time;
   status.end_time = progress.end_time;
   status.frames = frames;
-  if (progress.cycle_seconds > 0) status.seconds_to_go = seconds_to_go(domain, progress);
+  if (progress.seconds_to_go >= 0) status.seconds_to_go = progress.seconds_to_go;
   status.nanoseconds_per_element_cycle = output::nanoseconds_per_element_cycle(domain, progress.seconds);
   return status;
 }
