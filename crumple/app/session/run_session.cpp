@@ -18,11 +18,12 @@
 #include "elements/elements.hpp"
 #include "output/earlier_results.hpp"
 #include "output/files/atomic_file.hpp"
+#include "output/files/folder_lock.hpp"
 #include "output/files/set_aside.hpp"
 #include "output/files/write_error.hpp"
 #include "output/run_record.hpp"
-
 #include "timeloop/fitting_state.hpp"
+
 namespace crumple::app {
 
 namespace {
@@ -84,6 +85,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   // Other instruction sets round otherwise.
   restart_settings_.options.isa = std::string(isa_name(domain.execution.isa));
   output::make_folder(folder_);
+  lock_ = std::make_unique<output::FolderLock>(folder_);
   open_files(restart);
   restart_writer_ = std::make_unique<RestartWriter>(folder_ / restart_folder, deck.model->output.restart,
                                                     options.restart_every, domain.clock);
@@ -104,9 +106,9 @@ void RunSession::begin() {
 }
 
 void RunSession::take_up(const Restart& restart) {
+  timeloop::require_fitting_state(restart.content.simulation, simulation_.state(), simulation_.domain());
   restart.content.simulation.put_back(simulation_.state());
   simulation_.resume();
-  timeloop::require_fitting_state(restart.content.simulation, simulation_.state(), simulation_.domain());
   restart.content.files.put_back_known(own_state());
   warnings_ = restart.settings.warnings;
   if (options_.quiet) return;
@@ -119,11 +121,11 @@ void RunSession::open_files(const Restart* restart) {
   const bool goes_on = restart != nullptr && lies_in(restart->file, folder_ / restart_folder);
   output::ExtraFiles extra{.d3plot = options_.d3plot};
   if (goes_on) extra.opening = output::Opening::Continued;
+  output::require_no_link(folder_ / restart_folder);
   // Whoever finds run.json knows that it belongs to the results beside it.
   if (goes_on) {
     output::remove_ending(folder_);
     set_restart_files_aside(folder_, *restart);
-  output::require_no_link(folder_ / restart_folder);
   } else {
     output::remove_earlier_results(folder_);
     remove_restart_files(folder_);
@@ -274,15 +276,15 @@ void RunSession::write_record(const Ending& ending) {
   record.version = program_version();
   record.deck = restart_settings_.options.deck.string();
   record.deck_hash = deck_.text_hash;
-  record.perturbation = restart_settings_.options.perturbation;
-  record.seed = restart_settings_.options.seed;
-  record.units = deck::guess_units(simulation_.model());
-  record.termination = ending.termination;
   record.deck_hash_with_parameters = deck::hash_with_parameters(deck_);
   record.command = options_.command;
   record.options = options_text(restart_settings_.options);
   for (const deck::SetParameter& parameter : deck_.parameters)
     record.parameters.push_back({parameter.name, parameter.value, parameter.is_preset});
+  record.perturbation = restart_settings_.options.perturbation;
+  record.seed = restart_settings_.options.seed;
+  record.units = deck::guess_units(simulation_.model());
+  record.termination = ending.termination;
   record.reason = ending.reason;
   record.wall_seconds = wall_.seconds();
   record.loop_seconds = loop_seconds_;
