@@ -1,13 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <iostream>
 #include <string>
 #include <vector>
 
 #include "app/program.hpp"
 
+namespace {
+
+/// What the deepest calls take, and those of the threads, whose stacks have the same limit [bytes].
+constexpr rlim_t least_stack = rlim_t{1} << 20U;
+
+/// Beyond its limit the program would end without a word.
+bool has_stack() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= least_stack) return true;
+  std::fprintf(stderr, "crumple: error: The stack is limited to %lu kB, %lu are needed: ulimit -s %lu.\n",
+               static_cast<unsigned long>(limit.rlim_cur >> 10U), static_cast<unsigned long>(least_stack >> 10U),
+               static_cast<unsigned long>(least_stack >> 10U));
+  return false;
+}
+
+}  // namespace
+
 int main(int count, char** values) {
+  if (!has_stack()) return static_cast<int>(crumple::app::ExitCode::Usage);
   const std::vector<std::string> arguments(values + 1, values + count);
   const crumple::app::Console console{std::cout, std::cerr, isatty(STDOUT_FILENO) == 1};
   return static_cast<int>(crumple::app::run_program(arguments, console));
