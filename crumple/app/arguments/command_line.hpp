@@ -45,6 +45,7 @@ struct Options {
   bool json = false;               ///< of `crumple check`: the answer for programs
   bool report = false;             ///< write a report at the end of the run
   std::optional<int> serve;        ///< port of a live page; 0 is any free one
+  bool token = true;               ///< its address has a random token
   bool d3plot = false;             ///< write d3plot files beside ParaView's
   int trace_energy = 0;            ///< follow the energy balance by groups of so many elements; 0: not
   bool move_apart = false;         ///< move nodes that overlap at the start
@@ -52,8 +53,8 @@ struct Options {
   double perturbation = 0;         ///< of the coordinates, relative to the model's size [-]
   std::uint64_t seed = 1;          ///< of the perturbation
   int scatter_runs = 8;            ///< of `crumple scatter`, with the unperturbed one
-  std::vector<std::string> notes;  ///< on arguments that were accepted without effect
   std::vector<std::string> command;  ///< the arguments as they were given
+  std::vector<std::string> notes;  ///< on arguments that were accepted without effect
 };
 
 enum class Command { Run, Check, Scatter, Bench, Report, Compare, Keywords, Help, Mistake };
@@ -75,6 +76,7 @@ struct ReportOptions {
   std::filesystem::path file;           ///< to write; empty is report.html in the folder
   std::filesystem::path template_file;  ///< empty looks for the one that was built
   std::optional<int> serve;             ///< port of a live page, instead of a file; 0 is any free one
+  bool token = true;                    ///< its address has a random token
   PictureOptions pictures;
   bool quiet = false;
 };

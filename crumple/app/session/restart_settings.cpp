@@ -154,13 +154,13 @@ Restart read_restart(const std::filesystem::path& place) {
 
 void set_restart_files_aside(const std::filesystem::path& results, const Restart& restart) {
   std::error_code ignored;
+  output::remove_unfinished_files(results / restart_folder);
   for (const std::filesystem::path& path : restart_files(results / restart_folder)) {
     std::filesystem::path other = path;
     try {
       if (output::read_restart_file(path).record.cycle <= restart.content.record.cycle) continue;
       other += abandoned_ending;
     } catch (const Error&) {
-  output::remove_unfinished_files(results / restart_folder);
       other += damaged_ending;
     }
     std::filesystem::rename(path, other, ignored);
@@ -176,10 +176,11 @@ Options continued_options(const Options& asked, const Restart& restart) {
   options.quiet = asked.quiet;
   options.report = asked.report;
   options.serve = asked.serve;
+  options.token = asked.token;
   options.verify_search = asked.verify_search;
   options.notes = asked.notes;
-  options.allow_negative_contact_energy |= asked.allow_negative_contact_energy;
   options.command = asked.command;
+  options.allow_negative_contact_energy |= asked.allow_negative_contact_energy;
   options.d3plot = options.d3plot || asked.d3plot;
   if (asked.threads) options.threads = asked.threads;
   if (asked.isa) options.isa = asked.isa;
