@@ -120,7 +120,7 @@ endfunction()
 # and with definitions of their own: the second list has the ends of their names. tools/check_tidy reads both.
 set(CRUMPLE_UNITY_LAYERS app compare constraints contact deck domain elements live loads materials model output report
   timeloop)
-set(CRUMPLE_COMPILED_ALONE _history _reader beam_kernels comparison d3plot_state edge_geometry edge_search
+set(CRUMPLE_COMPILED_ALONE _history _reader http_server beam_kernels comparison d3plot_state edge_geometry edge_search
   element_constants forces global_search mass_damping multipliers numbers page quantity_names read_conditions read_control
   read_control_shell read_discretes read_mesh read_parts read_sets read_solids read_walls report_command
   rigid_motion run_record solid_benchmark solid_overlaps sprague_geers stable_steps stop_signals text_file)

@@ -2,7 +2,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -18,9 +17,8 @@ constexpr rlim_t least_stack = rlim_t{1} << 20U;
 bool has_stack() {
   rlimit limit{};
   if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= least_stack) return true;
-  std::fprintf(stderr, "crumple: error: The stack is limited to %lu kB, %lu are needed: ulimit -s %lu.\n",
-               static_cast<unsigned long>(limit.rlim_cur >> 10U), static_cast<unsigned long>(least_stack >> 10U),
-               static_cast<unsigned long>(least_stack >> 10U));
+  std::cerr << "crumple: error: The stack is limited to " << (limit.rlim_cur >> 10U) << " kB, "
+            << (least_stack >> 10U) << " are needed: ulimit -s " << (least_stack >> 10U) << ".\n";
   return false;
 }
 

@@ -97,7 +97,8 @@ std::string read_whole(int file, std::uint64_t bytes, InputFile& input) {
   input.text.resize(static_cast<std::size_t>(got));
   // Files that the kernel makes up have no length, and may have no end.
   char more = 0;
-  if (bytes == 0 && read_up_to(file, &more, 1) != 0) return "the kernel makes this file up, expected a regular one";
+  if (bytes == 0 && read_up_to(file, &more, 1) != 0)
+    return "the kernel makes this file up, expected a regular one";
   return {};
 }
 

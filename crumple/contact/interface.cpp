@@ -23,9 +23,9 @@
 #include "contact/pinball/pinball_contact.hpp"
 #include "contact/search/global_search.hpp"
 #include "contact/search/motion_limit.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/surface/sides.hpp"
 #include "contact/surface/surface.hpp"
-#include "contact/surface/saved_state.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {

@@ -75,8 +75,8 @@ class Reading final : private DeckHandler {
   Scanner scanner_;
   Parameters parameters_;
   RawDeck deck_;
-  std::deque<Placement> placements_;                      ///< of the files of *INCLUDE_TRANSFORM
-  std::map<const Keyword*, Where> single_;                ///< keywords that count once, with their last place
+  std::deque<Placement> placements_;        ///< of the files of *INCLUDE_TRANSFORM
+  std::map<const Keyword*, Where> single_;  ///< keywords that count once, with their last place
   std::vector<IgnoredKeyword> ignored_;
   std::unordered_map<std::string_view, std::size_t> ignored_index_;  ///< by keyword
   bool has_keywords_ = false;
@@ -116,8 +116,9 @@ void Reading::take_block(const Block& block) {
   if (!found->keyword->repeats) {
     const auto [earlier, is_first] = single_.try_emplace(found->keyword, block.where);
     if (!is_first)
-      report_.warning(block.where, "again",
-                      fmt::format("replaces what the same keyword says at {}", report_.place(earlier->second)));
+      report_.warning(
+          block.where, "again",
+          fmt::format("replaces what the same keyword says at {}", report_.place(earlier->second)));
     earlier->second = block.where;
   }
   Cards cards(block, found->heading, parameters_, report_);
@@ -166,8 +167,8 @@ void Reading::leave_out(const Block& block) {
   // The scanner keeps the names.
   const auto [known, is_new] = ignored_index_.try_emplace(block.where.keyword, ignored_.size());
   if (is_new)
-    ignored_.push_back({std::string(block.where.keyword), report_.file_name(block.where.file), block.where.line,
-                        1, why});
+    ignored_.push_back(
+        {std::string(block.where.keyword), report_.file_name(block.where.file), block.where.line, 1, why});
   else
     ++ignored_[known->second].count;
 }

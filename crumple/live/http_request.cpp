@@ -38,9 +38,8 @@ std::string_view trimmed(std::string_view text) {
 
 bool is_host(std::string_view name) {
   constexpr std::string_view host = "host";
-  return std::equal(name.begin(), name.end(), host.begin(), host.end(), [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) == b;
-  });
+  return std::equal(name.begin(), name.end(), host.begin(), host.end(),
+                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
 bool is_printable(std::string_view text) {

@@ -30,8 +30,8 @@ struct ParsedRequest {
   HttpRequest request;
 };
 
-/// Understands the head of a request of HTTP/1.0 or 1.1 (RFC 9112, 2 to 5) at the start of what has come so far.
-/// For any bytes at all; time is linear in their number.
+/// Understands the head of a request of HTTP/1.0 or 1.1 (RFC 9112, 2 to 5) at the start of what has come so
+/// far. For any bytes at all; time is linear in their number.
 ParsedRequest parse_request(std::string_view bytes);
 
 /// The head of an answer, with the headers that all of ours have.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // One thread has all connections and never waits for one of them; some more make the answers, which may take
-// long. Whatever clients do, there are bounds: on the length of a request, the number of connections, the time
-// for a request to come and for an answer to be taken, and the time until all is over.
+// long. Whatever clients do, there are bounds: on the length of a request, the number of connections, the
+// time for a request to come and for an answer to be taken, and the time until all is over.
 #include "live/http_server.hpp"
 
 #include <arpa/inet.h>
@@ -158,7 +158,8 @@ struct HttpServer::Listener {
 };
 
 HttpServer::Listener::Listener(int port_asked, Handler handler_given)
-    : handler(std::move(handler_given)), socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
+    : handler(std::move(handler_given)),
+      socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
   std::array<int, 2> ends{-1, -1};
   if (::pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0) {
     wake_reader = Socket(ends[0]);
@@ -174,8 +175,8 @@ HttpServer::Listener::Listener(int port_asked, Handler handler_given)
   socklen_t length = sizeof address;
   auto* const general = reinterpret_cast<sockaddr*>(&address);
   constexpr int backlog = 16;
-  if (ends[0] < 0 || ::bind(socket.number(), general, length) != 0 || ::listen(socket.number(), backlog) != 0 ||
-      ::getsockname(socket.number(), general, &length) != 0)
+  if (ends[0] < 0 || ::bind(socket.number(), general, length) != 0 ||
+      ::listen(socket.number(), backlog) != 0 || ::getsockname(socket.number(), general, &length) != 0)
     throw Error(
         fmt::format("Port {} cannot be listened at: another program does, or the system reserves it. "
                     "--serve 0 takes any free one.",
@@ -210,7 +211,8 @@ void HttpServer::Listener::give(Connection& connection, Answer answer) const {
   connection.content = std::move(answer.content);
   connection.stage = Stage::Writing;
   constexpr std::size_t bytes_by_millisecond = 1000;
-  connection.deadline = Clock::now() + longest_answer + milliseconds(connection.content->size() / bytes_by_millisecond);
+  connection.deadline =
+      Clock::now() + longest_answer + milliseconds(connection.content->size() / bytes_by_millisecond);
 }
 
 void HttpServer::Listener::take_answers() {
@@ -230,14 +232,15 @@ void HttpServer::Listener::accept_all() {
     const int number = ::accept4(socket.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
     if (number < 0 && errno == EINTR) continue;
     if (number < 0) {
-      if (errno != EAGAIN && errno != EWOULDBLOCK) accepts_from = Clock::now() + pause;
+      if (errno != EAGAIN) accepts_from = Clock::now() + pause;
       return;
     }
     // Who connects and says nothing makes room for others.
     if (connections.size() >= most_connections) {
-      const auto silent = std::find_if(connections.begin(), connections.end(), [](const Connection& connection) {
-        return connection.stage == Stage::Reading || connection.stage == Stage::Closing;
-      });
+      const auto silent =
+          std::find_if(connections.begin(), connections.end(), [](const Connection& connection) {
+            return connection.stage == Stage::Reading || connection.stage == Stage::Closing;
+          });
       connections.erase(silent == connections.end() ? connections.begin() : silent);
     }
     Connection connection;
@@ -282,8 +285,8 @@ void HttpServer::Listener::write_to(Connection& connection) {
   const std::size_t all = head + connection.content->size();
   while (connection.sent < all) {
     const bool in_head = connection.sent < head;
-    const std::string_view rest =
-        std::string_view(in_head ? connection.head : *connection.content).substr(connection.sent - (in_head ? 0 : head));
+    const std::string_view rest = std::string_view(in_head ? connection.head : *connection.content)
+                                      .substr(connection.sent - (in_head ? 0 : head));
     const ssize_t sent = ::send(connection.socket.number(), rest.data(), rest.size(), MSG_NOSIGNAL);
     if (sent < 0 && (errno == EAGAIN || errno == EINTR)) return;
     if (sent <= 0) {

@@ -58,7 +58,8 @@ bool LivePage::is_allowed(std::string_view path) const {
   if (path.size() < root_.size()) return false;
   unsigned difference = 0;
   for (std::size_t i = 0; i < root_.size(); ++i)
-    difference |= static_cast<unsigned char>(path[i]) ^ static_cast<unsigned>(static_cast<unsigned char>(root_[i]));
+    difference |=
+        static_cast<unsigned char>(path[i]) ^ static_cast<unsigned>(static_cast<unsigned char>(root_[i]));
   return difference == 0;
 }
 

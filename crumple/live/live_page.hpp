@@ -30,9 +30,9 @@ class LivePage {
   /// Called by the server's threads, several at a time; must not throw.
   using StatusSource = std::function<RunStatus()>;
 
-  /// Serves from here on; see HttpServer for the port. `token` is the first folder of all paths, so that other
-  /// users of this machine, who do not know it, get nothing; without one, if it is empty, they can read along.
-  /// Throws Error.
+  /// Serves from here on; see HttpServer for the port. `token` is the first folder of all paths, so that
+  /// other users of this machine, who do not know it, get nothing; without one, if it is empty, they can read
+  /// along. Throws Error.
   LivePage(const LiveFiles& files, int port, std::string token, StatusSource status);
   /// Ends within about a second, also while a report is made.
   ~LivePage();

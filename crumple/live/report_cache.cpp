@@ -10,7 +10,8 @@ namespace crumple::live {
 ReportCache::ReportCache(std::filesystem::path folder, const std::filesystem::path& template_file)
     : folder_(std::move(folder)), template_(template_file) {}
 
-std::shared_ptr<const std::string> ReportCache::page(const RunStatus& status, const std::atomic<bool>& ending) {
+std::shared_ptr<const std::string> ReportCache::page(const RunStatus& status,
+                                                     const std::atomic<bool>& ending) {
   const std::lock_guard lock(mutex_);
   const bool ended = status.state == RunState::Ended;
   if (page_ && status.frames <= frames_ && ended == ended_) return page_;

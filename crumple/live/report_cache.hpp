@@ -19,7 +19,8 @@ class ReportCache {
   ReportCache(std::filesystem::path folder, const std::filesystem::path& template_file);
 
   /// The page of the frames so far, of which there must be one; read by the calling thread. Callers at the
-  /// same time wait for one another. Given up, with an Error, soon after `ending` has become true. Throws Error.
+  /// same time wait for one another. Given up, with an Error, soon after `ending` has become true. Throws
+  /// Error.
   std::shared_ptr<const std::string> page(const RunStatus& status, const std::atomic<bool>& ending);
 
  private:

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
@@ -95,7 +95,8 @@ std::optional<double> time_of(const std::optional<std::string>& text) {
   return value;
 }
 
-/// Whether a file lies in the folder of the collection or below: one from somebody else must not lead to others.
+/// Whether a file lies in the folder of the collection or below: one from somebody else must not lead to
+/// others.
 bool stays_inside(const std::filesystem::path& file) {
   return !file.empty() && file.is_relative() && std::find(file.begin(), file.end(), "..") == file.end();
 }

@@ -133,8 +133,7 @@ void VtuReader::add_array(std::string_view tag) {
   const auto offset = parse<std::uint64_t>(attribute(tag, "offset"));
   if (arrays_.size() == most_arrays) refuse("it has too many arrays");
   if (!in_section_ || !type || !name || !components || !offset || *components < 1 ||
-      *components > most_components ||
-      attribute(tag, "format") != "appended" || bytes_of(*type) == 0)
+      *components > most_components || attribute(tag, "format") != "appended" || bytes_of(*type) == 0)
     refuse(fmt::format("the array <{}> is not understood", tag));
   arrays_.push_back({section_, std::string(*name), std::string(*type), *components, *offset});
 }
@@ -233,7 +232,8 @@ std::vector<std::int64_t> VtuReader::integers(Section section, std::string_view 
   check_count(array, values.size());
   if (section == Section::Cells && name == "connectivity")
     for (const std::int64_t point : values)
-      if (point < 0 || point >= points_) refuse(fmt::format("a cell has the point {}, which does not exist", point));
+      if (point < 0 || point >= points_)
+        refuse(fmt::format("a cell has the point {}, which does not exist", point));
   return values;
 }
 

@@ -13,9 +13,9 @@
 namespace crumple::report {
 
 /// Reads the `.vtu` files that a run writes: one piece, appended raw data, zlib, 64-bit headers, the byte
-/// order of this machine. Anything else is refused with an Error that names the file and what is wrong. Files may
-/// come from anybody: every array is checked against what is asked of it, and none takes more memory than the
-/// points and cells of the file need, which in turn its length bounds.
+/// order of this machine. Anything else is refused with an Error that names the file and what is wrong. Files
+/// may come from anybody: every array is checked against what is asked of it, and none takes more memory than
+/// the points and cells of the file need, which in turn its length bounds.
 class VtuReader {
  public:
   enum class Section { PointData, CellData, Points, Cells };

@@ -39,26 +39,36 @@ void require_length(const Saved& array, const domain::StateArray& to, std::size_
   const std::size_t bytes = array.bytes.size();
   if (!to.resize || bytes == to.bytes.size()) return;
   if (!to.bytes.empty()) refuse(array, "has another length than the model gives it");
-  const std::size_t all_nodes = nodes * static_cast<std::size_t>(to.components) * bytes_per_number(array.name);
+  const std::size_t all_nodes =
+      nodes * static_cast<std::size_t>(to.components) * bytes_per_number(array.name);
   if (to.entity == domain::Entity::Node && bytes != 0 && bytes != all_nodes)
     refuse(array, "is neither empty nor of all nodes");
 }
 
 void require_numbers(const Saved& array) {
   constexpr std::array<std::string_view, 3> positive{"mass", "next_step", "largest_step"};
-  constexpr std::array<std::string_view, 5> finite{"position", "velocity", "angular_velocity", "time", "step"};
-  const auto is_one_of = [&](const auto& names) { return std::ranges::find(names, array.name) != names.end(); };
+  constexpr std::array<std::string_view, 5> finite{"position", "velocity", "angular_velocity", "time",
+                                                   "step"};
+  const auto is_one_of = [&](const auto& names) {
+    return std::ranges::find(names, array.name) != names.end();
+  };
   if (is_one_of(finite))
-    require_each<double>(array, [](double value) { return std::isfinite(value); }, "is not finite");
+    require_each<double>(
+        array, [](double value) { return std::isfinite(value); }, "is not finite");
   if (is_one_of(positive))
-    require_each<double>(array, [](double value) { return value >= 0; }, "is negative or not a number");
+    require_each<double>(
+        array, [](double value) { return value >= 0; }, "is negative or not a number");
   if (array.name == "time")
-    require_each<double>(array, [](double value) { return value >= 0; }, "is negative");
-  constexpr std::array<std::string_view, 3> flags{"body_active", "contact_edges_ready", "pressure_load_ended"};
+    require_each<double>(
+        array, [](double value) { return value >= 0; }, "is negative");
+  constexpr std::array<std::string_view, 3> flags{"body_active", "contact_edges_ready",
+                                                  "pressure_load_ended"};
   if (is_one_of(flags))
-    require_each<std::uint8_t>(array, [](std::uint8_t value) { return value <= 1; }, "is neither true nor false");
+    require_each<std::uint8_t>(
+        array, [](std::uint8_t value) { return value <= 1; }, "is neither true nor false");
   if (array.name == "cycle")
-    require_each<std::int64_t>(array, [](std::int64_t value) { return value >= 0; }, "is negative");
+    require_each<std::int64_t>(
+        array, [](std::int64_t value) { return value >= 0; }, "is negative");
 }
 
 void require_indices(const Saved& array, std::size_t bodies, std::size_t links) {
@@ -67,7 +77,8 @@ void require_indices(const Saved& array, std::size_t bodies, std::size_t links) 
       return index == no_index || (index >= 0 && static_cast<std::size_t>(index) < items);
     };
   };
-  if (array.name == "body_of_node") require_each<Index>(array, one_of(bodies), "names a body that does not exist");
+  if (array.name == "body_of_node")
+    require_each<Index>(array, one_of(bodies), "names a body that does not exist");
   if (array.name == "tied_by") require_each<Index>(array, one_of(links), "names a tie that does not exist");
 }
 

@@ -18,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return std::nullopt;
   });
   // No number that is none gets through.
-  if (result.fault.empty() && !(result.number.value >= -1.8e308 && result.number.value <= 1.8e308)) std::abort();
+  if (result.fault.empty() && !(result.number.value >= -1.8e308 && result.number.value <= 1.8e308))
+    std::abort();
   parse_real(text);
   parse_integer(text);
   return 0;

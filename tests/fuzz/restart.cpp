@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A restart file with a right checksum and anything in it: refused with a sentence, or a run that goes on some
-// steps and may go wrong numerically. The input is a list of changes to the arrays of a small run with contact,
-// and a wall, as a fuzzer would never get past checksum, names and lengths.
+// A restart file with a right checksum and anything in it: refused with a sentence, or a run that goes on
+// some steps and may go wrong numerically. The input is a list of changes to the arrays of a small run with
+// contact, and a wall, as a fuzzer would never get past checksum, names and lengths.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -137,7 +137,8 @@ void change(domain::StateSnapshot::Array& array, Source& source) {
       put(&index, sizeof index);
       break;
     case 3:
-      index = source.byte() % 2 == 0 ? std::numeric_limits<std::int32_t>::max() : std::numeric_limits<std::int32_t>::min();
+      index = source.byte() % 2 == 0 ? std::numeric_limits<std::int32_t>::max()
+                                     : std::numeric_limits<std::int32_t>::min();
       put(&index, sizeof index);
       break;
     case 4:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames and collections of a folder from somebody else: the reader must answer with arrays that fit, or with a
-// sentence. The first byte chooses the file; in frames it also says whether the bytes are put into the arrays of
-// a frame that is well-formed otherwise, as a compressor lets nothing through by chance.
+// Frames and collections of a folder from somebody else: the reader must answer with arrays that fit, or with
+// a sentence. The first byte chooses the file; in frames it also says whether the bytes are put into the
+// arrays of a frame that is well-formed otherwise, as a compressor lets nothing through by chance.
 #include <unistd.h>
 
 #include <cstddef>
@@ -60,17 +60,17 @@ std::string frame_of(Source& source) {
   const auto connectivity = packer.array<std::int32_t>(
       "connectivity", count(1),
       changed(std::vector<std::int32_t>{0, 1, 2, 3, 1, 4, 5, 2, 6, 7, 8, 9, 10, 11, 12, 13, 0, 6}, source));
-  const auto offsets =
-      packer.array<std::int32_t>("offsets", count(1), changed(std::vector<std::int32_t>{4, 8, 16, 18}, source));
+  const auto offsets = packer.array<std::int32_t>("offsets", count(1),
+                                                  changed(std::vector<std::int32_t>{4, 8, 16, 18}, source));
   const auto types =
       packer.array<std::uint8_t>("types", count(1), changed(std::vector<std::uint8_t>{9, 9, 12, 3}, source));
-  const auto node_id = packer.array<std::int32_t>("node_id", count(1),
-                                                  changed(std::vector<std::int32_t>(points, 1), source));
+  const auto node_id =
+      packer.array<std::int32_t>("node_id", count(1), changed(std::vector<std::int32_t>(points, 1), source));
   const auto velocity = packer.array<float>("velocity", count(3), changed(coordinates, source));
   const auto part =
       packer.array<std::int32_t>("part", count(1), changed(std::vector<std::int32_t>(cells, 1), source));
-  const auto element =
-      packer.array<std::int32_t>("element_id", count(1), changed(std::vector<std::int32_t>(cells, 1), source));
+  const auto element = packer.array<std::int32_t>("element_id", count(1),
+                                                  changed(std::vector<std::int32_t>(cells, 1), source));
   const auto alive =
       packer.array<std::uint8_t>("alive", count(1), changed(std::vector<std::uint8_t>(cells, 1), source));
   const auto strain = packer.array<float>("strain", count(1), changed(std::vector<float>(cells, 1), source));

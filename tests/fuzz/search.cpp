@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any mesh at all through cellsearch's interface in C: a status, or the candidates of brute force. Numbers in the
-// input choose nodes, segments and settings, also ones that must be refused.
+// Any mesh at all through cellsearch's interface in C: a status, or the candidates of brute force. Numbers in
+// the input choose nodes, segments and settings, also ones that must be refused.
 #include <cellsearch/cellsearch.h>
 
 #include <cmath>
@@ -57,7 +57,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (double& value : xyz) value = source.coordinate();
   std::vector<std::int32_t> corners(4 * static_cast<std::size_t>(segments) + 4);
   for (std::int32_t& corner : corners)
-    corner = source.chance() ? source.byte() - 128 : (nodes > 0 ? source.below(nodes) : 0) + (base == 1 ? 1 : 0);
+    corner =
+        source.chance() ? source.byte() - 128 : (nodes > 0 ? source.below(nodes) : 0) + (base == 1 ? 1 : 0);
   std::vector<double> radius(static_cast<std::size_t>(nodes) + 1);
   for (double& value : radius) value = source.chance() ? source.coordinate() : 0.125 * source.below(4);
   std::vector<std::uint8_t> active(static_cast<std::size_t>(segments) + 1);

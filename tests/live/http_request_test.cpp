@@ -28,8 +28,10 @@ TEST(HttpRequest, IsIncompleteUntilTheEmptyLine) {
 
 TEST(HttpRequest, IsBounded) {
   const std::string start = "GET / HTTP/1.1\r\nX: ";
-  EXPECT_EQ(parse_request(start + std::string(longest_head - start.size() - 1, 'x')).state, RequestState::Incomplete);
-  EXPECT_EQ(parse_request(start + std::string(longest_head - start.size(), 'x')).state, RequestState::TooLong);
+  EXPECT_EQ(parse_request(start + std::string(longest_head - start.size() - 1, 'x')).state,
+            RequestState::Incomplete);
+  EXPECT_EQ(parse_request(start + std::string(longest_head - start.size(), 'x')).state,
+            RequestState::TooLong);
   EXPECT_EQ(parse_request(start + std::string(longest_head, 'x') + "\r\n\r\n").state, RequestState::TooLong);
 }
 

@@ -104,7 +104,8 @@ TEST_F(HostileResults, WithLaterFieldsOfAnotherForm) {
   Triangle changed;
   changed.velocity_components = 1;
   changed.velocity = {0, 1, 2};
-  EXPECT_NE(complaint(Triangle().text(), changed.text()).find("velocity has 1 components"), std::string::npos);
+  EXPECT_NE(complaint(Triangle().text(), changed.text()).find("velocity has 1 components"),
+            std::string::npos);
   changed = {};
   changed.alive_components = 3;
   changed.alive = {1, 1, 1};

@@ -58,7 +58,8 @@ TEST_F(ResultFolderTest, ACollectionFromSomebodyElseIsRefusedWhereItIsNoneOfOurs
   for (const char* file : {"", "/dev/zero", "/etc/passwd", "../a.vtu", "vtu/../../a.vtu"})
     EXPECT_NE(complaint(tag("0", file)).find("is not understood"), std::string::npos) << file;
   // One file again and again would be read again and again.
-  EXPECT_NE(complaint(tag("0", "vtu/a.vtu") + tag("1", "vtu/a.vtu")).find("is not understood"), std::string::npos);
+  EXPECT_NE(complaint(tag("0", "vtu/a.vtu") + tag("1", "vtu/a.vtu")).find("is not understood"),
+            std::string::npos);
   EXPECT_LT(complaint(tag(std::string(10000, '1'), "a.vtu")).size(), 1000U);
 }
 

@@ -283,9 +283,10 @@ void add_report_options(CLI::App& report, ReportOptions& options) {
   report.add_option("--height", pictures.height, "Height of the pictures in pixels [750]")
       ->check(CLI::Range(200, 8000));
   report
-      .add_option("--serve", options.serve,
-                  "Write no file but show the folder, to which a run may still be adding, until Ctrl-C, at an\n"
-                  "address with a random token, which is printed; port 0 takes any free one")
+      .add_option(
+          "--serve", options.serve,
+          "Write no file but show the folder, to which a run may still be adding, until Ctrl-C, at an\n"
+          "address with a random token, which is printed; port 0 takes any free one")
       ->check(port_number())
       ->excludes("--output")
       ->excludes("--png");

@@ -29,8 +29,8 @@ live::RunStatus live_status(const domain::Domain& domain, const Progress& progre
 
 std::unique_ptr<live::LivePage> open_live_page(const std::filesystem::path& folder,
                                                const std::filesystem::path& template_file,
-                                               const LiveAddress& address, live::LivePage::StatusSource status,
-                                               const Console& console) {
+                                               const LiveAddress& address,
+                                               live::LivePage::StatusSource status, const Console& console) {
   try {
     const std::string token = address.token ? live::random_token() : std::string();
     const live::LiveFiles files{folder, template_file.empty() ? report::find_template() : template_file,
@@ -55,8 +55,8 @@ ExitCode serve_results(const ReportOptions& options, const Console& console) {
   }
   const StopSignals signals;
   const auto status = [&options] { return live::folder_status(options.folder); };
-  const auto page = open_live_page(options.folder, options.template_file, {*options.serve, options.token}, status,
-                                   console);
+  const auto page =
+      open_live_page(options.folder, options.template_file, {*options.serve, options.token}, status, console);
   if (!page) return ExitCode::Usage;
   while (signals.received() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   return ExitCode::Normal;

@@ -27,8 +27,8 @@ struct LiveAddress {
 /// build.
 std::unique_ptr<live::LivePage> open_live_page(const std::filesystem::path& folder,
                                                const std::filesystem::path& template_file,
-                                               const LiveAddress& address, live::LivePage::StatusSource status,
-                                               const Console& console);
+                                               const LiveAddress& address,
+                                               live::LivePage::StatusSource status, const Console& console);
 
 /// `crumple report DIR --serve`: shows a folder until Ctrl-C.
 ExitCode serve_results(const ReportOptions& options, const Console& console);

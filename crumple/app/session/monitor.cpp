@@ -20,10 +20,7 @@ constexpr double seconds_between_words = 0.2;
 
 Monitor::Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet,
                  double earlier_seconds)
-    : simulation_(simulation),
-      console_(console),
-      quiet_(quiet),
-      earlier_seconds_(earlier_seconds) {
+    : simulation_(simulation), console_(console), quiet_(quiet), earlier_seconds_(earlier_seconds) {
   if (!quiet_) print(console_.out, "\n{}\n", status_header());
 }
 
@@ -72,7 +69,8 @@ void Monitor::print_due(double now) {
     print_line();
     const double interval = simulation_.model().control.end_time / lines_per_run;
     // Counted and not stepped: a run may be taken up long after the end time that it has now.
-    if (interval > 0 && next_line_time_ <= time) next_line_time_ = (std::floor(time / interval) + 1) * interval;
+    if (interval > 0 && next_line_time_ <= time)
+      next_line_time_ = (std::floor(time / interval) + 1) * interval;
     next_line_seconds_ = now + seconds_between_lines;
   }
   if (console_.terminal && now >= next_bar_seconds_) {

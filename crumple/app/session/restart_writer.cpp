@@ -101,7 +101,8 @@ void RestartWriter::keep_earlier() const {
   std::error_code ignored;
   // Up to the first number that is free: the deck may ask for any count of files.
   int last = 1;
-  while (last < deck_.running_files && std::filesystem::exists(folder_ / earlier_restart(last), ignored)) ++last;
+  while (last < deck_.running_files && std::filesystem::exists(folder_ / earlier_restart(last), ignored))
+    ++last;
   for (int age = last; age > 0; --age) {
     const std::filesystem::path from = age == 1 ? newest() : folder_ / earlier_restart(age - 1);
     if (std::filesystem::exists(from, ignored))

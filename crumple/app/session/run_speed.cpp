@@ -8,11 +8,11 @@ namespace crumple::app {
 
 namespace {
 
-constexpr double shortest_window = 2;    ///< [s]
-constexpr double share_of_run = 0.25;    ///< that the window is of the run so far
-constexpr double spacing = 0.01;         ///< of samples over the window
+constexpr double shortest_window = 2;      ///< [s]
+constexpr double share_of_run = 0.25;      ///< that the window is of the run so far
+constexpr double spacing = 0.01;           ///< of samples over the window
 constexpr double shortest_spacing = 0.02;  ///< [s]
-constexpr long first_cycles = 2;         ///< which are not like the others
+constexpr long first_cycles = 2;           ///< which are not like the others
 
 double window_after(double seconds) {
   return std::max(shortest_window, share_of_run * seconds);

@@ -161,7 +161,9 @@ void EdgeContact::resume(const domain::Domain& domain, const Kinematics& motion)
            (pair.wrong == 0 || pair.wrong == 1);
   };
   require_all_saved(remembered_, fits, "pairs of edges");
-  const auto unordered = [](const RememberedEdgePair& a, const RememberedEdgePair& b) { return b.key < a.key; };
+  const auto unordered = [](const RememberedEdgePair& a, const RememberedEdgePair& b) {
+    return b.key < a.key;
+  };
   require_saved(std::ranges::adjacent_find(remembered_, unordered) == remembered_.end(), "pairs of edges");
   require_saved(std::is_sorted(node_depths_.begin(), node_depths_.end()), "nodes on edges");
   refresh(edges_, *surface_, domain);

@@ -11,8 +11,8 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "contact/search/search_calls.hpp"
-#include "contact/tolerances.hpp"
 #include "contact/surface/saved_state.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {

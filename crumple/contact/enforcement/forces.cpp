@@ -11,8 +11,8 @@
 #include "base/prefetch.hpp"
 #include "contact/enforcement/penalty.hpp"
 #include "contact/enforcement/raised_point.hpp"
-#include "contact/tolerances.hpp"
 #include "contact/surface/saved_state.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -433,7 +433,8 @@ void Forces::resume() const {
   const auto fits = [this](Index place) { return is_one_of(place, surface_->nodes.size()); };
   require_all_saved(previous_active_, fits, "active nodes");
   const auto unordered = [](Index a, Index b) { return a >= b; };
-  require_saved(std::ranges::adjacent_find(previous_active_, unordered) == previous_active_.end(), "active nodes");
+  require_saved(std::ranges::adjacent_find(previous_active_, unordered) == previous_active_.end(),
+                "active nodes");
 }
 
 }  // namespace crumple::contact

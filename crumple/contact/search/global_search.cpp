@@ -363,7 +363,8 @@ void GlobalSearch::declare(domain::StateList& list) {
 
 void GlobalSearch::resume(const Kinematics& motion) {
   const auto fits = [this](const Pair& pair) {
-    return is_one_of(pair.node, surface_->nodes.size()) && is_one_of(pair.segment, surface_->segment_id.size());
+    return is_one_of(pair.node, surface_->nodes.size()) &&
+           is_one_of(pair.segment, surface_->segment_id.size());
   };
   require_all_saved(kept_, fits, "pairs of the last search");
   const auto unordered = [](const Pair& a, const Pair& b) { return a.node > b.node; };

@@ -10,8 +10,8 @@
 
 namespace crumple::contact {
 
-/// Throws Error unless `fits`. What a restart file says of a contact is checked once when it has been read, as
-/// a wrong index would be used without further question: a checksum shows damage, not intent.
+/// Throws Error unless `fits`. What a restart file says of a contact is checked once when it has been read,
+/// as a wrong index would be used without further question: a checksum shows damage, not intent.
 inline void require_saved(bool fits, const std::string& what) {
   if (!fits) throw Error("The state of a contact is damaged: " + what + " do not fit the model.");
 }

@@ -57,7 +57,8 @@ const ItemWords& words(Item item) {
 }  // namespace
 
 Build::Build(const RawDeck& raw, Report& to) : deck(raw), report(to) {
-  for (const UnsupportedDefinition& definition : raw.unsupported) unsupported_.emplace(definition.id, &definition);
+  for (const UnsupportedDefinition& definition : raw.unsupported)
+    unsupported_.emplace(definition.id, &definition);
 }
 
 void Build::enter(Item item, const Reference& reference, std::size_t index) {

@@ -93,10 +93,11 @@ void Parameters::report_unused_presets(Report& report) const {
   for (const auto& [name, value] : values_) {
     if (!value.is_preset || value.is_used) continue;
     if (value.is_in_the_deck) {
-      report.error({{}, 0, 0, 0}, "preset",
-                   fmt::format("parameter {} of the command line has no effect: the deck sets it, but never uses "
-                               "&{}",
-                               name, name));
+      report.error(
+          {{}, 0, 0, 0}, "preset",
+          fmt::format("parameter {} of the command line has no effect: the deck sets it, but never uses "
+                      "&{}",
+                      name, name));
       continue;
     }
     std::string_view nearest;

@@ -58,8 +58,8 @@ class Parameters {
     Where where;
     bool is_whole = false;  ///< of type I
     bool is_preset = false;
-    mutable bool is_used = false;        ///< a reference to it was read
-    bool is_in_the_deck = false;  ///< a preset that the deck sets, too
+    mutable bool is_used = false;  ///< a reference to it was read
+    bool is_in_the_deck = false;   ///< a preset that the deck sets, too
   };
 
   using Values = std::map<std::string, Value, std::less<>>;

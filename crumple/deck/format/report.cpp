@@ -55,8 +55,7 @@ Report::Kind& Report::kind_of(Severity severity, std::string key) {
 
 void Report::add_entry(Severity severity, const Where& where, std::string_view kind, Diagnostic diagnostic) {
   if (severity == Severity::Error) ++errors_;
-  Kind& counted =
-      kind_of(severity, fmt::format("{}|{}|{}", where.keyword, static_cast<int>(severity), kind));
+  Kind& counted = kind_of(severity, fmt::format("{}|{}|{}", where.keyword, static_cast<int>(severity), kind));
   counted.last = where;
   if (++counted.count > shown_per_kind) return;
   diagnostic.message = shortened(std::move(diagnostic.message), longest_message);
@@ -93,7 +92,8 @@ void Report::add_field(Severity severity, const Where& where, const FieldFault& 
   Where bare = where;
   bare.keyword = {};
   bare.card = 0;
-  const std::string found = fault.read.empty() ? "is blank" : fmt::format("read \"{}\"", shortened(fault.read, longest_read));
+  const std::string found =
+      fault.read.empty() ? "is blank" : fmt::format("read \"{}\"", shortened(fault.read, longest_read));
   std::string message = prefix(where, fault.field) + found + ", expected " + fault.expected;
   if (!fault.hint.empty()) message += "; " + fault.hint;
   std::string kind =
@@ -136,9 +136,8 @@ std::vector<Diagnostic> Report::sorted() const {
     if (!is_many) continue;
     Entry rest = entry;
     rest.diagnostic.count = kind.count - 1;
-    rest.diagnostic.message =
-        fmt::format("and {} more {}, last at {}", kind.count - 1,
-                    kind.is_rest ? "of other kinds" : "of this kind", place(kind.last));
+    rest.diagnostic.message = fmt::format("and {} more {}, last at {}", kind.count - 1,
+                                          kind.is_rest ? "of other kinds" : "of this kind", place(kind.last));
     all.push_back(std::move(rest));
   }
   std::stable_sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) {

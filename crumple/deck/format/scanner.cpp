@@ -64,10 +64,11 @@ void Scanner::read_file(LoadedText loaded, const Where& from, const Placement* p
   }
   bytes_ += loaded.text->size();
   if (bytes_ > most_input_bytes()) {
-    report_->error(from, "too large",
-                   fmt::format("the deck with all files that it includes has more than {}, which memory does not "
-                               "hold; \"{}\" is not read",
-                               size_text(most_input_bytes()), loaded.name));
+    report_->error(
+        from, "too large",
+        fmt::format("the deck with all files that it includes has more than {}, which memory does not "
+                    "hold; \"{}\" is not read",
+                    size_text(most_input_bytes()), loaded.name));
     return;
   }
   OpenFile file{std::move(loaded), 0, placement};
@@ -165,7 +166,8 @@ void Scanner::start_block(std::string_view line, const Where& where, const Place
   if (name == "KEYWORD")
     read_keyword_options(rest, block.where);
   else if (!rest.empty() && rest.front() != '(' && rest.front() != '$')
-    report_->warning(block.where, "rest", fmt::format("\"{}\" behind the keyword is not read", rest.substr(0, longest_echo)));
+    report_->warning(block.where, "rest",
+                     fmt::format("\"{}\" behind the keyword is not read", rest.substr(0, longest_echo)));
   block_ = std::move(block);
 }
 
@@ -178,8 +180,9 @@ void Scanner::finish_block(OpenFile& file) {
       if (!trimmed(line.text).empty()) {
         Where where = block.where;
         where.line = line.number;
-        report_->error(where, "data",
-                       fmt::format("read \"{}\", expected another keyword", line.text.substr(0, longest_echo)));
+        report_->error(
+            where, "data",
+            fmt::format("read \"{}\", expected another keyword", line.text.substr(0, longest_echo)));
         break;
       }
   } else if (block.name == "INCLUDE") {

@@ -29,8 +29,8 @@ void make_folder(const std::filesystem::path& folder) {
 
 void require_no_link(const std::filesystem::path& folder) {
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(folder)))
-    throw WriteError(fmt::format("Cannot write into {}: it is a link, not a folder of the results.",
-                                 folder.string()));
+    throw WriteError(
+        fmt::format("Cannot write into {}: it is a link, not a folder of the results.", folder.string()));
 }
 
 void make_subfolder(const std::filesystem::path& folder) {

@@ -50,7 +50,8 @@ FolderLock::~FolderLock() {
 }
 
 bool FolderLock::take() {
-  descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
+  descriptor_ =
+      ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666);
   struct stat mine {};
   if (descriptor_ < 0 || ::fstat(descriptor_, &mine) != 0)
     throw WriteError(fmt::format("Cannot write {}: {}.", file_.string(), std::strerror(errno)));
@@ -64,10 +65,10 @@ bool FolderLock::take() {
     if (is_held || !is_gone(owner())) {
       const std::string text = owner();
       give_up();
-      throw WriteError(fmt::format(
-          "{} is in use by another run{}: wait for its end, choose another folder with -o{}.",
-          file_.parent_path().string(), text.empty() ? "" : " (" + text + ")",
-          is_held ? "" : ", or remove " + file_.string() + " if there is no such run"));
+      throw WriteError(
+          fmt::format("{} is in use by another run{}: wait for its end, choose another folder with -o{}.",
+                      file_.parent_path().string(), text.empty() ? "" : " (" + text + ")",
+                      is_held ? "" : ", or remove " + file_.string() + " if there is no such run"));
     }
   }
   struct stat there {};

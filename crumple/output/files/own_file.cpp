@@ -172,7 +172,8 @@ void remove_unfinished_files(const std::filesystem::path& folder) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (is_unfinished(name) && !name.starts_with(".report.html.")) std::filesystem::remove(entry.path(), ignored);
+    if (is_unfinished(name) && !name.starts_with(".report.html."))
+      std::filesystem::remove(entry.path(), ignored);
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The only way in which this program makes files. A folder of results may come from somebody else, with links,
-// pipes or devices under the names that a run or a report writes to: nothing is ever written through them.
+// The only way in which this program makes files. A folder of results may come from somebody else, with
+// links, pipes or devices under the names that a run or a report writes to: nothing is ever written through
+// them.
 //
 // A new file is made beside its place, under a random name, exclusively (O_EXCL, which follows no link), and
 // then renamed, which replaces a link and not what it leads to. A file that goes on is opened without
@@ -73,8 +74,8 @@ class NewFile {
   bool in_place_ = false;
 };
 
-/// Removes what killed runs left of files that they had not put in place, but for those of a report, which may
-/// be in the making.
+/// Removes what killed runs left of files that they had not put in place, but for those of a report, which
+/// may be in the making.
 void remove_unfinished_files(const std::filesystem::path& folder);
 
 }  // namespace crumple::output

@@ -50,8 +50,9 @@ TEST(RunSpeedTest, IsNotLedAstrayByTheFirstCycles) {
   EXPECT_LT(worst_error({1, [](long cycle) { return cycle < 3 ? 0.2 : 0.005; }, [](double) { return 2e-4; }}),
             0.01);
   // One that takes longer than the window.
-  EXPECT_LT(worst_error({1, [](long cycle) { return cycle == 1 ? 3.0 : 0.005; }, [](double) { return 2e-4; }}),
-            0.01);
+  EXPECT_LT(
+      worst_error({1, [](long cycle) { return cycle == 1 ? 3.0 : 0.005; }, [](double) { return 2e-4; }}),
+      0.01);
 }
 
 TEST(RunSpeedTest, CountsFramesAndSearchesThatComeNowAndThen) {

@@ -185,7 +185,8 @@ TEST(Parameter, OfTheCommandLineMustBeUsed) {
   EXPECT_EQ(errors_with(section, {{"width", "0.75"}}),
             "parameter WIDTH of the command line has no effect: the deck sets it, but never uses &WIDTH\n");
   // By another parameter, in an expression, in what is left out.
-  for (const std::string use : {"*PARAMETER\nr other, -&width\n", "*PARAMETER_EXPRESSION\nr other, 2*width\n"})
+  for (const std::string use :
+       {"*PARAMETER\nr other, -&width\n", "*PARAMETER_EXPRESSION\nr other, 2*width\n"})
     EXPECT_EQ(errors_with(section + use, {{"width", "0.75"}}), "") << use;
   EXPECT_EQ(errors_with(section + "*DATABASE_BINARY_D3PART\n&width\n", {{"width", "0.75"}}), "");
 }

@@ -27,9 +27,8 @@ class OwnFileTest : public ::testing::Test {
  protected:
   OwnFileTest()
       : root_(std::filesystem::path(::testing::TempDir()) /
-              ("crumple_own_" +
-               std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" +
-               std::to_string(getpid()))),
+              ("crumple_own_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) +
+               "_" + std::to_string(getpid()))),
         folder_(root_ / "results"),
         victim_(root_ / "victim"),
         name_(folder_ / "a.csv") {
