@@ -116,7 +116,6 @@ class HostileRestart(unittest.TestCase):
 
     def test_what_is_not_changed_is_taken_up(self):
         data = self.begin(DECKS[0])
-        self.assertEqual(RestartFile(data).bytes()[-8:], data[-8:])
         result = self.take_up(RestartFile(data).bytes())
         self.assertEqual(result.returncode, 0, result.stderr)
 

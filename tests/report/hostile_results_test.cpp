@@ -143,10 +143,11 @@ TEST_F(HostileResults, WithDevicesAndPipesInPlaceOfFrames) {
   EXPECT_THROW(survey_run(results, quiet), Error);
 }
 
+/// For each mark of three million, the end of a tag used to be looked for behind all of them.
 TEST_F(HostileResults, TakeLinearTime) {
   const std::string text = Triangle().text();
   const std::size_t head = text.find('>');
-  EXPECT_NE(complaint(std::string(3000000, '<') + text.substr(head), text), "");
+  EXPECT_EQ(complaint(std::string(3000000, '<') + text.substr(head), text), "");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void require_no_link(const std::filesystem::path& folder) {
 
 void make_subfolder(const std::filesystem::path& folder) {
   if (::mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST)
-    throw WriteError(fmt::format("Cannot make the folder {}: {}.", folder.string(), std::strerror(errno)));
+    throw WriteError(fmt::format("Cannot write {}: {}.", folder.string(), std::strerror(errno)));
   require_no_link(folder);
   if (!std::filesystem::is_directory(folder))
     throw WriteError(fmt::format("Cannot make the folder {}: a file of that name exists.", folder.string()));
