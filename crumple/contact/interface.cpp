@@ -20,6 +20,7 @@
 #include "contact/pinball/pinball_contact.hpp"
 #include "contact/search/detector.hpp"
 #include "contact/search/motion_limit.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/surface/sides.hpp"
 #include "contact/surface/surface.hpp"
 #include "contact/tolerances.hpp"
@@ -272,7 +273,8 @@ void Interface::declare(domain::StateList& list) {
 
 void Interface::resume(const domain::Domain& domain) {
   Implementation& own = *implementation_;
-  if (own.started == 0) return;
+  require_saved(own.started == 0 || own.started == 1, "marks of the start");
+  own.forces.resume();
   follow_erosion(own.surface, domain);
   for (const auto& detector : own.detectors) detector->resume(domain, present(domain));
 }

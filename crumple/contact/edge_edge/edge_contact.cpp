@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "contact/edge_edge/edge_pair_search.hpp"
+#include "contact/surface/saved_state.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -178,6 +179,18 @@ void EdgeContact::declare_pairs(domain::StateList& list) {
 }
 
 void EdgeContact::resume(const domain::Domain& domain, const Kinematics& motion) {
+  const auto edges = static_cast<std::size_t>(edges_.count());
+  const auto fits = [&](const RememberedEdgePair& pair) {
+    return is_one_of(pair.key.first, edges) && is_one_of(pair.key.second, edges) &&
+           pair.key.meeting >= EdgeMeeting::Crossing && pair.key.meeting <= EdgeMeeting::SecondEnd &&
+           (pair.wrong == 0 || pair.wrong == 1);
+  };
+  require_all_saved(remembered_, fits, "pairs of edges");
+  const auto unordered = [](const RememberedEdgePair& a, const RememberedEdgePair& b) {
+    return b.key < a.key;
+  };
+  require_saved(std::ranges::adjacent_find(remembered_, unordered) == remembered_.end(), "pairs of edges");
+  require_saved(std::is_sorted(node_depths_.begin(), node_depths_.end()), "nodes on edges");
   refresh(edges_, *surface_, domain);
   search_.resume(motion);
 }

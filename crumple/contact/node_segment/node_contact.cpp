@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/node_segment/lost_nodes.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/surface/segment_shape.hpp"
 #include "contact/tolerances.hpp"
 
@@ -168,6 +169,18 @@ void NodeContact::declare_pairs(domain::StateList& list) {
 }
 
 void NodeContact::resume(const domain::Domain& /*domain*/, const Kinematics& motion) {
+  const std::size_t nodes = surface_->nodes.size();
+  const auto fits = [&](const RememberedPair& pair) {
+    return is_one_of(pair.node, nodes) && is_one_of(pair.segment, surface_->segment_id.size()) &&
+           pair.side >= -1 && pair.side <= 1 && (pair.wrong == 0 || pair.wrong == 1) &&
+           (pair.let_go == 0 || pair.let_go == 1);
+  };
+  require_all_saved(remembered_, fits, "pairs of nodes and segments");
+  const auto unordered = [](const RememberedPair& a, const RememberedPair& b) { return a.node > b.node; };
+  require_saved(std::ranges::adjacent_find(remembered_, unordered) == remembered_.end(),
+                "pairs of nodes and segments");
+  const auto is_node = [&](Index place) { return is_one_of(place, nodes); };
+  require_all_saved(inside_at_start_, is_node, "nodes in solids");
   ragged_.resume();
   some_are_behind_ = std::ranges::any_of(remembered_, [](const auto& pair) { return pair.wrong != 0; });
   search_.resume(motion);

@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "contact/search/search_calls.hpp"
 #include "contact/surface/inside_outside.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -322,7 +323,14 @@ void PinballContact::declare_pairs(domain::StateList& list) {
 }
 
 void PinballContact::resume(const domain::Domain& /*domain*/, const Kinematics& motion) {
+  const auto fits = [this](const RememberedPinballs& pair) {
+    const std::size_t segments = surface_->segment_id.size();
+    return is_one_of(pair.first, segments) && is_one_of(pair.second, segments) && pair.first < pair.second;
+  };
+  require_all_saved(remembered_, fits, "pairs of pinballs");
+  require_saved(searches_ >= 0, "counts of searches");
   if (searches_ == 0) return;
+  require_saved(searched_position_.size() == 3 * surface_->nodes.size(), "positions at the last search");
   collect(positions_at_search(motion.position, surface_->nodes, searched_position_));
   travel_.start(motion.position, surface_->nodes);
 }

@@ -14,6 +14,7 @@
 #include "base/stopwatch.hpp"
 #include "contact/search/search_calls.hpp"
 #include "contact/surface/crossing.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -352,7 +353,16 @@ void GlobalSearch::declare(domain::StateList& list) {
 }
 
 void GlobalSearch::resume(const Kinematics& motion) {
+  const auto fits = [this](const Pair& pair) {
+    return is_one_of(pair.node, surface_->nodes.size()) &&
+           is_one_of(pair.segment, surface_->segment_id.size());
+  };
+  require_all_saved(kept_, fits, "pairs of the last search");
+  const auto unordered = [](const Pair& a, const Pair& b) { return a.node > b.node; };
+  require_saved(std::ranges::adjacent_find(kept_, unordered) == kept_.end(), "pairs of the last search");
+  require_saved(statistics_.searches >= 0 && std::isfinite(statistics_.margin), "figures of the last search");
   if (statistics_.searches == 0) return;
+  require_saved(searched_position_.size() == 3 * surface_->nodes.size(), "positions at the last search");
   // Those of another time, when other segments may have failed.
   earlier_first_.clear();
   collect(positions_at_search(motion.position, surface_->nodes, searched_position_));
