@@ -22,6 +22,11 @@ using math::Vec3;
 /// cycle.
 constexpr double headroom = 1.02;
 
+/// Before the first step there is nothing to balance yet.
+void book(Domain& domain, double energy) {
+  if (domain.clock.cycle > 0) domain.energy.external_work += energy;
+}
+
 /// Takes over mass and rotary inertia at a node, whose velocities stay.
 void add_at(Domain& domain, Index node, double mass, double inertia) {
   domain::NodeFields& nodes = domain.nodes;
@@ -32,7 +37,7 @@ void add_at(Domain& domain, Index node, double mass, double inertia) {
   if (body == no_index || !domain.rigid_bodies[body].active) {
     const Vec3& velocity = nodes.velocity[node];
     const Vec3& spin = nodes.angular_velocity[node];
-    domain.energy.external_work += 0.5 * (mass * dot(velocity, velocity) + inertia * dot(spin, spin));
+    book(domain, 0.5 * (mass * dot(velocity, velocity) + inertia * dot(spin, spin)));
     return;
   }
   domain::RigidBody& moved = domain.rigid_bodies[body];
@@ -43,8 +48,7 @@ void add_at(Domain& domain, Index node, double mass, double inertia) {
   moved.mass += mass;
   moved.principal_inertia += Vec3{turning, turning, turning};
   moved.angular_momentum += turning * moved.spin;
-  domain.energy.external_work +=
-      0.5 * (mass * dot(moved.velocity, moved.velocity) + turning * dot(moved.spin, moved.spin));
+  book(domain, 0.5 * (mass * dot(moved.velocity, moved.velocity) + turning * dot(moved.spin, moved.spin)));
 }
 
 void set_scale(domain::ShellBlock& block, Index place, double ratio) {
