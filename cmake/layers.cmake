@@ -12,9 +12,10 @@ set(CRUMPLE_LAYERS
   "constraints: domain model math base"
   "loads: domain model math base"
   "timeloop: elements materials contact constraints loads domain model math base"
-  "deck: model base"
-  "output: domain model math base"
-  "report: output base"
+  "files:"
+  "deck: files model base"
+  "output: files domain model math base"
+  "report: files output base"
   "live: report output base"
   "compare: report output base")
 # app may include everything; it is built by crumple/app/CMakeLists.txt.
@@ -64,7 +65,7 @@ set(CRUMPLE_ROOMS
 # folder. They include nothing of it.
 set(CRUMPLE_SHARED_HEADERS contact/tolerances.hpp)
 
-set(CRUMPLE_NON_CORE deck output report live compare)
+set(CRUMPLE_NON_CORE files deck output report live compare)
 set(CRUMPLE_LAYER_NAMES "")
 foreach(line IN LISTS CRUMPLE_LAYERS)
   string(REGEX REPLACE ":.*" "" name "${line}")

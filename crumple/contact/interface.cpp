@@ -15,6 +15,7 @@
 #include "contact/edge_edge/edge_contact.hpp"
 #include "contact/enforcement/forces.hpp"
 #include "contact/enforcement/multipliers.hpp"
+#include "contact/enforcement/saved_pairs.hpp"
 #include "contact/intersections.hpp"
 #include "contact/node_segment/local_search.hpp"
 #include "contact/node_segment/lost_nodes.hpp"
@@ -23,7 +24,6 @@
 #include "contact/pinball/pinball_contact.hpp"
 #include "contact/search/global_search.hpp"
 #include "contact/search/motion_limit.hpp"
-#include "contact/surface/saved_state.hpp"
 #include "contact/surface/sides.hpp"
 #include "contact/surface/surface.hpp"
 #include "contact/tolerances.hpp"
@@ -346,23 +346,6 @@ struct Interface::Implementation {
   Index report;
   long verify_cycles = 0;
   double stored_energy = 0;  ///< by the penalties now [energy]
-  /// Throws Error if what a restart has filled does not fit.
-  void require_fitting_memory() const {
-    const std::size_t nodes = surface.nodes.size();
-    const auto fits = [&](const RememberedPair& pair) {
-      return is_one_of(pair.node, nodes) && is_one_of(pair.segment, surface.segment_id.size()) &&
-             pair.side >= -1 && pair.side <= 1 && (pair.wrong == 0 || pair.wrong == 1) &&
-             (pair.let_go == 0 || pair.let_go == 1);
-    };
-    require_all_saved(remembered, fits, "pairs of nodes and segments");
-    const auto unordered = [](const RememberedPair& a, const RememberedPair& b) { return a.node > b.node; };
-    require_saved(std::ranges::adjacent_find(remembered, unordered) == remembered.end(),
-                  "pairs of nodes and segments");
-    require_all_saved(
-        inside_at_start, [&](Index place) { return is_one_of(place, nodes); }, "nodes in solids");
-    require_saved(started == 0 || started == 1, "marks of the start");
-  }
-
   std::int64_t started = 0;  ///< 1 once the penetrations at the start are known
   RaggedNodes ragged;
   bool some_are_behind = false;          ///< nodes of `remembered`
@@ -452,7 +435,7 @@ void Interface::declare(domain::StateList& list) {
 
 void Interface::resume(const domain::Domain& domain) {
   Implementation& own = *implementation_;
-  own.require_fitting_memory();
+  require_saved_pairs(own.remembered, own.inside_at_start, own.surface);
   own.forces.resume();
   if (own.started == 0) return;
   const Kinematics motion = present(domain);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "base/input_file.hpp"
+#include "files/input_file.hpp"
 #include "output/files/own_file.hpp"
 #include "output/lsdyna/binout.hpp"
 #include "output/lsdyna/text_file.hpp"

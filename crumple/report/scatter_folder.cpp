@@ -8,7 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "base/input_file.hpp"
+#include "files/input_file.hpp"
 #include "report/text_file.hpp"
 
 namespace crumple::report {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <system_error>
 
-#include "base/input_file.hpp"
+#include "files/input_file.hpp"
 
 namespace crumple::app {
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "base/input_file.hpp"
 #include "deck/format/numbers.hpp"
+#include "files/input_file.hpp"
 
 namespace crumple::deck {
 

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <utility>
 
-#include "base/input_file.hpp"
+#include "files/input_file.hpp"
 
 namespace crumple::deck {
 

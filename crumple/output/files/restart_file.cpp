@@ -14,8 +14,8 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/input_file.hpp"
 #include "base/state_hash.hpp"
+#include "files/input_file.hpp"
 #include "output/files/own_file.hpp"
 
 namespace crumple::output {

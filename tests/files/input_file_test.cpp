@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/input_file.hpp"
+#include "files/input_file.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
