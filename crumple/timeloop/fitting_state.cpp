@@ -50,7 +50,7 @@ void require_length(const Saved& array, const domain::StateArray& to, std::size_
 }
 
 void require_numbers(const Saved& array) {
-  constexpr std::array<std::string_view, 3> positive{"mass", "next_step", "largest_step"};
+  constexpr std::array<std::string_view, 2> not_negative{"mass", "largest_step"};
   constexpr std::array<std::string_view, 5> finite{"position", "velocity", "angular_velocity", "time",
                                                    "step"};
   const auto is_one_of = [&](const auto& names) {
@@ -59,9 +59,13 @@ void require_numbers(const Saved& array) {
   if (is_one_of(finite))
     require_each<double>(
         array, [](double value) { return std::isfinite(value); }, "is not finite");
-  if (is_one_of(positive))
+  if (is_one_of(not_negative))
     require_each<double>(
         array, [](double value) { return value >= 0; }, "is negative or not a number");
+  // Without a step the run would not come to its end.
+  if (array.name == "next_step")
+    require_each<double>(
+        array, [](double value) { return value > 0 && std::isfinite(value); }, "is no length of a step");
   if (array.name == "time")
     require_each<double>(
         array, [](double value) { return value >= 0; }, "is negative");
