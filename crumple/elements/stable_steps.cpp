@@ -2,6 +2,7 @@
 // Stable steps outside of the cycle, for reports.
 #include <algorithm>
 
+#include "elements/common/stiffness_damping.hpp"
 #include "elements/elements.hpp"
 #include "elements/line/beam_task.hpp"
 #include "elements/line/discrete_elements.hpp"
@@ -57,10 +58,20 @@ void for_each_step(const Domain& /*domain*/, const domain::DiscreteBlock& block,
     visit(place, block.state(place, discrete_state::stable_step));
 }
 
+/// The same with damping.
+template <class Block, class Visit>
+void for_each_damped_step(const Domain& domain, const Block& block, const Visit& visit) {
+  for_each_step(domain, block, [&](Index place, double step) {
+    if constexpr (requires { block.damping; })
+      if (block.damping) step *= damped_share(*block.damping, step);
+    visit(place, step);
+  });
+}
+
 template <class Block>
 double shortest_step(const Domain& domain, const Block& block) {
   double shortest = no_limit;
-  for_each_step(domain, block, [&](Index, double step) { shortest = std::min(shortest, step); });
+  for_each_damped_step(domain, block, [&](Index, double step) { shortest = std::min(shortest, step); });
   return shortest;
 }
 
@@ -89,7 +100,7 @@ domain::ControllingElement controlling_element(const model::Model& model, const 
   double shortest = no_limit;
   const auto look = [&](const auto& block, const char* kind, const auto& elements) {
     if (block.rigid && domain.clock.rigid_limit == no_limit) return;
-    for_each_step(domain, block, [&](Index place, double step) {
+    for_each_damped_step(domain, block, [&](Index place, double step) {
       if (step >= shortest) return;
       shortest = step;
       found = {kind, elements[block.element[place]].id, model.parts[block.part].id};

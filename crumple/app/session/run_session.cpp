@@ -233,7 +233,8 @@ std::optional<Ending> RunSession::limit_passed() const {
 Ending RunSession::follow() {
   for (;;) {
     observe();
-    if (simulation_.finished()) return {"normal", "termination time reached", ExitCode::Normal};
+    if (simulation_.finished())
+      return {"normal", simulation_.ended_by().value_or("termination time reached"), ExitCode::Normal};
     if (const auto ending = asked_to_stop()) return *ending;
     if (const auto ending = limit_passed()) return *ending;
     simulation_.step();

@@ -143,6 +143,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_discretes(build);
   check_empty_parts(build);
   build_sets(build);
+  make_parts_rigid(build);
   build_interiors(build);
   build_masses(build);
   build_part_masses(build);
@@ -160,6 +161,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_contacts(build, options.automatic_contact);
   build_tied_contacts(build);
   check_contact_of_null_shells(build);
+  build_terminations(build);
   build_output(build);
   build_cross_sections(build);
   return std::move(build.model);
