@@ -336,7 +336,7 @@ ExitCode RunSession::run() {
     print_files(console_.out, folder_, written_files());
   }
   if (ending.code == ExitCode::Normal)
-    print(console_.out, "\n *** termination time reached ***\n");
+    print(console_.out, "\n *** {} ***\n", ending.reason);
   else
     print(console_.err, "\ncrumple: {}: {}\n", ending.termination, ending.reason);
   return ending.code;
