@@ -17,6 +17,11 @@ NodeOwners owners_of_nodes(const model::Model& model) {
   for (const model::LinearEquation& equation : model.linear_equations)
     for (const model::LinearEquation::Term& term : equation.terms)
       owners.joint[term.node] = "a linear equation";
+  for (const model::Interpolation& interpolation : model.interpolations) {
+    owners.joint[interpolation.dependent] = "an interpolation";
+    for (const model::Interpolation::Independent& each : interpolation.independent)
+      owners.joint[each.node] = "an interpolation";
+  }
   for (const model::PrescribedMotion& motion : model.prescribed_motions)
     if (motion.node != no_index) owners.joint[motion.node] = "a prescribed motion";
   for (const model::LocalSupport& support : model.local_supports)

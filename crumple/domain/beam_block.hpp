@@ -3,14 +3,14 @@
 
 #include <array>
 
-#include "domain/element_block.hpp"
+#include "domain/damped_block.hpp"
 #include "model/section.hpp"
 
 namespace crumple::domain {
 
 /// The beams or trusses of one part. Their state is in double in both precisions: the rotations of two
 /// elements at a node must not drift apart.
-struct BeamBlock : ElementBlock {
+struct BeamBlock : DampedBlock {
   model::BeamFormulation formulation = model::BeamFormulation::BelytschkoSchwer;
 
   BeamBlock() { corners = 2; }

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "domain/element_block.hpp"
+#include "domain/damped_block.hpp"
 #include "model/section.hpp"
 
 namespace crumple::domain {
@@ -11,7 +11,7 @@ namespace crumple::domain {
 /// The quadrilaterals or the triangles of one part: one formulation, material and integration rule, so that a
 /// kernel meets no choice inside. A triangle's fourth node repeats its third. Its item "stress" is
 /// [plane][thickness][xx, yy, xy, yz, zx].
-struct ShellBlock : ElementBlock {
+struct ShellBlock : DampedBlock {
   model::ShellFormulation formulation = model::ShellFormulation::BelytschkoTsay;
   Index thickness_points = 0;  ///< integration points through the thickness
   Index plane_points = 1;      ///< in plane; over each of them are thickness_points

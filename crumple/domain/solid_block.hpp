@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "domain/element_block.hpp"
+#include "domain/damped_block.hpp"
 #include "model/section.hpp"
 
 namespace crumple::domain {
@@ -21,7 +21,7 @@ struct NodalAverage {
 
 /// The solids of one part: one formulation and material. Its item "stress" is [point][xx, yy, zz, xy, yz, zx]
 /// in global axes. Hexahedral formulations have eight corners, tetrahedral ones four.
-struct SolidBlock : ElementBlock {
+struct SolidBlock : DampedBlock {
   model::SolidFormulation formulation = model::SolidFormulation::OnePointHexahedron;
   NodalAverage average;  ///< worked out anew in each cycle; empty if the formulation has none
 

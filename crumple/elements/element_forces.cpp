@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "elements/common/chunk_task.hpp"
 #include "elements/common/erosion_check.hpp"
+#include "elements/common/stiffness_damping.hpp"
 #include "elements/elements.hpp"
 #include "elements/energy_trace.hpp"
 #include "elements/line/beam_kernel_list.hpp"
@@ -38,6 +39,11 @@ class Pass {
     for (const domain::ElementBlock* block : domain.blocks())
       erosion_.push_back(block->erosion ? erosion_check(*block, domain.clock.time, domain.clock.step)
                                         : ErosionCheck{});
+    const auto add_damping = [&](const domain::DampedBlock& block) {
+      damping_.push_back(block.damping ? damping_of(block, domain.clock.step) : StiffnessDamping{});
+    };
+    for (const domain::ShellBlock& block : domain.shells) add_damping(block);
+    for (const domain::SolidBlock& block : domain.solids) add_damping(block);
     for (const domain::BeamBlock& block : domain.beams)
       beams_.push_back(beam_constants(block.element_constants));
   }
@@ -63,6 +69,7 @@ class Pass {
     task.from_memory = from_memory_;
     task.constants = constants;
     task.erosion = erosion_of(chunk);
+    if (block.damping) task.damping = &damping_[static_cast<std::size_t>(chunk.block)];
     task.material = materials::shell_material_update<Real>(domain_.execution.isa, constants.material);
     shell_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
   }
@@ -72,23 +79,28 @@ class Pass {
     task.from_memory = from_memory_;
     task.constants = constants;
     task.erosion = erosion_of(chunk);
+    if (block.damping) task.damping = &damping_[static_cast<std::size_t>(chunk.block)];
     task.material = materials::solid_material_update<Real>(domain_.execution.isa, constants.material);
     solid_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
   }
   void work_off_beams(domain::BeamBlock& block, const Chunk& chunk, const BeamConstants& constants,
                       ElementSums& sums) const {
     const std::size_t first = static_cast<std::size_t>(chunk.first_group) * lanes;
-    const BeamTask task{.position = domain_.nodes.position.data(),
-                        .angular_velocity = domain_.nodes.angular_velocity.data(),
-                        .force = domain_.nodes.force.data(),
-                        .node = block.node.data() + first * 2,
-                        .target = block.target.data() + first * 2,
-                        .state = block.double_state.data() + first * block.components,
-                        .components = block.components,
-                        .groups = chunk.last_group - chunk.first_group,
-                        .step = domain_.clock.step,
-                        .time = domain_.clock.time,
-                        .constants = constants};
+    BeamTask task{.position = domain_.nodes.position.data(),
+                  .angular_velocity = domain_.nodes.angular_velocity.data(),
+                  .force = domain_.nodes.force.data(),
+                  .node = block.node.data() + first * 2,
+                  .target = block.target.data() + first * 2,
+                  .state = block.double_state.data() + first * block.components,
+                  .components = block.components,
+                  .groups = chunk.last_group - chunk.first_group,
+                  .step = domain_.clock.step,
+                  .time = domain_.clock.time,
+                  .constants = constants};
+    if (block.damping) {
+      task.damping = *block.damping;
+      task.damping_item = block.find("damping")->first;
+    }
     beam_kernel(domain_.execution.isa, block.formulation)(task, sums);
   }
 
@@ -107,7 +119,8 @@ class Pass {
   std::vector<ShellConstants<Real>> shells_;
   std::vector<SolidConstants<Real>> solids_;
   std::vector<BeamConstants> beams_;
-  std::vector<ErosionCheck> erosion_;  ///< by block
+  std::vector<ErosionCheck> erosion_;      ///< by block
+  std::vector<StiffnessDamping> damping_;  ///< by block of shells, then of solids
 };
 
 template <class Real>
@@ -138,6 +151,7 @@ void add_element_forces(Domain& domain, EnergyTrace* trace) {
     block.hourglass_energy += sums[c].hourglass_energy - sums[c].eroded_hourglass;
     block.eroded_energy += sums[c].eroded_internal + sums[c].eroded_hourglass;
     block.eroded += sums[c].eroded;
+    domain.energy.damping += sums[c].damping_energy;
     domain.clock.element_limit = std::min(domain.clock.element_limit, sums[c].shortest_step);
     if (domain.clock.kept_step > 0) domain.chunk_steps[c] = sums[c].shortest_step;
   }

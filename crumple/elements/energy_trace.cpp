@@ -81,7 +81,8 @@ void EnergyTrace::observe(const Domain& domain, std::span<const ElementSums> sum
               dot(previous_[i].moment + present.moment, nodes.angular_velocity[node]);
       previous_[i] = present;
     }
-    residual_[chunk] += sums[chunk].internal_energy + sums[chunk].hourglass_energy + half_step * work;
+    residual_[chunk] += sums[chunk].internal_energy + sums[chunk].hourglass_energy +
+                        sums[chunk].damping_energy + half_step * work;
   });
 }
 

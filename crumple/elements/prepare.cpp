@@ -39,7 +39,7 @@ void add_mass(domain::Domain& domain, Index part, Index node, double mass) {
 namespace {
 
 bool asks_for_parts(const model::Model& model) {
-  return !model.part_masses.empty() || !model.part_dampings.empty() ||
+  return !model.part_masses.empty() || !model.part_dampings.empty() || !model.relative_dampings.empty() ||
          std::any_of(model.inertia_fields.begin(), model.inertia_fields.end(),
                      [](const model::InertiaField& field) { return !field.parts.empty(); });
 }

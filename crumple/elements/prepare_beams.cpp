@@ -235,6 +235,10 @@ void prepare_beams(const model::Model& model, domain::Domain& domain) {
   for (BeamBlock& block : domain.beams) {
     const BeamConstants constants = constants_of(model, block);
     declare_items(constants.plastic != 0, block);
+    if (!block.rigid) block.damping = model.parts[block.part].damping;
+    if (block.damping)
+      domain::add_item(block, "damping", "force and moment",
+                       block.formulation == model::BeamFormulation::Truss ? 1 : 6);
     block.allocate(Precision::Double);
     block.element_constants = to_numbers(constants);
     for (Index place = 0; place < block.groups() * lanes; ++place)

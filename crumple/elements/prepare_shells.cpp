@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "elements/common/erosion_check.hpp"
+#include "elements/common/stiffness_damping.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
 #include "elements/shell/shell_geometry.hpp"
@@ -112,6 +113,8 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   declare_own_items(constants.can_fail, block);
   block.erosion = material.erosion;
   if (block.erosion) declare_erosion(block);
+  if (!block.rigid) block.damping = part.damping;
+  declare_damping(shell_damping(elastic), materials::components, block);
   block.allocate(domain.execution.precision);
   block.material_constants = materials::shell_material_constants(material);
   if (!materials::has_stiffness(material.law))

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "elements/common/erosion_check.hpp"
+#include "elements/common/stiffness_damping.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
 #include "elements/solid/nodal_average.hpp"
@@ -115,6 +116,8 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   declare_own_items(constants.can_fail, kind.kept, block);
   block.erosion = material.erosion;
   if (block.erosion) declare_erosion(block);
+  if (!block.rigid) block.damping = part.damping;
+  declare_damping(solid_damping(elastic, kind.averages), materials::solid_components, block);
   block.allocate(domain.execution.precision);
   block.element_constants = to_numbers(constants);
   if (kind.averages) prepare_average(block);

@@ -43,6 +43,10 @@ Block block_of(const Block& from, const std::vector<Index>& places) {
   block.components = from.components;
   block.element_constants = from.element_constants;
   block.material_constants = from.material_constants;
+  if constexpr (requires { block.damping; }) {
+    block.damping = from.damping;
+    block.damping_moduli = from.damping_moduli;
+  }
   block.node.resize(static_cast<std::size_t>(block.groups()) * block.corners * lanes);
   for (Index place = 0; place < block.groups() * lanes; ++place)
     for (Index corner = 0; corner < block.corners; ++corner)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "elements/common/stiffness_damping.hpp"
 #include "elements/elements.hpp"
 
 namespace crumple::elements {
@@ -14,10 +15,20 @@ using domain::Domain;
 /// Longer than any step.
 constexpr double no_limit = 1e30;
 
+/// The steps of all elements, with damping.
+template <class Block, class Visit>
+void for_each_damped_step(const Domain& domain, const Block& block, const Visit& visit) {
+  for_each_step(domain, block, 0, block.elements, [&](Index place, double step) {
+    if constexpr (requires { block.damping; })
+      if (block.damping) step *= damped_share(*block.damping, step);
+    visit(place, step);
+  });
+}
+
 template <class Block>
 double shortest_step(const Domain& domain, const Block& block) {
   double shortest = no_limit;
-  for_each_step(domain, block, 0, block.elements,
+  for_each_damped_step(domain, block,
                 [&](Index, double step) { shortest = std::min(shortest, step); });
   return shortest;
 }
@@ -47,7 +58,7 @@ domain::ControllingElement controlling_element(const model::Model& model, const 
   double shortest = no_limit;
   const auto look = [&](const auto& block, const char* kind, const auto& elements) {
     if (block.rigid && domain.clock.rigid_limit == no_limit) return;
-    for_each_step(domain, block, 0, block.elements, [&](Index place, double step) {
+    for_each_damped_step(domain, block, [&](Index place, double step) {
       if (step >= shortest) return;
       shortest = step;
       found = {kind, elements[block.element[place]].id, model.parts[block.part].id};

@@ -109,6 +109,15 @@ struct MassDamping {
   std::vector<Index> parts{};  ///< in Model::parts: of their masses; empty: of all
 };
 
+/// Damping of the motion of parts against a rigid body (*DAMPING_RELATIVE).
+struct RelativeDamping {
+  Index body = no_index;       ///< in Model::rigid_bodies
+  double frequency = 0;        ///< at which an oscillation is damped by `share` [1/time]
+  double share = 0;            ///< of critical damping, without a curve [-]
+  Index curve = no_index;      ///< in Model::curves, of the share; abscissa [time]
+  std::vector<Index> parts{};  ///< in Model::parts
+};
+
 /// Mass that is spread over the nodes of some parts in proportion to what they have (*ELEMENT_MASS_PART).
 struct PartMass {
   std::vector<Index> parts;  ///< in Model::parts, together

@@ -49,4 +49,18 @@ struct LinearEquation {
   std::vector<Term> terms;
 };
 
+/// A node that moves and turns as the rigid motion which fits that of others best
+/// (*CONSTRAINED_INTERPOLATION).
+struct Interpolation {
+  struct Independent {
+    Index node = no_index;
+    double weight = 1;           ///< of its translations [-]
+    double rotation_weight = 0;  ///< of its rotations [-]
+  };
+  UserId id = 0;
+  Index dependent = no_index;
+  std::array<bool, 6> follows{true, true, true, true, true, true};  ///< along, then about x, y, z
+  std::vector<Independent> independent;
+};
+
 }  // namespace crumple::model

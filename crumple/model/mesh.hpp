@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "model/stiffness_damping.hpp"
 
 namespace crumple::model {
 
@@ -85,6 +86,7 @@ struct Part {
   Index hourglass = no_index;  ///< in Model::hourglass_controls; no_index takes Model::control.hourglass
   Index equation_of_state = no_index;         ///< in Model::equations_of_state; no_index is none
   std::optional<InteriorContact> interior{};  ///< of solids
+  std::optional<StiffnessDamping> damping{};  ///< of shells, solids and beams
   double contact_thickness = 0;        ///< OPTT of *PART_CONTACT, of shells [length]; 0: see the contact
   double contact_thickness_scale = 1;  ///< SFT: factor on the true thickness of shells in contact [-]
 };

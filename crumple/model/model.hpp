@@ -19,6 +19,7 @@
 #include "model/rigid_body.hpp"
 #include "model/section.hpp"
 #include "model/spring.hpp"
+#include "model/termination.hpp"
 #include "model/tied_contact.hpp"
 
 namespace crumple::model {
@@ -56,6 +57,7 @@ struct Model {
   std::vector<JointStiffness> joint_stiffnesses;
   std::vector<PartMass> part_masses;
   std::vector<LinearEquation> linear_equations;
+  std::vector<Interpolation> interpolations;
   std::vector<FixedNode> fixed_nodes;
   std::vector<LocalSupport> local_supports;
   std::vector<InitialVelocity> initial_velocities;
@@ -67,11 +69,13 @@ struct Model {
   std::vector<RigidBodyLoad> rigid_body_loads;
   std::optional<MassDamping> mass_damping;
   std::vector<MassDamping> part_dampings;
+  std::vector<RelativeDamping> relative_dampings;
   std::vector<PrescribedMotion> prescribed_motions;
   std::vector<RigidWall> rigid_walls;
   std::vector<Contact> contacts;
   std::vector<ForceTransducer> force_transducers;
   std::vector<TiedContact> tied_contacts;
+  std::vector<Termination> terminations;
   Control control;
   OutputRequests output;
   SearchSettings search;

@@ -45,6 +45,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       tied_nodes_(model, domain_),
       node_sets_(model, domain_),
       linear_equations_(model, domain_),
+      interpolations_(model, domain_),
       rivets_(model, domain_),
       prescribed_motions_(model, domain_),
       local_constraints_(model, domain_),
@@ -56,7 +57,9 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       rigid_body_loads_(model),
       follower_loads_(model, domain_),
       inertia_fields_(model, domain_),
-      mass_damping_(model, domain_) {
+      mass_damping_(model, domain_),
+      relative_dampings_(model, domain_),
+      terminations_(model, domain_) {
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});
     walls_.emplace_back(model, wall, domain_, static_cast<Index>(domain_.walls.size()) - 1);
@@ -81,7 +84,7 @@ bool Simulation::finished() const {
   const model::Control& control = model_->control;
   const domain::Clock& clock = domain_.clock;
   // A step that ends within a millionth of itself before the end time counts as arrived.
-  return clock.time >= control.end_time - 1e-6 * next_step_ ||
+  return terminations_.met() || clock.time >= control.end_time - 1e-6 * next_step_ ||
          (control.end_cycle > 0 && clock.cycle >= control.end_cycle);
 }
 
@@ -107,6 +110,8 @@ domain::StateList Simulation::state() {
   follower_loads_.declare(list);
   inertia_fields_.declare(list);
   mass_damping_.declare(list);
+  relative_dampings_.declare(list);
+  terminations_.declare(list);
   if (energy_trace_) energy_trace_->declare(list);
   return list;
 }

@@ -30,8 +30,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "constraints/interpolations.hpp"
 #include "constraints/joint_stiffness.hpp"
 #include "constraints/joints.hpp"
 #include "constraints/linear_equations.hpp"
@@ -57,9 +59,11 @@
 #include "loads/mass_damping.hpp"
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
+#include "loads/relative_damping.hpp"
 #include "model/model.hpp"
 #include "timeloop/node_kernels.hpp"
 #include "timeloop/supports.hpp"
+#include "timeloop/terminations.hpp"
 
 namespace crumple::timeloop {
 
@@ -92,8 +96,11 @@ class Simulation {
   /// velocity or energy stops being a finite number, naming where.
   void step();
 
-  /// True when the end time or the last cycle is reached.
+  /// True when the end time or the last cycle is reached, or something else ends the run.
   bool finished() const;
+
+  /// What else has ended it, in a sentence (*TERMINATION).
+  std::optional<std::string> ended_by() const { return terminations_.reason(); }
 
   /// Fingerprint of every array that changes.
   std::uint64_t state_hash() { return state().hash(); }
@@ -158,6 +165,7 @@ class Simulation {
   constraints::TiedNodes tied_nodes_;
   constraints::NodeSets node_sets_;
   constraints::LinearEquations linear_equations_;
+  constraints::Interpolations interpolations_;
   constraints::Rivets rivets_;
   constraints::PrescribedMotions prescribed_motions_;
   constraints::LocalConstraints local_constraints_;
@@ -171,6 +179,8 @@ class Simulation {
   loads::FollowerLoads follower_loads_;
   loads::InertiaFields inertia_fields_;
   loads::MassDamping mass_damping_;
+  loads::RelativeDampings relative_dampings_;
+  Terminations terminations_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
   KickSums kick_sums_;                          ///< of the last kick, walls included
   bool keeps_accelerations_ = false;

@@ -61,6 +61,7 @@ void Simulation::start() {
   balance();
   domain_.energy.initial_total = domain_.energy.total();
   kick(0.5 * next_step_);
+  terminations_.observe(domain_);
 }
 
 void Simulation::step() {
@@ -73,6 +74,7 @@ void Simulation::step() {
                            constraints::RigidBodies::kinetic_energy(domain_) +
                            constraints::RigidWall::kinetic_energy(domain_);
   balance();
+  terminations_.observe(domain_);
 }
 
 void Simulation::drift() {
@@ -107,6 +109,7 @@ void Simulation::compute_forces() {
   follower_loads_.add_forces(domain_);
   inertia_fields_.add_forces(domain_);
   mass_damping_.add_forces(domain_);
+  relative_dampings_.add_forces(domain_);
 }
 
 /// What tied nodes weigh is carried by others: the work that brings new mass to their speed is the
@@ -139,6 +142,7 @@ void Simulation::choose_step() {
   if (first) largest_step_ = step_growth_limit * next_step_;
   next_step_ *= control_volumes_.stable_share(domain_.clock.element_limit);
   next_step_ *= mass_damping_.stable_share(domain_.clock.element_limit);
+  next_step_ *= relative_dampings_.stable_share(domain_.clock.element_limit);
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
   next_step_ = std::min({next_step_, largest_step_, curve_limit(*model_, domain_.clock.time)});
   for (const contact::Interface& contact : contacts_)
@@ -164,6 +168,7 @@ void Simulation::kick(double interval) {
     tied_nodes_.release(domain_);
     tied_nodes_.remember(domain_);
     linear_equations_.remember(domain_);
+    interpolations_.prepare(domain_);
     supports_.measure(domain_);
     rigid_bodies_.kick(domain_, interval);
   }
@@ -199,7 +204,8 @@ void Simulation::accelerate_free_nodes(double interval) {
 }
 
 bool Simulation::joins_nodes() const {
-  return !rivets_.empty() || !node_sets_.empty() || !linear_equations_.empty() || !tied_nodes_.empty();
+  return !rivets_.empty() || !node_sets_.empty() || !linear_equations_.empty() || !interpolations_.empty() ||
+         !tied_nodes_.empty();
 }
 
 void Simulation::join_nodes(double interval) {
@@ -207,6 +213,7 @@ void Simulation::join_nodes(double interval) {
   supports_.add_ties(domain_, tied_nodes_, interval);
   node_sets_.constrain(domain_);
   kick_sums_.rotational += linear_equations_.constrain(domain_).rotational;
+  kick_sums_.rotational += interpolations_.constrain(domain_, next_step_).rotational;
   rivets_.constrain(domain_, next_step_);
 }
 

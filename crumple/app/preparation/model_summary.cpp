@@ -150,6 +150,7 @@ void print_conditions(std::ostream& out, const model::Model& model) {
     print(out, "  joint stiffnesses     {}\n", model.joint_stiffnesses.size());
   if (!model.linear_equations.empty())
     print(out, "  linear equations      {}\n", model.linear_equations.size());
+  if (!model.interpolations.empty()) print(out, "  interpolated nodes    {}\n", model.interpolations.size());
   for (const model::RigidWall& wall : model.rigid_walls)
     print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
           describe_motion(wall), counted(wall.nodes.size(), "node"), wall.friction);

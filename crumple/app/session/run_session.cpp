@@ -238,7 +238,8 @@ std::optional<Ending> RunSession::limit_passed() const {
 Ending RunSession::follow() {
   for (;;) {
     observe();
-    if (simulation_.finished()) return {"normal", "termination time reached", ExitCode::Normal};
+    if (simulation_.finished())
+      return {"normal", simulation_.ended_by().value_or("termination time reached"), ExitCode::Normal};
     if (const auto ending = asked_to_stop()) return *ending;
     if (const auto ending = limit_passed()) return *ending;
     simulation_.step();
@@ -345,7 +346,7 @@ ExitCode RunSession::run() {
     print_files(console_.out, folder_, written_files());
   }
   if (ending.code == ExitCode::Normal)
-    print(console_.out, "\n *** termination time reached ***\n");
+    print(console_.out, "\n *** {} ***\n", ending.reason);
   else
     print(console_.err, "\ncrumple: {}: {}\n", ending.termination, ending.reason);
   return ending.code;

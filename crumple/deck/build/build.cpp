@@ -149,6 +149,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_discretes(build);
   check_empty_parts(build);
   build_sets(build);
+  make_parts_rigid(build);
   build_interiors(build);
   build_masses(build);
   build_part_masses(build);
@@ -166,6 +167,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_contacts(build, options.automatic_contact);
   build_tied_contacts(build);
   check_contact_of_null_shells(build);
+  build_terminations(build);
   build_output(build);
   build_cross_sections(build);
   return std::move(build.model);

@@ -218,6 +218,8 @@ void build_joint_stiffnesses(Build& build);
 void build_walls(Build& build);
 // build_rigid_bodies.cpp
 void build_rigid_bodies(Build& build);
+/// Before anything asks which parts are rigid: those of *DEFORMABLE_TO_RIGID are.
+void make_parts_rigid(Build& build);
 /// The rigid body of every node, or no_index.
 std::vector<Index> bodies_of_nodes(const Build& build);
 // build_motions.cpp
@@ -249,6 +251,8 @@ UserId unnamed_contact_id(const Build& build, std::size_t place);
 bool add_contact_side(Build& build, const RawContactSide& raw, const Where& where, model::ContactSide& side);
 // build_tied_contact.cpp
 void build_tied_contacts(Build& build);
+// build_terminations.cpp
+void build_terminations(Build& build);
 // build_cross_sections.cpp
 void build_cross_sections(Build& build);
 // build_output.cpp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spot welds, rivets, constrained sets of nodes and linear equations.
+// Spot welds, rivets, constrained sets of nodes, linear equations and interpolations.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -182,6 +182,59 @@ void build_equations(Build& build, Owners& owners) {
       build.deck.equations.empty() ? build.deck.mid_nodes.front().where : build.deck.equations.front().where);
 }
 
+/// The independent nodes of an interpolation, each once.
+std::vector<model::Interpolation::Independent> find_independent(Build& build, const RawInterpolation& raw) {
+  std::vector<model::Interpolation::Independent> found;
+  for (const RawInterpolation::Independent& each : raw.independent) {
+    std::vector<Index> nodes;
+    if (!raw.of_sets)
+      nodes = {build.find(Item::Node, {each.id, "INID", each.where})};
+    else if (const std::vector<Index>* const members = set_nodes(build, {each.id, "INID", each.where}))
+      nodes = *members;
+    for (const Index node : nodes)
+      if (node != no_index) {
+        found.push_back(each.weights);
+        found.back().node = node;
+      }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.node < b.node; });
+  return found;
+}
+
+void build_interpolation(Build& build, const RawInterpolation& raw, Owners& owners) {
+  model::Interpolation interpolation = raw.interpolation;
+  interpolation.dependent = build.find(Item::Node, {raw.dependent, "DNID", raw.where});
+  interpolation.independent = find_independent(build, raw);
+  if (interpolation.dependent == no_index) return;
+  const auto same = [](const auto& a, const auto& b) { return a.node == b.node; };
+  const auto& all = interpolation.independent;
+  const bool twice = std::adjacent_find(all.begin(), all.end(), same) != all.end();
+  const bool own = std::any_of(all.begin(), all.end(),
+                               [&](const auto& each) { return each.node == interpolation.dependent; });
+  if (twice || own || all.size() < 2) {
+    build.report.error(raw.where, "independent nodes",
+                       own     ? "the dependent node is one of the independent ones"
+                       : twice ? "a node is among the independent ones twice"
+                               : "there have to be two independent nodes at least");
+    return;
+  }
+  owners.take({interpolation.dependent}, fmt::format("the interpolation {}", interpolation.id), raw.where);
+  build.model.interpolations.push_back(std::move(interpolation));
+}
+
+/// Independent nodes may be in several interpolations, but in no other connection.
+void build_interpolations(Build& build, Owners& owners) {
+  if (build.deck.interpolations.empty()) return;
+  for (const RawInterpolation& raw : build.deck.interpolations) build_interpolation(build, raw, owners);
+  std::vector<Index> nodes;
+  for (const model::Interpolation& interpolation : build.model.interpolations)
+    for (const model::Interpolation::Independent& each : interpolation.independent)
+      nodes.push_back(each.node);
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  owners.take(nodes, "the independent nodes of an interpolation", build.deck.interpolations.front().where);
+}
+
 }  // namespace
 
 std::map<Index, Connection> connections_of_nodes(const Build& build) {
@@ -202,19 +255,25 @@ std::map<Index, Connection> connections_of_nodes(const Build& build) {
       connection.name = "a linear equation";
       if (term.component < 3) connection.translation[static_cast<std::size_t>(term.component)] = true;
     }
+  for (const model::Interpolation& interpolation : build.model.interpolations) {
+    take(std::vector<Index>{interpolation.dependent}, {"an interpolation", all, false});
+    for (const model::Interpolation::Independent& each : interpolation.independent)
+      take(std::vector<Index>{each.node}, {"an interpolation", all, false});
+  }
   return found;
 }
 
 void build_connections(Build& build) {
   const RawDeck& deck = build.deck;
   if (deck.welds.empty() && deck.rivets.empty() && deck.constrained_sets.empty() && deck.equations.empty() &&
-      deck.mid_nodes.empty())
+      deck.mid_nodes.empty() && deck.interpolations.empty())
     return;
   Owners owners(build);
   build_welds(build, owners);
   build_rivets(build, owners);
   build_node_sets(build, owners);
   build_equations(build, owners);
+  build_interpolations(build, owners);
 }
 
 }  // namespace crumple::deck

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Forces of inertia, and damping by mass.
+// Forces of inertia, and damping.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "deck/build/build.hpp"
@@ -105,6 +107,35 @@ void build_part_damping(const RawMassDamping& raw, Build& build) {
   if (damping.curve != no_index && !damping.parts.empty()) build.model.part_dampings.push_back(damping);
 }
 
+void build_stiffness_damping(const RawStiffnessDamping& raw, Build& build) {
+  for (const Index index :
+       find_parts(build, raw.is_set, {raw.target, raw.is_set ? "PSID" : "PID", raw.where})) {
+    model::Part& part = build.model.parts[static_cast<std::size_t>(index)];
+    if (part.damping)
+      build.report.error(raw.where, "damping",
+                         fmt::format("part {} has damping in proportion to stiffness already; it is given "
+                                     "once",
+                                     part.id));
+    if (model::kind_of(part) == model::ElementKind::Discrete)
+      build.report.warning(
+          raw.where, "discrete damping",
+          fmt::format("part {} has springs or dampers: damping in proportion to stiffness does nothing there",
+                      part.id));
+    else
+      part.damping = raw.damping;
+  }
+}
+
+void build_relative_damping(const RawRelativeDamping& raw, Build& build) {
+  model::RelativeDamping damping = raw.damping;
+  if (raw.curve != 0) damping.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  damping.body = build.find(Item::RigidBody, {raw.body, "PIDRB", raw.where});
+  damping.parts = find_parts(build, true, {raw.parts, "PSID", raw.where});
+  const bool acts = damping.frequency > 0 && (damping.curve != no_index || damping.share > 0);
+  if (acts && damping.body != no_index && !damping.parts.empty())
+    build.model.relative_dampings.push_back(damping);
+}
+
 }  // namespace
 
 std::vector<Index> find_parts(Build& build, bool is_set, const Reference& reference) {
@@ -119,6 +150,8 @@ void build_inertia_fields(Build& build) {
   for (const RawInertiaField& raw : build.deck.inertia_fields) build_inertia_field(raw, parts, build);
   build_mass_damping(build);
   for (const RawMassDamping& raw : build.deck.part_dampings) build_part_damping(raw, build);
+  for (const RawStiffnessDamping& raw : build.deck.stiffness_dampings) build_stiffness_damping(raw, build);
+  for (const RawRelativeDamping& raw : build.deck.relative_dampings) build_relative_damping(raw, build);
 }
 
 }  // namespace crumple::deck

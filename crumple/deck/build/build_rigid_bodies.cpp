@@ -17,6 +17,7 @@ class Bodies {
 
   void take_parts();
   void merge();
+  void merge(const RawRigidMerge& raw, std::string_view leading_field, std::string_view merged_field);
   void take_nodes_of_parts();
   void take_extra_nodes();
   void take_nodal_bodies();
@@ -85,36 +86,46 @@ void Bodies::take_parts() {
     body.parts = {index};
     body.fixed_translation = rigid->fixed_translation;
     body.fixed_rotation = rigid->fixed_rotation;
-    const RawMaterial& material = build_.deck.materials[static_cast<std::size_t>(part.material)];
-    take_held_axes(material.held_system, material.where, body);
+    // The materials of *DEFORMABLE_TO_RIGID are not in the deck.
+    if (static_cast<std::size_t>(part.material) < build_.deck.materials.size()) {
+      const RawMaterial& material = build_.deck.materials[static_cast<std::size_t>(part.material)];
+      take_held_axes(material.held_system, material.where, body);
+    }
     if (raw.inertia) take_inertia(*raw.inertia, body);
     body_of_part_[static_cast<std::size_t>(index)] = add(std::move(body), raw.where);
   }
 }
 
 void Bodies::merge() {
-  for (const RawRigidMerge& raw : build_.deck.rigid_merges) {
-    const auto body_of = [&](UserId id, std::string_view field) {
-      const Index part = build_.find(Item::Part, {id, field, raw.where});
-      if (part == no_index) return no_index;
-      const Index body = body_of_part_[static_cast<std::size_t>(part)];
-      if (body == no_index)
-        build_.report.field_error(raw.where, {field, std::to_string(id), "a part of *MAT_RIGID",
-                                              "only rigid parts with elements can be merged", "rigid"});
-      return body;
-    };
-    const Index first = body_of(raw.leading, "PIDL");
-    const Index second = body_of(raw.merged, "PIDC");
-    if (first == no_index || second == no_index) continue;
-    const Index into = leading(first);
-    const Index from = leading(second);
-    if (into == from) continue;
-    merged_into_[static_cast<std::size_t>(from)] = into;
-    std::vector<Index>& parts = bodies_[static_cast<std::size_t>(from)].parts;
-    std::vector<Index>& target = bodies_[static_cast<std::size_t>(into)].parts;
-    target.insert(target.end(), parts.begin(), parts.end());
-    parts.clear();
+  for (const RawRigidMerge& raw : build_.deck.rigid_merges) merge(raw, "PIDL", "PIDC");
+  for (const RawRigidPart& raw : build_.deck.rigid_parts) {
+    if (raw.leading == 0) continue;
+    for (const Index part : find_parts(build_, raw.is_set, {raw.target, "PID", raw.where}))
+      merge({raw.leading, build_.model.parts[static_cast<std::size_t>(part)].id, raw.where}, "LRB", "PID");
   }
+}
+
+void Bodies::merge(const RawRigidMerge& raw, std::string_view leading_field, std::string_view merged_field) {
+  const auto body_of = [&](UserId id, std::string_view field) {
+    const Index part = build_.find(Item::Part, {id, field, raw.where});
+    if (part == no_index) return no_index;
+    const Index body = body_of_part_[static_cast<std::size_t>(part)];
+    if (body == no_index)
+      build_.report.field_error(raw.where, {field, std::to_string(id), "a part of *MAT_RIGID",
+                                            "only rigid parts with elements can be merged", "rigid"});
+    return body;
+  };
+  const Index first = body_of(raw.leading, leading_field);
+  const Index second = body_of(raw.merged, merged_field);
+  if (first == no_index || second == no_index) return;
+  const Index into = leading(first);
+  const Index from = leading(second);
+  if (into == from) return;
+  merged_into_[static_cast<std::size_t>(from)] = into;
+  std::vector<Index>& parts = bodies_[static_cast<std::size_t>(from)].parts;
+  std::vector<Index>& target = bodies_[static_cast<std::size_t>(into)].parts;
+  target.insert(target.end(), parts.begin(), parts.end());
+  parts.clear();
 }
 
 void Bodies::take_nodes_of_parts() {
@@ -237,7 +248,30 @@ void take_initial_motions(Build& build) {
   }
 }
 
+/// A part of deformable material becomes one of a rigid material with the same density and stiffness.
+void make_rigid(Build& build, Index index, const RawRigidPart& raw) {
+  model::Part& part = build.model.parts[static_cast<std::size_t>(index)];
+  if (part.material == no_index) {
+    build.report.field_error(raw.where,
+                             {"PID", std::to_string(part.id), "a part of shells, solids or beams",
+                              "springs and dampers have nothing that could become rigid", "springs"});
+    return;
+  }
+  model::Material material = build.model.materials[static_cast<std::size_t>(part.material)];
+  if (material.rigid) return;
+  material.rigid.emplace();
+  material.erosion.reset();
+  part.material = static_cast<Index>(build.model.materials.size());
+  build.model.materials.push_back(std::move(material));
+}
+
 }  // namespace
+
+void make_parts_rigid(Build& build) {
+  for (const RawRigidPart& raw : build.deck.rigid_parts)
+    for (const Index part : find_parts(build, raw.is_set, {raw.target, "PID", raw.where}))
+      make_rigid(build, part, raw);
+}
 
 std::vector<Index> bodies_of_nodes(const Build& build) {
   std::vector<Index> body_of_node(build.model.nodes.id.size(), no_index);

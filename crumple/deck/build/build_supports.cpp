@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "deck/build/build.hpp"
@@ -124,6 +125,34 @@ class Holder {
   std::map<Index, model::FixedNode> fixed_;
 };
 
+/// *CONSTRAINED_GLOBAL: nodes nearer to the plane than the tolerance, by default this share of the largest
+/// extent of the model.
+constexpr double plane_share = 1e-6;
+
+void hold_plane(const RawHeldPlane& raw, Holder& holder, Build& build) {
+  const auto& places = build.model.nodes.position;
+  double extent = 0;
+  for (std::size_t axis = 0; axis < 3 && !places.empty(); ++axis) {
+    const auto [least, most] = std::minmax_element(
+        places.begin(), places.end(), [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+    extent = std::max(extent, (*most)[axis] - (*least)[axis]);
+  }
+  const double tolerance = raw.tolerance > 0 ? raw.tolerance : plane_share * extent;
+  const auto along = static_cast<std::size_t>(raw.axis);
+  Hold hold;
+  hold.translation = held_axes(raw.translation_code);
+  hold.rotation = held_axes(raw.rotation_code);
+  hold.where = raw.where;
+  Index held = 0;
+  for (std::size_t node = 0; node < places.size(); ++node) {
+    if (std::fabs(places[node][along] - raw.point[along]) > tolerance) continue;
+    holder.apply(static_cast<Index>(node), hold);
+    ++held;
+  }
+  if (held == 0)
+    build.report.warning(raw.where, "empty plane", "no node lies on the plane: nothing is held by it");
+}
+
 }  // namespace
 
 void build_fixed_nodes(Build& build) {
@@ -137,6 +166,7 @@ void build_fixed_nodes(Build& build) {
     hold.where = raw.where;
     holder.apply(static_cast<Index>(i), hold);
   }
+  for (const RawHeldPlane& raw : build.deck.held_planes) hold_plane(raw, holder, build);
   for (const RawFixed& raw : build.deck.fixed) {
     Hold hold;
     hold.translation = raw.translation;

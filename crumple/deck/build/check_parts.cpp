@@ -89,7 +89,7 @@ void check_contact_of_null_shells(Build& build) {
   for (const model::ShellElement& shell : build.model.shells) {
     if (shell.part == no_index) continue;
     const model::Part& part = build.model.parts[static_cast<std::size_t>(shell.part)];
-    if (part.material == no_index) continue;
+    if (part.material == no_index || model::is_rigid(build.model, part)) continue;
     const RawMaterial& raw = build.deck.materials[static_cast<std::size_t>(part.material)];
     const auto* skin = std::get_if<model::NullMaterial>(&raw.material.law);
     if (skin == nullptr || skin->youngs_modulus > 0) continue;

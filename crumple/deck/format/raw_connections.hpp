@@ -93,6 +93,38 @@ struct RawMidNode {
   Where where;
 };
 
+/// *DEFORMABLE_TO_RIGID: parts that are rigid from the start on.
+struct RawRigidPart {
+  UserId target = 0;  ///< a part, or a part set
+  bool is_set = false;
+  UserId leading = 0;  ///< LRB: the part that they are merged into; 0 is none
+  Where where;
+};
+
+/// *CONSTRAINED_GLOBAL: nodes on a plane are held.
+struct RawHeldPlane {
+  int translation_code = 0;  ///< TC
+  int rotation_code = 0;     ///< RC
+  int axis = 0;              ///< along the normal
+  std::array<double, 3> point{};
+  double tolerance = 0;  ///< [length]; 0 takes ours
+  Where where;
+};
+
+/// *CONSTRAINED_INTERPOLATION.
+struct RawInterpolation {
+  struct Independent {
+    UserId id = 0;  ///< a node, or a node set
+    model::Interpolation::Independent weights;
+    Where where;
+  };
+  model::Interpolation interpolation;
+  UserId dependent = 0;
+  bool of_sets = false;
+  std::vector<Independent> independent;
+  Where where;
+};
+
 struct RawConstrainedSet {
   UserId node_set = 0;
   std::array<bool, 3> direction{};

@@ -304,6 +304,13 @@ struct RawTiedContact {
 /// What *DATABASE_HISTORY names.
 enum class HistoryItem { Node, Shell, Solid, Beam, Discrete };
 
+/// *TERMINATION. What it is about by id.
+struct RawTermination {
+  model::Termination termination;
+  bool is_set = false;  ///< a set of parts
+  Where where;
+};
+
 struct RawHistory {
   UserId id = 0;
   bool is_set = false;
@@ -397,6 +404,7 @@ struct RawDeck {
   std::vector<RawPressureLoad> pressure_loads;
   std::vector<RawControlVolume> control_volumes;
   std::vector<RawRigidMerge> rigid_merges;
+  std::vector<RawRigidPart> rigid_parts;
   std::vector<RawRigidVelocity> rigid_velocities;
   std::vector<RawExtraNodes> extra_nodes;
   std::vector<RawNodalBody> nodal_bodies;
@@ -405,6 +413,8 @@ struct RawDeck {
   std::vector<RawConstrainedSet> constrained_sets;
   std::vector<RawJoint> joints;
   std::vector<RawEquation> equations;
+  std::vector<RawInterpolation> interpolations;
+  std::vector<RawHeldPlane> held_planes;
   std::vector<RawMidNode> mid_nodes;
   std::vector<RawJointStiffness> joint_stiffnesses;
   std::vector<RawPrescribedMotion> prescribed_motions;
@@ -412,6 +422,8 @@ struct RawDeck {
   std::vector<RawRigidBodyLoad> rigid_body_loads;
   std::vector<RawMassDamping> mass_dampings;
   std::vector<RawMassDamping> part_dampings;
+  std::vector<RawStiffnessDamping> stiffness_dampings;
+  std::vector<RawRelativeDamping> relative_dampings;
   std::vector<RawInertiaField> inertia_fields;
   std::vector<RawBodyLoadParts> body_load_parts;
   std::vector<RawVector> vectors;
@@ -423,6 +435,7 @@ struct RawDeck {
   int contact_thickness_option = 0;  ///< SHLTHK of *CONTROL_CONTACT
   std::vector<RawTiedContact> tied_contacts;
   std::vector<RawHistory> histories;
+  std::vector<RawTermination> terminations;
   std::vector<RawCrossSection> cross_sections;
   std::vector<UnsupportedDefinition> unsupported;
   std::vector<std::string_view> faulty;  ///< keywords with asterisk, of blocks that were damaged

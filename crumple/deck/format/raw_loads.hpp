@@ -98,6 +98,22 @@ struct RawMassDamping {
   bool is_set = false;
 };
 
+/// *DAMPING_PART_STIFFNESS.
+struct RawStiffnessDamping {
+  model::StiffnessDamping damping;
+  UserId target = 0;  ///< a part, or a part set
+  bool is_set = false;
+  Where where;
+};
+
+struct RawRelativeDamping {
+  model::RelativeDamping damping;
+  UserId body = 0;
+  UserId parts = 0;
+  UserId curve = 0;  ///< 0 is none
+  Where where;
+};
+
 /// Mass that is spread over the nodes of a part or of the parts of a set.
 struct RawPartMass {
   UserId target = 0;

@@ -113,6 +113,11 @@ void read_set_segment_add(Cards& cards, RawDeck& deck);
 
 // read_control.cpp
 void read_title(Cards& cards, RawDeck& deck);
+void read_termination_node(Cards& cards, RawDeck& deck);
+void read_termination_body(Cards& cards, RawDeck& deck);
+void read_termination_contact(Cards& cards, RawDeck& deck);
+void read_termination_deleted(Cards& cards, RawDeck& deck);
+void read_termination_deleted_set(Cards& cards, RawDeck& deck);
 void read_control_termination(Cards& cards, RawDeck& deck);
 void read_control_timestep(Cards& cards, RawDeck& deck);
 void read_control_energy(Cards& cards, RawDeck& deck);
@@ -182,6 +187,9 @@ void read_joint(Cards& cards, RawDeck& deck) {
 }
 void read_constrained_linear_global(Cards& cards, RawDeck& deck);
 void read_constrained_adaptivity(Cards& cards, RawDeck& deck);
+void read_constrained_interpolation(Cards& cards, RawDeck& deck);
+void read_deformable_to_rigid(Cards& cards, RawDeck& deck);
+void read_constrained_global(Cards& cards, RawDeck& deck);
 // read_joint_stiffness.cpp
 void read_constrained_joint_stiffness_generalized(Cards& cards, RawDeck& deck);
 void read_constrained_joint_stiffness_translational(Cards& cards, RawDeck& deck);
@@ -221,6 +229,9 @@ void read_load_gravity_part_set(Cards& cards, RawDeck& deck);
 void read_damping_global(Cards& cards, RawDeck& deck);
 void read_damping_part_mass(Cards& cards, RawDeck& deck);
 void read_damping_part_mass_set(Cards& cards, RawDeck& deck);
+void read_damping_part_stiffness(Cards& cards, RawDeck& deck);
+void read_damping_part_stiffness_set(Cards& cards, RawDeck& deck);
+void read_damping_relative(Cards& cards, RawDeck& deck);
 void read_element_mass_part(Cards& cards, RawDeck& deck);
 void read_element_mass_part_set(Cards& cards, RawDeck& deck);
 

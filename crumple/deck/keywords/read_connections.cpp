@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *CONSTRAINED_SPOTWELD, *CONSTRAINED_GENERALIZED_WELD_SPOT, *CONSTRAINED_RIVET, *CONSTRAINED_NODE_SET,
-// *CONSTRAINED_LINEAR_GLOBAL, *CONSTRAINED_ADAPTIVITY.
+// *CONSTRAINED_LINEAR_GLOBAL, *CONSTRAINED_ADAPTIVITY, *CONSTRAINED_INTERPOLATION,
+// *CONSTRAINED_GLOBAL.
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/rigid_inertia.hpp"
 
@@ -66,6 +67,75 @@ constexpr Field adaptivity_card[] = {
     id("NID1", IdKind::Node),
     id("NID2", IdKind::Node),
 };
+
+constexpr std::string_view of_global_axes = "degrees of freedom are those of global axes";
+constexpr std::string_view all_degrees =
+    "the independent nodes count with all translations, and with all rotations or none";
+
+constexpr Field interpolation_card[] = {
+    reference("ICID", IdKind::Other),
+    id("DNID", IdKind::Node),
+    axes(integer_or_default("DDOF", 123456, within(1, 123456, "the digits 1 to 6, each once"))),
+    only("CIDD", {0}, of_global_axes),
+    only("ITYP", {0, 1}, "0 has nodes, 1 sets of nodes"),
+    unused("IDNSW"),  // nodes of eroded elements stay
+    unused("FGM"),    // implicit
+};
+
+constexpr Field independent_card[] = {
+    id("INID", IdKind::Node),
+    axes(only("IDOF", {123456, 0, 123}, all_degrees)),
+    real_or_default("TWGHTX", 1, above_zero),
+    real("TWGHTY", 0, not_negative),
+    real("TWGHTZ", 0, not_negative),
+    real("RWGHTX", 0, not_negative),
+    real("RWGHTY", 0, not_negative),
+    real("RWGHTZ", 0, not_negative),
+};
+
+constexpr Field independent_set_card[] = {
+    id("INID", IdKind::Set),
+    axes(only("IDOF", {123456, 0, 123}, all_degrees)),
+    real_or_default("TWGHTX", 1, above_zero),
+    real("TWGHTY", 0, not_negative),
+    real("TWGHTZ", 0, not_negative),
+    real("RWGHTX", 0, not_negative),
+    real("RWGHTY", 0, not_negative),
+    real("RWGHTZ", 0, not_negative),
+};
+
+constexpr Check held_code = within(0, 7, "1, 2, 3 are x, y, z, 4 is xy, 5 yz, 6 zx, 7 all");
+
+constexpr Field global_card[] = {
+    axes(integer("TC", 0, held_code)),
+    axes(integer("RC", 0, held_code)),
+    axes(integer("DIR", 1, within(1, 3, "the plane is normal to x, y, z"))),
+    point(real("X")),
+    point(real("Y")),
+    point(real("Z")),
+    length(real("TOL", 0, not_negative)),
+};
+
+/// The digits of DDOF; false for one that is none of 1 to 6, or stands twice.
+bool take_digits(std::int64_t number, std::array<bool, 6>& digits) {
+  digits = {};
+  for (; number > 0; number /= 10) {
+    const std::int64_t digit = number % 10;
+    if (digit < 1 || digit > 6 || digits[static_cast<std::size_t>(digit) - 1]) return false;
+    digits[static_cast<std::size_t>(digit) - 1] = true;
+  }
+  return true;
+}
+
+/// Refuses weights that are not the same along all axes; zero takes the first.
+void require_one_weight(Cards& cards, const Card& card, std::initializer_list<std::string_view> names,
+                        double weight) {
+  for (const std::string_view name : names)
+    if (card.real(name) != 0 && card.real(name) != weight)
+      cards.report().field_unsupported(card.where(),
+                                       {name, std::string(card.text(name)), "the same along all axes",
+                                        "each node has one weight", "weights"});
+}
 
 /// Strength, exponents and limits, whose names but two both kinds of cards share.
 model::SpotWeld limits_of(const Card& card, std::string_view time, std::string_view strain) {
@@ -152,6 +222,48 @@ void read_constrained_adaptivity(Cards& cards, RawDeck& deck) {
       deck.mid_nodes.push_back(
           {{card.integer("DNID"), card.integer("NID1"), card.integer("NID2")}, card.where()});
   }
+}
+
+void read_constrained_global(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(global_card);
+    RawHeldPlane raw;
+    raw.translation_code = static_cast<int>(card.integer("TC"));
+    raw.rotation_code = static_cast<int>(card.integer("RC"));
+    raw.axis = static_cast<int>(card.integer("DIR")) - 1;
+    raw.point = {card.real("X"), card.real("Y"), card.real("Z")};
+    raw.tolerance = card.real("TOL");
+    raw.where = card.where();
+    if (card.good("TC") && card.good("RC") && card.good("DIR")) deck.held_planes.push_back(raw);
+  }
+}
+
+void read_constrained_interpolation(Cards& cards, RawDeck& deck) {
+  const Card first = cards.next(interpolation_card);
+  RawInterpolation raw;
+  raw.interpolation.id = first.integer("ICID");
+  raw.dependent = first.integer("DNID");
+  raw.of_sets = first.real("ITYP") == 1;
+  raw.where = first.where();
+  bool good = first.good("DNID") && first.good("DDOF");
+  if (good && !take_digits(first.integer("DDOF"), raw.interpolation.follows)) {
+    cards.report().field_error(
+        first.where(), {"DDOF", std::string(first.text("DDOF")), "the digits 1 to 6, each at most once",
+                        "1, 2, 3 move along x, y, z, 4, 5, 6 turn about them", "digits"});
+    good = false;
+  }
+  while (cards.more()) {
+    const Card card =
+        raw.of_sets ? cards.next_filled(independent_set_card) : cards.next_filled(independent_card);
+    const double weight = card.real("TWGHTX");
+    require_one_weight(cards, card, {"TWGHTY", "TWGHTZ"}, weight);
+    const double rotation = card.real("RWGHTX") > 0 ? card.real("RWGHTX") : weight;
+    require_one_weight(cards, card, {"RWGHTY", "RWGHTZ"}, rotation);
+    good = good && card.good("INID") && card.good("TWGHTX");
+    raw.independent.push_back(
+        {card.integer("INID"), {no_index, weight, card.real("IDOF") == 123 ? 0 : rotation}, card.where()});
+  }
+  if (good) deck.interpolations.push_back(std::move(raw));
 }
 
 }  // namespace crumple::deck

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *MAT_RIGID, *CONSTRAINED_RIGID_BODIES, *CONSTRAINED_EXTRA_NODES, *CONSTRAINED_NODAL_RIGID_BODY,
-// *INITIAL_VELOCITY_RIGID_BODY.
+// *INITIAL_VELOCITY_RIGID_BODY, *DEFORMABLE_TO_RIGID.
 #include <array>
 
 #include "deck/keywords/families.hpp"
@@ -40,6 +40,17 @@ constexpr Field constraint_card[] = {
 constexpr Field output_axes_card[] = {
     unused("LCO"),  // axes of LS-DYNA's listings
     unused("A2"),  unused("A3"), unused("V1"), unused("V2"), unused("V3"),
+};
+
+IdKind kind_of_rigid_part(const Card& card) {
+  const std::string_view type = card.text("PTYPE");
+  return type == "PSET" || type == "pset" ? IdKind::Set : IdKind::Part;
+}
+
+constexpr Field rigid_part_card[] = {
+    id("PID", kind_of_rigid_part),
+    reference("LRB", IdKind::Part),
+    text("PTYPE", 10),
 };
 
 constexpr Field merge_card[] = {
@@ -189,6 +200,23 @@ void read_constrained_rigid_bodies(Cards& cards, RawDeck& deck) {
     const Card card = cards.next_filled(merge_card);
     if (card.good("PIDL") && card.good("PIDC"))
       deck.rigid_merges.push_back({card.integer("PIDL"), card.integer("PIDC"), card.where()});
+  }
+}
+
+void read_deformable_to_rigid(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(rigid_part_card);
+    const std::string_view type = card.text("PTYPE");
+    RawRigidPart raw;
+    raw.target = card.integer("PID");
+    raw.leading = card.integer("LRB");
+    raw.is_set = kind_of_rigid_part(card) == IdKind::Set;
+    raw.where = card.where();
+    if (!type.empty() && type != "PART" && type != "part" && !raw.is_set)
+      cards.report().field_error(card.where(), {"PTYPE", std::string(card.text("PTYPE")), "PART or PSET",
+                                                "it says what PID is the number of", "type"});
+    else if (card.good("PID") && card.good("LRB"))
+      deck.rigid_parts.push_back(raw);
   }
 }
 

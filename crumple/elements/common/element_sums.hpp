@@ -9,6 +9,7 @@ namespace crumple::elements {
 struct ElementSums {
   double internal_energy = 0;   ///< increment [energy]
   double hourglass_energy = 0;  ///< increment [energy]
+  double damping_energy = 0;    ///< of damping in proportion to stiffness, increment [energy]
   double shortest_step = 0;     ///< smallest stable step at time n [time]
   double eroded_internal = 0;   ///< internal energy of the elements that have failed now [energy]
   double eroded_hourglass = 0;  ///< the same of their hourglass energy [energy]

@@ -6,6 +6,7 @@
 namespace crumple::elements {
 
 struct ErosionCheck;
+struct StiffnessDamping;
 
 /// One chunk of one block, but for what is different for shells and solids.
 template <class Real>
@@ -20,7 +21,8 @@ struct ElementTask {
   Real step = 0;             ///< from n-1 to n [time]
   bool from_memory = false;  ///< the model is larger than the caches: ask for everything a tile ahead
   const double* material_constants = nullptr;
-  const ErosionCheck* erosion = nullptr;  ///< what makes points fail whatever their law; nullptr: nothing
+  const ErosionCheck* erosion = nullptr;      ///< what makes points fail whatever their law; nullptr: nothing
+  const StiffnessDamping* damping = nullptr;  ///< nullptr: none
 };
 
 }  // namespace crumple::elements

@@ -53,4 +53,11 @@ struct LaneSums {
   }
 };
 
+/// Adds up what damping took of the elements of a tile, in their order.
+template <class Pack>
+void add_damping_energy(const RealOf<Pack>* row, Index groups, ElementSums& sums) {
+  for (Index place = 0; place < groups * lanes; ++place)
+    sums.damping_energy += static_cast<double>(row[place]);
+}
+
 }  // namespace crumple::elements

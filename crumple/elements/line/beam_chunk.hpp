@@ -49,6 +49,8 @@ void beam_chunk(const BeamTask& task, ElementSums& sums) {
                                               Formulation::template forces<Pack>(place));
     }
     lane_sums.add_group(rows);
+    if (task.damping_item > 0)
+      add_damping_energy<Pack>(rows + beam_row::damping_energy * materials::tile_lanes, 1, sums);
     if constexpr (Formulation::can_fail)
       if (Formulation::fails(task.constants))
         erode<Pack>({state + beam_state::active * lanes, state + Formulation::energy * lanes, rows,

@@ -43,7 +43,8 @@ using sum_row::hourglass_energy;
 using sum_row::internal_energy;
 using sum_row::shortest_step;
 inline constexpr int intact = sum_row::count;
-inline constexpr int count = intact + 1;
+inline constexpr int damping_energy = intact + 1;  ///< increment of the step
+inline constexpr int count = damping_energy + 1;
 }  // namespace beam_row
 
 /// Where one pack of beams finds everything.
@@ -106,12 +107,34 @@ CRUMPLE_INLINE math::PackVec3<Pack> beam_span(const BeamPlace& place) {
   });
 }
 
-/// Stable step: that of time zero, shorter as the beam becomes shorter.
+/// Stable step without damping: that of time zero, shorter as the beam becomes shorter.
+template <class Pack>
+CRUMPLE_INLINE Pack undamped_step(const BeamPlace& place, const Pack& length) {
+  const Pack one(1.0);
+  const Pack shorter = smaller(one, Pack(length / beam_item<Pack>(place, beam_state::reference_length)));
+  return beam_item<Pack>(place, beam_state::stable_step) * shorter;
+}
+
+/// What damping in proportion to stiffness makes of the elastic forces of a step's deformations [-].
+template <class Pack>
+CRUMPLE_INLINE Pack damping_share(const BeamPlace& place, const Pack& length) {
+  const BeamTask& task = place.task;
+  if (!(task.step > 0)) return Pack(0.0);
+  const Pack beta = task.damping.share > 0 ? Pack(Pack(task.damping.share) * undamped_step(place, length))
+                                           : Pack(task.damping.beta);
+  return Pack(1 / task.step) * beta;
+}
+
+/// Leaves the stable step, see damped_share().
 template <class Pack>
 CRUMPLE_INLINE void keep_stable_step(const BeamPlace& place, const Pack& active, const Pack& length) {
   const Pack one(1.0);
-  const Pack shorter = smaller(one, Pack(length / beam_item<Pack>(place, beam_state::reference_length)));
-  const Pack limit = beam_item<Pack>(place, beam_state::stable_step) * shorter;
+  Pack limit = undamped_step(place, length);
+  if (place.task.damping_item > 0) {
+    const model::StiffnessDamping& damping = place.task.damping;
+    const Pack x = damping.share > 0 ? Pack(damping.share) : Pack(Pack(damping.beta) / limit);
+    limit = limit / (square_root(multiply_add(x, x, one)) + x);
+  }
   keep_beam_row(place, beam_row::shortest_step, select<Pack>(active > Pack(0.0), limit, Pack(1e30)));
 }
 

@@ -3,7 +3,7 @@
 
 // What beams of resultants share, whatever their law: how far the ends of a beam have moved against its
 // chord, and the forces at its nodes, the exact derivatives of those deformations (docs/theory/beams.md).
-// Order of calls: beam_motion(), the law, keep_work(), beam_forces().
+// Order of calls: beam_motion(), the law, with_damping(), keep_work(), beam_forces().
 
 #include "elements/line/beam_formulation.hpp"
 
@@ -202,6 +202,46 @@ CRUMPLE_INLINE Pack keep_work(const BeamPlace& place, const BeamMotion<Pack>& mo
   add_work(place, 4, motion.turn[1].s, q.moment[1].s, work);
   add_work(place, 5, motion.turn[1].t, q.moment[1].t, work);
   return work;
+}
+
+/// Resultants with those of damping in proportion to the elastic stiffness, which is none where `intact` is
+/// zero. Leaves its work; to be called before keep_work().
+template <class Pack>
+CRUMPLE_INLINE BeamResultants<Pack> with_damping(const BeamPlace& place, const BeamMotion<Pack>& motion,
+                                                 const BeamResultants<Pack>& q, const Pack& intact) {
+  if (place.task.damping_item == 0) return q;
+  const BeamConstants& c = place.task.constants;
+  const Pack l0 = beam_item<Pack>(place, beam_state::reference_length);
+  const Pack share = intact * damping_share(place, motion.length);
+  const Pack deformation[6] = {motion.stretch,   motion.twist,     motion.turn[0].s,
+                               motion.turn[0].t, motion.turn[1].s, motion.turn[1].t};
+  Pack change[6];
+  for (int i = 0; i < 6; ++i)
+    change[i] = deformation[i] - beam_item<Pack>(place, resultant_state::deformation + i);
+  const BendingStiffness<Pack> about_s(c.bending_s, c.shear_stiffness, l0);
+  const BendingStiffness<Pack> about_t(c.bending_t, c.shear_stiffness, l0);
+  const auto moment = [&](const BendingStiffness<Pack>& k, int own, int other) {
+    return multiply_add(k.same, change[own], Pack(k.other * change[other]));
+  };
+  Pack more[6] = {Pack(c.youngs_modulus * c.area) / l0 * change[0],
+                  Pack(c.twisting) / l0 * change[1],
+                  moment(about_s, 2, 4),
+                  moment(about_t, 3, 5),
+                  moment(about_s, 4, 2),
+                  moment(about_t, 5, 3)};
+  Pack work(0.0);
+  for (int i = 0; i < 6; ++i) {
+    more[i] = share * more[i];
+    const Index item = place.task.damping_item + i;
+    work = multiply_add(Pack(Pack(0.5) * (beam_item<Pack>(place, item) + more[i])), change[i], work);
+    set_beam_item(place, item, more[i]);
+  }
+  const Pack active = beam_item<Pack>(place, beam_state::active);
+  keep_beam_row(place, beam_row::damping_energy, Pack(active * work));
+  return {q.axial + more[0],
+          q.torsion + more[1],
+          {{q.moment[0].s + more[2], q.moment[0].t + more[3]},
+           {q.moment[1].s + more[4], q.moment[1].t + more[5]}}};
 }
 
 /// Forces and moments on the nodes; none where `active` is zero.

@@ -84,6 +84,8 @@ struct BeamTask {
   Index groups = 0;
   double step = 0;  ///< from n-1 to n [time]
   double time = 0;  ///< n [time]
+  model::StiffnessDamping damping{};
+  Index damping_item = 0;  ///< first component of the item "damping"; 0: there is none
   BeamConstants constants;
 };
 

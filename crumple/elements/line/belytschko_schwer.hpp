@@ -99,11 +99,12 @@ CRUMPLE_INLINE BeamForces<Pack> BelytschkoSchwer::forces(const BeamPlace& place)
   const Pack axial = stiffness.axial * elastic.stretch;
   const BeamResultants<Pack> q{
       axial, torsion, {stiffness.moment(elastic.turn, 0), stiffness.moment(elastic.turn, 1)}};
+  const BeamResultants<Pack> on_nodes = with_damping(place, motion, q, active);
   const Pack work = keep_work(place, motion, q);
   keep_beam_row(place, beam_row::internal_energy, Pack(active * work));
   keep_beam_row(place, beam_row::hourglass_energy, Pack(0.0));
   keep_stable_step(place, active, motion.length);
-  return beam_forces(motion, q, active);
+  return beam_forces(motion, on_nodes, active);
 }
 
 }  // namespace crumple::elements

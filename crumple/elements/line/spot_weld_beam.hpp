@@ -156,12 +156,13 @@ CRUMPLE_INLINE BeamForces<Pack> SpotWeldBeam::forces(const BeamPlace& place) {
       place, weld_state::failure_time,
       select<Pack>(active > intact, Pack(place.task.time), beam_item<Pack>(place, weld_state::failure_time)));
   const BeamResultants<Pack> resultants = on_ends(q, l0);
+  const BeamResultants<Pack> on_nodes = with_damping(place, motion, resultants, intact);
   const Pack work = keep_work(place, motion, resultants);
   keep_beam_row(place, beam_row::internal_energy, Pack(active * work));
   keep_beam_row(place, beam_row::hourglass_energy, zero);
   keep_beam_row(place, beam_row::intact, intact);
   keep_stable_step(place, active, motion.length);
-  BeamForces<Pack> internal = beam_forces(motion, resultants, intact);
+  BeamForces<Pack> internal = beam_forces(motion, on_nodes, intact);
   for (math::PackVec3<Pack>* vector : {&internal.force, &internal.moment[0], &internal.moment[1]})
     for (Pack* number : {&vector->x, &vector->y, &vector->z})
       *number = select<Pack>(intact > zero, *number, zero);

@@ -55,7 +55,8 @@ CRUMPLE_INLINE BeamForces<Pack> Truss::forces(const BeamPlace& place) {
   const Pack longer = length - before;
   const Pack old_stress = beam_item<Pack>(place, truss_state::stress);
   // Strain by the length of the middle of the step: the sum is the logarithmic strain.
-  Pack stress = truss_stress(place, Pack(longer / (Pack(0.5) * (length + before))));
+  const Pack strain = longer / (Pack(0.5) * (length + before));
+  Pack stress = truss_stress(place, strain);
   Pack intact = active;
   if (c.failure_strain > 0)
     intact = select<Pack>(beam_item<Pack>(place, truss_state::plastic_strain) < Pack(c.failure_strain),
@@ -66,6 +67,13 @@ CRUMPLE_INLINE BeamForces<Pack> Truss::forces(const BeamPlace& place) {
   const Pack half_area(0.5 * c.area);
   keep_beam_row(place, beam_row::internal_energy, Pack(active * half_area * (old_stress + stress) * longer));
   keep_beam_row(place, beam_row::hourglass_energy, zero);
+  if (place.task.damping_item > 0) {
+    const Pack damping = intact * (damping_share(place, length) * (Pack(c.youngs_modulus) * strain));
+    const Pack both = beam_item<Pack>(place, place.task.damping_item) + damping;
+    set_beam_item(place, place.task.damping_item, damping);
+    keep_beam_row(place, beam_row::damping_energy, Pack(active * half_area * both * longer));
+    stress = stress + damping;
+  }
   keep_beam_row(place, beam_row::intact, intact);
   keep_stable_step(place, active, length);
   BeamForces<Pack> internal;

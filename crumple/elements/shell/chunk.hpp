@@ -5,6 +5,7 @@
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/lane_sums.hpp"
 #include "elements/common/prefetch.hpp"
+#include "elements/common/stiffness_damping.hpp"
 #include "elements/shell/erosion.hpp"
 #include "elements/shell/formulation.hpp"
 
@@ -92,6 +93,23 @@ void erode_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<
                                                  .intact = row(scratch_row::intact)});
 }
 
+/// A tile of which damping is to be added or ended.
+template <class Formulation, class Pack>
+DampingTile<RealOf<Pack>> damping_tile(const ShellTask<RealOf<Pack>>& task,
+                                       const TileScratch<RealOf<Pack>>& scratch,
+                                       const materials::MaterialTask<RealOf<Pack>>& material) {
+  return {.state = material.state,
+          .group_stride = material.group_stride,
+          .groups = material.groups,
+          .planes = Formulation::planes,
+          .points = material.points,
+          .strain = scratch.strain,
+          .weight = task.constants.weight,
+          .area = Formulation::own_areas ? scratch.area : nullptr,
+          .work = scratch.rows + scratch_row::damping_work * tile_lanes,
+          .limit = scratch.rows + scratch_row::shortest_step * tile_lanes};
+}
+
 /// Works off one chunk, tile by tile: strains, material, forces.
 template <class Formulation, class Pack>
 void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
@@ -130,10 +148,16 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
     update_points<Formulation, Pack>(task, scratch, material);
     if (task.erosion != nullptr) erode_points<Formulation, Pack>(task, scratch, material);
     ahead.forces();
+    if (task.damping != nullptr)
+      add_damping(*task.damping, damping_tile<Formulation, Pack>(task, scratch, material));
     for_each_pack<Pack>(task, first, groups, scratch,
                         [&](const ShellPlace<Real>& place, const Index* target) {
                           scatter(task.force, target, Formulation::template forces<Pack>(place));
                         });
+    if (task.damping != nullptr) {
+      end_damping(*task.damping, damping_tile<Formulation, Pack>(task, scratch, material));
+      add_damping_energy<Pack>(rows + scratch_row::damping_energy * tile_lanes, groups, sums);
+    }
     for (Index group = 0; group < groups; ++group) {
       lane_sums.add_group(rows + group * lanes);
       if (task.constants.can_fail) {

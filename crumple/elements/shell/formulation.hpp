@@ -54,8 +54,10 @@ inline constexpr int material_energy =
     sum_row::count;  ///< from the material, by plane: work per volume of the step
 inline constexpr int thickness_strain = material_energy + materials::max_plane_points;  ///< by plane
 inline constexpr int intact = thickness_strain + materials::max_plane_points;           ///< by plane
-inline constexpr int yield = intact + materials::max_plane_points;  ///< MaterialTask::yield
-inline constexpr int own = yield + materials::yield_row::count;     ///< first row of the formulation
+inline constexpr int yield = intact + materials::max_plane_points;        ///< MaterialTask::yield
+inline constexpr int damping_work = yield + materials::yield_row::count;  ///< by plane: work per volume
+inline constexpr int damping_energy = damping_work + materials::max_plane_points;  ///< from forces()
+inline constexpr int own = damping_energy + 1;  ///< first row of the formulation
 }  // namespace scratch_row
 
 /// Where one pack of elements finds everything. Strides are `lanes` in the state, tile_lanes in the scratch.
@@ -254,12 +256,15 @@ CRUMPLE_INLINE LaminaGeometry<Pack> lamina_geometry(const ElementShape<Pack>& sh
   return g;
 }
 
-/// Leaves the work of the points for the driver: what the material summed, times `factor`, the thickness and
-/// what else the sum lacks of a volume; 0 for elements that are not active.
+/// Leaves the work of the points for the driver: what material and damping summed, times `factor`, the
+/// thickness and what else the sum lacks of a volume; 0 for elements that are not active.
 template <class Pack>
 CRUMPLE_INLINE void leave_internal_energy(const ShellPlace<RealOf<Pack>>& place, const Pack& factor) {
   const Pack energy = sum_over_planes<Pack>(place, scratch_row::material_energy);
   store(place.rows + scratch_row::internal_energy * tile_lanes, Pack(energy * factor));
+  if (place.task.damping == nullptr) return;
+  const Pack damping = sum_over_planes<Pack>(place, scratch_row::damping_work);
+  store(place.rows + scratch_row::damping_energy * tile_lanes, Pack(damping * factor));
 }
 
 /// Stable step: area over the longest side over the plate wave speed, times what step_scale says.

@@ -105,6 +105,7 @@ CRUMPLE_INLINE SolidForces<Pack> hexahedron_forces(const SolidPlace<RealOf<Pack>
   const Pack viscous_work = -resistance.mean * (Pack(place.task.step) * dilatation);
   const Pack work = multiply_add(active, kept_row<Pack>(place, solid_scratch::material_energy), viscous_work);
   keep_row(place, solid_scratch::internal_energy, Pack(work * kept_row<Pack>(place, Element::row_volume)));
+  leave_damping_energy(place, active, Element::row_volume);
 
   const HourglassForces<Pack> q =
       constants.assumed_strain ? assumed_strain_forces(place, Element::row_rates, active, x)

@@ -129,6 +129,7 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
     narrowest = smaller(narrowest, Pack(g.jacobian * absolute(g.jacobian) / largest));
   });
   keep_row(place, solid_scratch::internal_energy, work);
+  leave_damping_energy(place, active, row_jacobian);
   keep_row(place, solid_scratch::hourglass_energy, zero);
   const Pack pressure = multiply_add(spherical, resistance.per_volume, Pack(-resistance.pressure));
   for (int p = 0; p < 6; ++p) conjugate.of[p] = multiply_add(pressure, whole.gradient[p], conjugate.of[p]);

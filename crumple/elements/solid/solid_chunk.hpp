@@ -4,6 +4,7 @@
 #include "elements/common/erode.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/prefetch.hpp"
+#include "elements/common/stiffness_damping.hpp"
 #include "elements/solid/hexahedron_gather.hpp"
 #include "elements/solid/solid_formulation.hpp"
 #include "elements/solid/tetrahedron_nodes.hpp"
@@ -127,6 +128,15 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
                                                      .energy = material.energy,
                                                      .intact = material.intact});
     ahead.forces();
+    const DampingTile<Real> damped{.state = material.state,
+                                   .group_stride = material.group_stride,
+                                   .groups = groups,
+                                   .points = material.points,
+                                   .strain = strain,
+                                   .turn = turn,
+                                   .work = rows + solid_scratch::damping_work * tile_lanes,
+                                   .limit = rows + solid_scratch::shortest_step * tile_lanes};
+    if (task.damping != nullptr) add_damping(*task.damping, damped);
     for (Index group = 0; group < groups; ++group) {
       for_each_pack_of_group<Formulation, Pack>(
           task, first, group, scratch, [&](const SolidPlace<Real>& place, Index lane) {
@@ -135,6 +145,10 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
       scatter_group<Pack>(
           task.force, task.target + static_cast<std::ptrdiff_t>(first + group) * Formulation::corners * lanes,
           forces);
+    }
+    if (task.damping != nullptr) {
+      end_damping(*task.damping, damped);
+      add_damping_energy<Pack>(rows + solid_scratch::damping_energy * tile_lanes, groups, sums);
     }
     for (Index group = 0; group < groups; ++group) {
       lane_sums.add_group(rows + group * lanes);

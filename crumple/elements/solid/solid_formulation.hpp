@@ -56,7 +56,9 @@ inline constexpr int material_energy =
 inline constexpr int viscosity = material_energy + materials::max_solid_points;  ///< its mean over the step
 inline constexpr int bulk_pressure = viscosity + 1;                              ///< at the end of the step
 inline constexpr int wave_speed = bulk_pressure + 1;                             ///< at the end of the step
-inline constexpr int own = wave_speed + 1;
+inline constexpr int damping_work = wave_speed + 1;  ///< by point: work per volume of the step
+inline constexpr int damping_energy = damping_work + materials::max_solid_points;  ///< from forces()
+inline constexpr int own = damping_energy + 1;
 }  // namespace solid_scratch
 
 /// Where one pack of elements finds everything. Strides are `lanes` in the state, tile_lanes in the scratch.
@@ -120,6 +122,19 @@ CRUMPLE_INLINE MaskOf<Pack> gone_for_ever(const SolidPlace<RealOf<Pack>>& place,
                       own_item<Pack>(place, solid_state::bulk_viscosity) == zero;
   for (Index c = 0; c < own_items; ++c) gone = gone && own_item<Pack>(place, solid_state::own + c) == zero;
   return gone;
+}
+
+/// Leaves the work of damping for the driver; rows from `volume` on have the volumes of the points in the
+/// middle of the step.
+template <class Pack>
+CRUMPLE_INLINE void leave_damping_energy(const SolidPlace<RealOf<Pack>>& place, const Pack& active,
+                                         int volume) {
+  if (place.task.damping == nullptr) return;
+  Pack work(RealOf<Pack>(0));
+  for (int point = 0; point < place.task.constants.points; ++point)
+    work = multiply_add(kept_row<Pack>(place, solid_scratch::damping_work + point),
+                        kept_row<Pack>(place, volume + point), work);
+  keep_row(place, solid_scratch::damping_energy, Pack(active * work));
 }
 
 /// A 3x3 matrix by rows.

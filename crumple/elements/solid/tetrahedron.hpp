@@ -69,6 +69,7 @@ CRUMPLE_INLINE SolidForces<Pack, 4> tetrahedron_forces(const SolidPlace<RealOf<P
                                  Pack(Pack(place.task.step) * spherical));
   keep_row(place, solid_scratch::internal_energy,
            Pack(work * kept_row<Pack>(place, tetrahedron_kept::volume)));
+  leave_damping_energy(place, active, tetrahedron_kept::volume);
   keep_row(place, solid_scratch::hourglass_energy, Pack(Real(0)));
   PackMatrix<Pack> stress = stress_of<Pack>(place, 0, active);
   lessen_diagonal(stress, resistance.pressure);

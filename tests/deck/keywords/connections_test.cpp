@@ -74,6 +74,42 @@ TEST(Connections, LinearEquations) {
   EXPECT_EQ(middle.terms[2].factor, -0.5);
 }
 
+TEST(Connections, PlanesHoldTheirNodes) {
+  const model::Model model = read_with("*CONSTRAINED_GLOBAL\n1,6,1,0.0\n0,3,2,0.0,1.0\n2,0,2,0,0.9,0,0.11\n");
+  ASSERT_EQ(model.fixed_nodes.size(), 4U);
+  // Nodes 1 and 4 lie on x = 0; 3, 4 and 6 on y = 1, which is within 0.11 of 0.9 as well.
+  EXPECT_EQ(model.fixed_nodes[0].node, 0);
+  EXPECT_EQ(model.fixed_nodes[0].translation, (std::array<bool, 3>{true, false, false}));
+  EXPECT_EQ(model.fixed_nodes[0].rotation, (std::array<bool, 3>{true, false, true}));
+  EXPECT_EQ(model.fixed_nodes[1].node, 2);
+  EXPECT_EQ(model.fixed_nodes[1].translation, (std::array<bool, 3>{false, true, false}));
+  EXPECT_EQ(model.fixed_nodes[1].rotation, (std::array<bool, 3>{false, false, true}));
+  EXPECT_EQ(model.fixed_nodes[2].node, 3);
+  EXPECT_EQ(model.fixed_nodes[2].translation, (std::array<bool, 3>{true, true, false}));
+}
+
+TEST(Connections, Interpolations) {
+  const model::Model nodes =
+      read_with("*CONSTRAINED_INTERPOLATION\n7,6,1234\n1,123\n2,123,2.0\n3,123456,1.5,1.5,0,0.5\n");
+  ASSERT_EQ(nodes.interpolations.size(), 1U);
+  const model::Interpolation& first = nodes.interpolations[0];
+  EXPECT_EQ(first.id, 7);
+  EXPECT_EQ(first.dependent, 5);
+  EXPECT_EQ(first.follows, (std::array<bool, 6>{true, true, true, true, false, false}));
+  ASSERT_EQ(first.independent.size(), 3U);
+  EXPECT_EQ(first.independent[1].node, 1);
+  EXPECT_EQ(first.independent[1].weight, 2);
+  EXPECT_EQ(first.independent[1].rotation_weight, 0);
+  EXPECT_EQ(first.independent[2].weight, 1.5);
+  EXPECT_EQ(first.independent[2].rotation_weight, 0.5);
+  const model::Model set = read_with("*SET_NODE_LIST\n8\n4,1,2\n*CONSTRAINED_INTERPOLATION\n7,6,,,1\n8\n");
+  ASSERT_EQ(set.interpolations.size(), 1U);
+  EXPECT_EQ(set.interpolations[0].follows, (std::array<bool, 6>{true, true, true, true, true, true}));
+  ASSERT_EQ(set.interpolations[0].independent.size(), 3U);
+  EXPECT_EQ(set.interpolations[0].independent[2].node, 3);
+  EXPECT_EQ(set.interpolations[0].independent[2].rotation_weight, 1);
+}
+
 void expect_one(const std::string& cards, const std::string& text) {
   const auto messages = messages_with(cards);
   ASSERT_EQ(messages.size(), 1U) << cards;
@@ -90,6 +126,13 @@ TEST(Connections, WhatDoesNotGoTogetherIsNamed) {
   expect_one("*CONSTRAINED_LINEAR_GLOBAL\n1\n2,1,1.0\n3,1\n", "a number other than zero");
   expect_one("*CONSTRAINED_LINEAR_GLOBAL\n1\n", "the equation has no terms");
   expect_one("*CONSTRAINED_LINEAR_GLOBAL\n1\n2,1,1.0\n99,1,1.0\n", "the deck has no node 99");
+  expect_one("*CONSTRAINED_INTERPOLATION\n7,6,11\n1\n2\n3\n", "the digits 1 to 6, each at most once");
+  expect_one("*CONSTRAINED_INTERPOLATION\n7,6\n1\n6\n3\n", "the dependent node is one of");
+  expect_one("*CONSTRAINED_INTERPOLATION\n7,6\n1\n1\n3\n", "among the independent ones twice");
+  expect_one("*CONSTRAINED_INTERPOLATION\n7,6\n1\n", "two independent nodes at least");
+  expect_one("*CONSTRAINED_INTERPOLATION\n7,6\n1,123,1.0,2.0\n2\n3\n", "the same along all axes");
+  expect_one("*CONSTRAINED_RIVET\n         1         5\n*CONSTRAINED_INTERPOLATION\n7,6\n1\n2\n3\n",
+             "node 1 belongs to rivet 1");
   expect_one("*CONSTRAINED_SPOTWELD\n         6         6\n", "another node than N1");
   expect_one("*CONSTRAINED_SPOTWELD\n         6        99\n", "the deck has no node 99");
   expect_one(

@@ -142,6 +142,18 @@ TEST(PartDamping, TakesACurveAFactorAndDirections) {
   EXPECT_FALSE(model.mass_damping);
 }
 
+TEST(StiffnessDamping, OfPartsByASignedCoefficient) {
+  const model::Model share = read_with("*DAMPING_PART_STIFFNESS\n1,0.1\n");
+  ASSERT_TRUE(share.parts[0].damping);
+  EXPECT_EQ(share.parts[0].damping->share, 0.1);
+  EXPECT_EQ(share.parts[0].damping->beta, 0);
+  const model::Model beta = read_with("*SET_PART_LIST\n4\n1\n*DAMPING_PART_STIFFNESS_SET\n4,-2e-6\n");
+  ASSERT_TRUE(beta.parts[0].damping);
+  EXPECT_EQ(beta.parts[0].damping->share, 0);
+  EXPECT_EQ(beta.parts[0].damping->beta, 2e-6);
+  EXPECT_FALSE(read_with("*DAMPING_PART_STIFFNESS\n1,0\n").parts[0].damping);
+}
+
 TEST(PartMasses, AreAddedOrFinal) {
   const model::Model model =
       read_with("*ELEMENT_MASS_PART\n       1           0.001\n       1                           0.002\n");

@@ -24,7 +24,7 @@ TEST(NearestKeyword, OfOtherLawsSaysWhatChanges) {
   }
   // A number is no mistyped other number.
   EXPECT_EQ(nearest_keyword("MAT_025").keyword, "");
-  EXPECT_NE(advice_on("DAMPING_PART_STIFFNESS").find("damps"), std::string::npos);
+  EXPECT_NE(advice_on("DAMPING_STRUCTURAL").find("damps"), std::string::npos);
 }
 
 TEST(NearestKeyword, OfAFormWithMoreOptionsIsThatWithFewer) {
@@ -58,7 +58,7 @@ TEST(NearestKeyword, IsItselfSupported) {
                            "CONTACT_ENTITY",
                            "INTERFACE_SSI",
                            "DEFINE_FUNCTION",
-                           "DEFORMABLE_TO_RIGID",
+                           "DEFORMABLE_TO_RIGID_AUTOMATIC",
                            "LOAD_BLAST_ENHANCED",
                            "BOUNDARY_SPC_SYMMETRY_PLANE"}) {
     const NearestKeyword nearest = nearest_keyword(name);

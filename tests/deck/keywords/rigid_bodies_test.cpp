@@ -368,6 +368,43 @@ TEST(MassDamping, IsConstantOrACurveAndOfAllDirectionsUnlessOneIsGiven) {
   EXPECT_FALSE(read_clean(deck.text()).mass_damping.has_value());
 }
 
+TEST(DeformableToRigid, PartsAreBodiesForTheWholeRun) {
+  SmallDeck deck = rigid_deck();
+  deck.more = "*DEFORMABLE_TO_RIGID\n1\n";
+  // Both parts have nodes 2 and 3.
+  const std::vector<std::string> shared = messages(deck);
+  ASSERT_EQ(shared.size(), 2U);
+  EXPECT_TRUE(has(shared[0], "belongs to the rigid bodies")) << shared[0];
+  deck.more = "*DEFORMABLE_TO_RIGID\n1,2,PART\n";
+  const model::Model merged = read_clean(deck.text());
+  ASSERT_EQ(merged.rigid_bodies.size(), 1U);
+  EXPECT_EQ(merged.rigid_bodies[0].id, 2);
+  EXPECT_EQ(merged.rigid_bodies[0].parts, (std::vector<Index>{1, 0}));
+  EXPECT_EQ(merged.rigid_bodies[0].nodes.size(), 6U);
+  ASSERT_EQ(merged.materials.size(), 3U);
+  EXPECT_EQ(merged.parts[0].material, 2);
+  EXPECT_TRUE(merged.materials[2].rigid);
+  EXPECT_EQ(merged.materials[2].density, merged.materials[0].density);
+  deck.more = "*SET_PART_LIST\n4\n1,2\n*DEFORMABLE_TO_RIGID\n4,2,PSET\n";
+  EXPECT_EQ(read_clean(deck.text()).rigid_bodies.size(), 1U);
+  EXPECT_TRUE(has(message_with("*DEFORMABLE_TO_RIGID\n1,2,SET\n"), "expected PART or PSET"));
+  EXPECT_TRUE(has(message_with("*DEFORMABLE_TO_RIGID\n9\n"), "the deck has no part 9"));
+}
+
+TEST(RelativeDamping, OfPartsAgainstABody) {
+  SmallDeck deck = rigid_deck();
+  deck.more = "*SET_PART_LIST\n4\n1\n*DAMPING_RELATIVE\n0.05,20,2,4\n0.05,20,2,4,0,1\n0,20,2,4\n";
+  const model::Model model = read_clean(deck.text());
+  ASSERT_EQ(model.relative_dampings.size(), 2U);
+  const model::RelativeDamping& first = model.relative_dampings[0];
+  EXPECT_EQ(first.body, 0);
+  EXPECT_EQ(first.frequency, 20);
+  EXPECT_EQ(first.share, 0.05);
+  EXPECT_EQ(first.curve, no_index);
+  EXPECT_EQ(first.parts, std::vector<Index>{0});
+  EXPECT_EQ(model.relative_dampings[1].curve, 0);
+}
+
 TEST(BodyLoads, OnEverythingAndOnBodies) {
   SmallDeck deck = rigid_deck();
   deck.more =

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *DAMPING_GLOBAL, *DAMPING_PART_MASS, *ELEMENT_MASS_PART: what goes by the masses of parts.
+// *DAMPING_GLOBAL, *DAMPING_PART_MASS, *DAMPING_PART_STIFFNESS, *DAMPING_RELATIVE, *ELEMENT_MASS_PART: what
+// goes by the masses of parts, and all damping.
+#include <algorithm>
+
 #include "deck/keywords/families.hpp"
 
 namespace crumple::deck {
@@ -36,6 +39,20 @@ constexpr Field part_damping_card_2[] = {
     axes(real("SRY", 0, not_negative)), axes(real("SRZ", 0, not_negative)),
 };
 
+constexpr Field part_stiffness_card[] = {
+    id("PID", kind_of_parts),
+    real("COEF"),
+};
+
+constexpr Field relative_card[] = {
+    real("CDAMP", 0, not_negative),
+    real("FREQ", 0, not_negative),
+    id("PIDRB", IdKind::Part),
+    id("PSID", IdKind::Set),
+    only("DV2", {0}, "forces are in proportion to the velocity, not to its square"),
+    reference("LCID"),
+};
+
 constexpr Field part_mass_card[] = {
     sized(8, id("PID", kind_of_parts)),
     sized(16, real("ADDMASS", 0, not_negative)),
@@ -59,6 +76,28 @@ void read_part_dampings(Cards& cards, RawDeck& deck, bool is_set) {
       raw.damping.rotation = {factors.real("SRX"), factors.real("SRY"), factors.real("SRZ")};
     }
     if (card.good("PID") && card.good("LCID") && raw.curve != 0) deck.part_dampings.push_back(raw);
+  }
+}
+
+/// Above this share LS-DYNA's manual discourages damping in proportion to stiffness.
+constexpr double strong_share = 0.25;
+
+void read_stiffness_dampings(Cards& cards, RawDeck& deck, bool is_set) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(part_stiffness_card);
+    const double coefficient = card.real("COEF");
+    RawStiffnessDamping raw;
+    raw.target = card.integer("PID");
+    raw.is_set = is_set;
+    raw.where = card.where();
+    raw.damping.share = std::max(coefficient, 0.0);
+    raw.damping.beta = std::max(-coefficient, 0.0);
+    if (raw.damping.share > strong_share)
+      cards.report().field_warning(
+          card.where(),
+          {"COEF", std::string(card.text("COEF")), "a share of critical damping up to 0.25",
+           "it is used, but shortens the step and damps lower frequencies as well", "strong damping"});
+    if (card.good("PID") && card.good("COEF") && coefficient != 0) deck.stiffness_dampings.push_back(raw);
   }
 }
 
@@ -98,6 +137,28 @@ void read_damping_part_mass(Cards& cards, RawDeck& deck) {
 
 void read_damping_part_mass_set(Cards& cards, RawDeck& deck) {
   read_part_dampings(cards, deck, true);
+}
+
+void read_damping_part_stiffness(Cards& cards, RawDeck& deck) {
+  read_stiffness_dampings(cards, deck, false);
+}
+
+void read_damping_part_stiffness_set(Cards& cards, RawDeck& deck) {
+  read_stiffness_dampings(cards, deck, true);
+}
+
+void read_damping_relative(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(relative_card);
+    RawRelativeDamping raw;
+    raw.damping.share = card.real("CDAMP");
+    raw.damping.frequency = card.real("FREQ");
+    raw.body = card.integer("PIDRB");
+    raw.parts = card.integer("PSID");
+    raw.curve = card.integer("LCID");
+    raw.where = card.where();
+    if (card.good("PIDRB") && card.good("PSID") && card.good("LCID")) deck.relative_dampings.push_back(raw);
+  }
 }
 
 void read_element_mass_part(Cards& cards, RawDeck& deck) {

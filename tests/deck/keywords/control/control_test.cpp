@@ -181,5 +181,51 @@ TEST(Settings, MethodMustBeOneOfThose) {
             "deck.k:22: error: $crumple method: read \"quick\", expected one of linked-cell, brute-force");
 }
 
+TEST(Terminations, BoundPlacesDisplacementsForcesAndErosion) {
+  SmallDeck deck;
+  deck.part += "*PART\nstiff\n2,1,2\n";
+  deck.shells =
+      "*ELEMENT_SHELL\n"
+      "      11       1       1       2       3       4\n"
+      "      12       2       2       5       6       3\n";
+  deck.material += "*MAT_RIGID\n2,7.83E-6,207.0,0.3\n\n\n";
+  deck.more =
+      "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_ID\n4\n1,2,3,3\n\n\n"
+      "*TERMINATION_NODE\n3,2,0.0\n3,3,,-5.0\n4,4\n"
+      "*TERMINATION_BODY\n2,1,0.0,-2.5\n2,4,3.0\n"
+      "*TERMINATION_CONTACT\n4,0.1,0.2,0.3,2\n4\n"
+      "*SET_PART_LIST\n8\n1,2\n*TERMINATION_DELETED_SHELLS\n1,3\n*TERMINATION_DELETED_SOLIDS_SET\n8\n";
+  const model::Model model = read_clean(deck.text());
+  ASSERT_EQ(model.terminations.size(), 9U);
+  using Kind = model::Termination::Kind;
+  const auto& t = model.terminations;
+  EXPECT_EQ(t[0].kind, Kind::Place);
+  EXPECT_EQ(t[0].item, 2);
+  EXPECT_EQ(t[0].axis, 1);
+  EXPECT_EQ(t[0].most, 0);
+  EXPECT_EQ(t[0].least, -1e21);
+  EXPECT_EQ(t[1].axis, 2);
+  EXPECT_EQ(t[1].most, 1e21);
+  EXPECT_EQ(t[1].least, -5);
+  EXPECT_EQ(t[2].kind, Kind::Touch);
+  EXPECT_EQ(t[3].kind, Kind::Displacement);
+  EXPECT_EQ(t[3].item, 0);
+  EXPECT_EQ(t[3].most, 1e21);
+  EXPECT_EQ(t[3].least, -2.5);
+  EXPECT_EQ(t[4].kind, Kind::Distance);
+  EXPECT_EQ(t[4].most, 3);
+  EXPECT_EQ(t[5].kind, Kind::NoContact);
+  EXPECT_EQ(t[5].activation, 0.1);
+  EXPECT_EQ(t[5].duration, 0.2);
+  EXPECT_EQ(t[5].threshold, 0.3);
+  EXPECT_EQ(t[5].axis, 1);
+  EXPECT_EQ(t[6].axis, -1);
+  EXPECT_EQ(t[7].kind, Kind::Deleted);
+  EXPECT_EQ(t[7].count, 3);
+  EXPECT_EQ(t[7].parts, std::vector<Index>{0});
+  EXPECT_EQ(t[8].count, 1);
+  EXPECT_EQ(t[8].parts, (std::vector<Index>{0, 1}));
+}
+
 }  // namespace
 }  // namespace crumple::deck::test::control_test
