@@ -66,6 +66,17 @@ void set_vector(BeamBlock& block, Index place, Index item, const Vec3& vector) {
   for (int axis = 0; axis < 3; ++axis) block.set_state(place, item + axis, vector[axis]);
 }
 
+/// What a beam with preloads stores in its springs at time zero [energy].
+double stored_energy(const model::DiscreteBeamLaw& law, const DiscreteBeamResponse& response, double free_length) {
+  double sum = 0;
+  for (int i = 0; i < discrete_directions && !(law.ramp_time > 0); ++i) {
+    const double preload = law.direction[static_cast<std::size_t>(i)].preload;
+    const double stiffness = response.stiffness(i, free_length);
+    if (stiffness > 0) sum += 0.5 * preload * preload / stiffness;
+  }
+  return sum;
+}
+
 void start_element(const model::Model& model, domain::Domain& domain, const model::DiscreteBeamLaw& law,
                    BeamBlock& block, Index place) {
   const model::Part& part = model.parts[block.part];
@@ -89,6 +100,10 @@ void start_element(const model::Model& model, domain::Domain& domain, const mode
     set_vector(block, place, discrete_beam_state::reference, {free, 0, 0});
   }
   if (place >= block.elements) return;
+  const double energy = stored_energy(law, DiscreteBeamResponse(block.material_constants.data()),
+                                      block.state(place, discrete_beam_state::reference));
+  block.set_state(place, discrete_beam_state::energy, energy);
+  block.internal_energy += energy;
   const double volume = data.volume > 0 ? data.volume : data.cable_area * length;
   for (const Index end : node) {
     add_mass(domain, block.part, end, 0.5 * model.materials[part.material].density * volume);
