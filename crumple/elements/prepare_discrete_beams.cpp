@@ -67,7 +67,8 @@ void set_vector(BeamBlock& block, Index place, Index item, const Vec3& vector) {
 }
 
 /// What a beam with preloads stores in its springs at time zero [energy].
-double stored_energy(const model::DiscreteBeamLaw& law, const DiscreteBeamResponse& response, double free_length) {
+double stored_energy(const model::DiscreteBeamLaw& law, const DiscreteBeamResponse& response,
+                     double free_length) {
   double sum = 0;
   for (int i = 0; i < discrete_directions && !(law.ramp_time > 0); ++i) {
     const double preload = law.direction[static_cast<std::size_t>(i)].preload;

@@ -247,8 +247,7 @@ model::Model frame_with_bodies() {
   return model;
 }
 
-/// Beams integrated over their cross sections, round and of plates, bent and twisted far beyond yield; some
-/// fail.
+/// Beams integrated over their cross sections, round and of plates, bent and twisted far beyond yield.
 model::Model integrated_frame() {
   model::PiecewiseLinearPlasticity steel;
   steel.youngs_modulus = 210;
