@@ -133,7 +133,10 @@ SolidBlock make_solid_block(const model::Model& model, const NodeFields& nodes, 
 BeamBlock make_beam_block(const model::Model& model, const NodeFields& nodes, Index part,
                           const std::vector<Index>& beams) {
   auto block = begin_block<BeamBlock>(model, part, beams);
-  block.formulation = model.beam_sections[model.parts[part].beam_section].formulation;
+  const model::BeamSection& section = model.beam_sections[model.parts[part].beam_section];
+  block.formulation = section.formulation;
+  if (section.formulation == model::BeamFormulation::Integrated)
+    block.points = static_cast<Index>(section.points.size());
   connect(block, nodes, [&](Index beam) { return model.beams[beam].node; });
   return block;
 }

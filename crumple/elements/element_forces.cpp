@@ -96,12 +96,22 @@ class Pass {
                   .groups = chunk.last_group - chunk.first_group,
                   .step = domain_.clock.step,
                   .time = domain_.clock.time,
-                  .constants = constants};
+                  .constants = constants,
+                  .section = section_of(block, constants),
+                  .section_places = section_places(block.element_constants),
+                  .material = block.material_constants.data()};
     if (block.damping) {
       task.damping = *block.damping;
       task.damping_item = block.find("damping")->first;
     }
     beam_kernel(domain_.execution.isa, block.formulation)(task, sums);
+  }
+
+  /// The material of integrated beams.
+  materials::SectionUpdate section_of(const domain::BeamBlock& block, const BeamConstants& constants) const {
+    if (block.formulation != model::BeamFormulation::Integrated) return nullptr;
+    return materials::section_material_update(domain_.execution.isa,
+                                              static_cast<int>(constants.section_material));
   }
 
   const ErosionCheck* erosion_of(const Chunk& chunk) const {

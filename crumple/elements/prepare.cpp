@@ -114,6 +114,7 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   prepare_solids(model, domain);
   prepare_beams(model, domain);
   finish_part_masses(model, domain);
+  set_discrete_beam_steps(model, domain);
   prepare_discretes(model, domain);
   limit_by_rigid_elements(model, domain);
 }

@@ -10,6 +10,10 @@ namespace crumple::elements {
 void prepare_shells(const model::Model& model, domain::Domain& domain);
 void prepare_solids(const model::Model& model, domain::Domain& domain);
 void prepare_beams(const model::Model& model, domain::Domain& domain);
+/// One block of discrete beams: state, masses. Called by prepare_beams().
+void prepare_discrete_beams(const model::Model& model, domain::Domain& domain, domain::BeamBlock& block);
+/// After all others: the step of discrete beams depends on the masses of the nodes.
+void set_discrete_beam_steps(const model::Model& model, domain::Domain& domain);
 /// After all others: the step of springs depends on the masses of the nodes.
 void prepare_discretes(const model::Model& model, domain::Domain& domain);
 

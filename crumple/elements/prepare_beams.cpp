@@ -7,7 +7,9 @@
 
 #include "base/error.hpp"
 #include "elements/line/beam_task.hpp"
+#include "elements/line/section_frequency.hpp"
 #include "elements/prepare.hpp"
+#include "materials/common/shell_material.hpp"
 #include "math/to_vec3.hpp"
 
 namespace crumple::elements {
@@ -68,11 +70,30 @@ void take_weld(const model::SpotWeldLaw& law, const model::BeamSection& section,
                 law.torsion_strength, law.bending_strength_s, law.bending_strength_t};
 }
 
+/// Stresses are those of the material at the points of the section.
+BeamConstants integrated_constants(const model::Material& material, const model::Part& part,
+                                   const model::BeamSection& section) {
+  BeamConstants c;
+  const int kind = materials::section_material_kind(material.law);
+  require(kind >= 0, part, "its material cannot be used with integrated beams");
+  require(!section.points.empty(), part, "the section of an integrated beam has no points");
+  require(section.shear_factor > 0, part, "the shear factor must be above zero");
+  c.area = section.area;
+  c.youngs_modulus = materials::elastic_constants(material).youngs_modulus;
+  c.shear_root = std::sqrt(section.shear_factor);
+  c.section_points = static_cast<double>(section.points.size());
+  c.section_material = kind;
+  c.section_fails = materials::can_fail(material) ? 1 : 0;
+  return c;
+}
+
 BeamConstants constants_of(const model::Model& model, const BeamBlock& block) {
   const model::Part& part = model.parts[block.part];
   const model::BeamSection& section = model.beam_sections[part.beam_section];
   const model::ConstitutiveLaw& law = model.materials[part.material].law;
   const bool truss = block.formulation == model::BeamFormulation::Truss;
+  if (block.formulation == model::BeamFormulation::Integrated)
+    return integrated_constants(model.materials[part.material], part, section);
   BeamConstants c;
   if (block.formulation == model::BeamFormulation::SpotWeld) {
     const auto* weld = std::get_if<model::SpotWeldLaw>(&law);
@@ -117,10 +138,26 @@ void declare_items(bool plastic, BeamBlock& block) {
       domain::add_item(block, "plastic_strain", "-", 1);
       domain::add_item(block, "energy", "energy", 2);
       domain::add_item(block, "failure_time", "time", 1);
+    } else if (block.formulation == model::BeamFormulation::Integrated) {
+      domain::add_item(block, "energy", "energy", 2);
     } else if (plastic) {
       domain::add_item(block, "plastic_deformation", "length and rad", 5);
     }
   }
+}
+
+/// Stresses, the law's history and the places of the points.
+void declare_section(const model::Model& model, BeamConstants& c, BeamBlock& block) {
+  const model::Part& part = model.parts[block.part];
+  const model::Material& material = model.materials[part.material];
+  c.stress = domain::add_item(block, "stress", "stress", materials::section_components * block.points);
+  c.history = materials::declare_section_history(material.law, block);
+  block.material_constants = materials::section_material_constants(material);
+}
+
+void append_places(const model::BeamSection& section, std::vector<double>& numbers) {
+  for (const model::SectionPoint& point : section.points)
+    numbers.insert(numbers.end(), {point.s, point.t, point.area});
 }
 
 /// The direction s of a beam along `r`: towards the orientation node or along the orientation vector, across
@@ -159,6 +196,16 @@ BeamMass nodal_mass(double density, double length, const model::BeamSection& sec
   const double bending = std::max(section.inertia_s, section.inertia_t);
   return {mass,
           0.5 * density * length * std::max(bending, 0.5 * section.torsion) + mass * length * length / 12};
+}
+
+/// 2 / the highest frequency of the free integrated beam; no limit if it has no stiffness.
+double integrated_step(const model::Material& material, const model::BeamSection& section,
+                       const BeamMass& nodal, double length) {
+  const materials::ElasticConstants elastic = materials::elastic_constants(material);
+  constexpr double no_limit = 1e30;
+  if (!materials::has_stiffness(material.law)) return no_limit;
+  return 2 / std::sqrt(highest_frequency_squared(section, {length, nodal.mass, nodal.inertia,
+                                                           elastic.youngs_modulus, elastic.shear_modulus()}));
 }
 
 /// 2 / the highest frequency of the free element. Bending: both ends turn alike against the chord, or
@@ -206,9 +253,12 @@ void prepare_element(const model::Model& model, domain::Domain& domain, BeamBloc
   const double length = norm(span);
   if (!(length > 0)) throw Error("Beam " + std::to_string(beam.id) + " has no length.");
   const bool truss = block.formulation == model::BeamFormulation::Truss;
-  const BeamMass nodal = nodal_mass(model.materials[part.material].density, length,
-                                    model.beam_sections[part.beam_section], truss);
-  const double step = stable_step_of(c, nodal, length);
+  const model::Material& material = model.materials[part.material];
+  const model::BeamSection& section = model.beam_sections[part.beam_section];
+  const BeamMass nodal = nodal_mass(material.density, length, section, truss);
+  const double step = block.formulation == model::BeamFormulation::Integrated
+                          ? integrated_step(material, section, nodal, length)
+                          : stable_step_of(c, nodal, length);
   const double factor = factor_of(model, block, step);
   block.set_state(place, beam_state::active, place < block.elements ? 1 : 0);
   block.set_state(place, beam_state::stable_step, step * std::sqrt(factor));
@@ -233,14 +283,27 @@ void prepare_element(const model::Model& model, domain::Domain& domain, BeamBloc
 
 void prepare_beams(const model::Model& model, domain::Domain& domain) {
   for (BeamBlock& block : domain.beams) {
-    const BeamConstants constants = constants_of(model, block);
+    const model::Part& part = model.parts[block.part];
+    const bool damps = block.formulation != model::BeamFormulation::Discrete &&
+                       block.formulation != model::BeamFormulation::Integrated;
+    require(damps || !part.damping, part,
+            "*DAMPING_PART_STIFFNESS acts on beams with ELFORM 2, 3 and 9 only, not with 1, 4, 5 and 6");
+    if (block.formulation == model::BeamFormulation::Discrete) {
+      prepare_discrete_beams(model, domain, block);
+      continue;
+    }
+    BeamConstants constants = constants_of(model, block);
     declare_items(constants.plastic != 0, block);
     if (!block.rigid) block.damping = model.parts[block.part].damping;
     if (block.damping)
       domain::add_item(block, "damping", "force and moment",
                        block.formulation == model::BeamFormulation::Truss ? 1 : 6);
+    const bool integrated = block.formulation == model::BeamFormulation::Integrated;
+    if (integrated) declare_section(model, constants, block);
     block.allocate(Precision::Double);
     block.element_constants = to_numbers(constants);
+    if (integrated)
+      append_places(model.beam_sections[model.parts[block.part].beam_section], block.element_constants);
     for (Index place = 0; place < block.groups() * lanes; ++place)
       prepare_element(model, domain, block, constants, place);
   }

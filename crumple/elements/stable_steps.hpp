@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "domain/domain.hpp"
 #include "elements/line/beam_task.hpp"
@@ -45,10 +46,17 @@ void for_each_step(const domain::Domain& domain, const domain::BeamBlock& block,
                    const Visit& visit) {
   for (Index place = begin; place < end; ++place) {
     if (block.state(place, beam_state::active) == 0) continue;
+    if (block.formulation == model::BeamFormulation::Discrete) {
+      visit(place, block.state(place, beam_state::stable_step));
+      continue;
+    }
     const auto [first, second] = block.nodes_of(place);
     const double length = norm(domain.nodes.position[second] - domain.nodes.position[first]);
-    const double shorter = std::min(1.0, length / block.state(place, beam_state::reference_length));
-    visit(place, block.state(place, beam_state::stable_step) * shorter);
+    const double stretch = length / block.state(place, beam_state::reference_length);
+    // The transverse shear of integrated beams grows stiffer with their length: see integrated_beam.hpp.
+    const double longest =
+        block.formulation == model::BeamFormulation::Integrated ? std::sqrt(1 / stretch) : 1;
+    visit(place, block.state(place, beam_state::stable_step) * std::min({1.0, stretch, longest}));
   }
 }
 

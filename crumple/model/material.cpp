@@ -19,6 +19,7 @@ struct Use {
   LawUse operator()(const NullMaterial& /*law*/) const { return {true, true, true, true}; }
   LawUse operator()(const ResultantPlasticity& /*law*/) const { return {false, false, false, false}; }
   LawUse operator()(const SpotWeldLaw& /*law*/) const { return {false, false, false, false}; }
+  LawUse operator()(const DiscreteBeamLaw& /*law*/) const { return {false, false, false, false}; }
   LawUse operator()(const BlatzKo& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const MooneyRivlin& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const CrushableFoam& /*law*/) const { return {false, true, false, false}; }

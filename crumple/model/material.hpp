@@ -264,11 +264,39 @@ struct SpotWeldLaw {
   double bending_strength_t = 0;  ///< M_tf [force length]
 };
 
+/// The force of a discrete beam along one of its axes, or the moment about it: the sum of all that is given.
+struct DiscreteBeamDirection {
+  double stiffness = 0;            ///< [force/length], of moments [force length/rad]
+  double damping = 0;              ///< [force time/length]
+  double preload = 0;              ///< [force]
+  Index curve = no_index;          ///< in Model::curves: force over displacement
+  Index damping_curve = no_index;  ///< in Model::curves: force over velocity
+  double tensile_limit = 0;        ///< displacement at which the beam fails; 0 is none [length]
+  double compressive_limit = 0;    ///< amount of the negative displacement at which it fails; 0 is none
+};
+
+/// Discrete beams: springs and dampers in the directions of their axes, or along the line of the nodes
+/// (*MAT_LINEAR_ELASTIC_DISCRETE_BEAM and others).
+struct DiscreteBeamLaw {
+  enum class Kind {
+    Axes,   ///< three forces and three moments in axes that turn with the nodes
+    Line,   ///< a force between the nodes
+    Cable,  ///< the same, never a pressure
+  };
+
+  double youngs_modulus = 0;  ///< of cables E [stress]; else not used
+  double poissons_ratio = 0;  ///< not used
+  Kind kind = Kind::Axes;
+  std::array<DiscreteBeamDirection, 6> direction{};  ///< r, s, t, moments about r, s, t; of a line the first
+  Index stress_curve = no_index;  ///< of cables: stress over strain in the place of E, in Model::curves
+  double ramp_time = 0;           ///< the preload rises over this time; 0: it is there at once [time]
+};
+
 /// The constitutive law and its constants. A new law is one more alternative here.
 using ConstitutiveLaw =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
                  OrthotropicElastic, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo, MooneyRivlin,
-                 CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic>;
+                 CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic, DiscreteBeamLaw>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

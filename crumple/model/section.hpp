@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/index.hpp"
 
@@ -58,18 +60,42 @@ enum class BeamFormulation {
   Truss,             ///< axial force alone
   BelytschkoSchwer,  ///< resultants in axes that move with the beam, Belytschko, Schwer & Klein 1977
   SpotWeld,          ///< the same, elastic-plastic, fails by its resultants
+  Integrated,        ///< stresses at points of the cross section half way, after Hughes & Liu 1981
+  Discrete,          ///< a force or moment over a displacement or turn in each of six directions
 };
 
-/// A cross section of a beam. Of a truss only the area counts.
+/// What discrete beams have in the place of a cross section.
+struct DiscreteBeamData {
+  double volume = 0;   ///< half of it at each node; zero: cable area times length [length^3]
+  double inertia = 0;  ///< half of it at each node [mass length^2]
+  std::optional<std::array<std::array<double, 3>, 3>> axes{};  ///< r, s, t at time zero; absent: global
+  double cable_area = 0;                                       ///< [length^2]
+  double cable_offset = 0;  ///< length at time zero less length without force [length]
+  double place = 0;  ///< the axes turn with the first node (-1), the second (1) or the mean of both (0)
+  std::array<bool, 3> held{};  ///< they do not turn about r, s, t
+};
+
+/// An integration point of a cross section, from the line of the nodes.
+struct SectionPoint {
+  double s = 0;     ///< [length]
+  double t = 0;     ///< [length]
+  double area = 0;  ///< [length^2]
+};
+
+/// A cross section of a beam. Of a truss only the area counts. That of an integrated beam is its points: see
+/// beam_section.hpp, which also gives the areas that follow from them.
 struct BeamSection {
   UserId id = 0;
   std::string title;
   BeamFormulation formulation = BeamFormulation::BelytschkoSchwer;
-  double area = 0;        ///< [length^2]
-  double inertia_s = 0;   ///< second moment of area about s: bending in the plane of r and t [length^4]
-  double inertia_t = 0;   ///< about t: bending in the plane of r and s [length^4]
-  double torsion = 0;     ///< torsional constant J [length^4]
-  double shear_area = 0;  ///< [length^2]; zero: no transverse shear
+  double area = 0;          ///< [length^2]
+  double inertia_s = 0;     ///< second moment of area about s: bending in the plane of r and t [length^4]
+  double inertia_t = 0;     ///< about t: bending in the plane of r and s [length^4]
+  double torsion = 0;       ///< torsional constant J [length^4]
+  double shear_area = 0;    ///< [length^2]; zero: no transverse shear
+  double shear_factor = 1;  ///< of integrated beams, on the stiffness in transverse shear [-]
+  std::vector<SectionPoint> points{};  ///< of integrated beams
+  DiscreteBeamData discrete{};         ///< of discrete beams
 };
 
 struct DiscreteSection {

@@ -247,12 +247,55 @@ model::Model frame_with_bodies() {
   return model;
 }
 
+/// Beams integrated over their cross sections, round and of plates, bent and twisted far beyond yield.
+model::Model integrated_frame() {
+  model::PiecewiseLinearPlasticity steel;
+  steel.youngs_modulus = 210;
+  steel.poissons_ratio = 0.3;
+  steel.plastic_strain = {0, 0.05, 1};
+  steel.yield_stress = {0.3, 0.4, 0.5};
+  steel.cowper_symonds_rate = 0.04;
+  steel.cowper_symonds_exponent = 5;
+  steel.failure_strain = 0.02;
+  model::Model model =
+      test::one_beam_part({.id = 1, .title = "steel", .density = 7.85e-6, .law = steel},
+                          test::integrated(model::tube_points(6, 4, model::SectionRule::Gauss3), 5.0 / 6));
+  for (const double y : {0.0, 20.0})
+    test::add_line(model, 8, {0, 0, 1}, [&](double u) {
+      return test::Point{120 * u, y, 2 * std::sin(3 * u)};
+    });
+  model.materials.push_back({.id = 2,
+                             .title = "bar",
+                             .density = 7.85e-6,
+                             .law = model::PlasticKinematic{.youngs_modulus = 210,
+                                                            .poissons_ratio = 0.3,
+                                                            .yield_stress = 0.2,
+                                                            .tangent_modulus = 2,
+                                                            .isotropic_fraction = 0.3}});
+  model.beam_sections.push_back(test::integrated(model::plate_points(model::tee_plates(6, 1, 5, 1), 0)));
+  model.parts.push_back({.id = 2, .title = "cross", .beam_section = 1, .material = 1});
+  for (Index i = 2; i <= 6; ++i)
+    model.beams.push_back(
+        {.id = static_cast<UserId>(100 + i), .part = 1, .node = {i, 9 + i + 1}, .orientation = {0, 0, 1}});
+  for (Index end : {Index{0}, Index{9}})
+    model.fixed_nodes.push_back(
+        {.node = end, .translation = {true, true, true}, .rotation = {true, true, true}});
+  for (const Index node : {8, 17, 4})
+    model.initial_velocities.push_back(
+        {.node = node, .velocity = {2, node == 8 ? 8.0 : -3.0, 30}, .angular_velocity = {0.5, 0.2, -0.1}});
+  model.lumped_masses.push_back({.id = 1, .node = 8, .mass = 2e-2});
+  model.control.end_time = 100.0;
+  model.control.end_cycle = 800;
+  return model;
+}
+
 }  // namespace
 
 const std::vector<Case>& solid_cases() {
   static const std::vector<Case> all{{"blocks_on_cylinder", blocks_on_cylinder, true},
                                      {"bar_into_water", bar_into_water},
-                                     {"frame_with_bodies", frame_with_bodies}};
+                                     {"frame_with_bodies", frame_with_bodies},
+                                     {"integrated_frame", integrated_frame}};
   return all;
 }
 

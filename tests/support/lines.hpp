@@ -4,7 +4,9 @@
 // Small models of beams and springs made in code.
 
 #include <functional>
+#include <utility>
 
+#include "model/beam_section.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
 
@@ -28,6 +30,15 @@ inline model::BeamSection rectangle(double s, double t, double torsion) {
   section.inertia_s = s * t * t * t / 12;
   section.inertia_t = t * s * s * s / 12;
   section.torsion = torsion;
+  return section;
+}
+
+/// A section of integrated beams.
+inline model::BeamSection integrated(std::vector<model::SectionPoint> points, double shear_factor = 1) {
+  model::BeamSection section;
+  section.id = 1;
+  section.shear_factor = shear_factor;
+  model::set_points(section, std::move(points));
   return section;
 }
 

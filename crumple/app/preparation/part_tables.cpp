@@ -49,6 +49,10 @@ struct ElementWords {
   const char* kind;
   std::string points;
 };
+ElementWords beam_words(const model::BeamSection& section) {
+  return {elements::beam_name(section.formulation),
+          section.points.empty() ? "-" : std::to_string(section.points.size())};
+}
 ElementWords element_words(const model::Model& model, const model::Part& part) {
   if (is_solid(part)) {
     const elements::SolidKind kind =
@@ -56,7 +60,7 @@ ElementWords element_words(const model::Model& model, const model::Part& part) {
     return {kind.name, std::to_string(kind.points)};
   }
   if (const model::ElementKind kind = model::kind_of(part); kind == model::ElementKind::Beam)
-    return {elements::beam_name(model.beam_sections[part.beam_section].formulation), "-"};
+    return beam_words(model.beam_sections[part.beam_section]);
   else if (kind == model::ElementKind::Discrete)
     return {model.discrete_sections[part.discrete_section].torsional ? "discrete, torsional" : "discrete",
             "-"};
@@ -75,6 +79,10 @@ const char* material_words(const model::Model& model, const model::Part& part) {
   const model::ConstitutiveLaw& law = model.materials[part.material].law;
   if (std::holds_alternative<model::ResultantPlasticity>(law)) return "resultant plasticity";
   if (std::holds_alternative<model::SpotWeldLaw>(law)) return "spot weld";
+  if (const auto* discrete = std::get_if<model::DiscreteBeamLaw>(&law))
+    return discrete->kind == model::DiscreteBeamLaw::Kind::Axes    ? "six directions"
+           : discrete->kind == model::DiscreteBeamLaw::Kind::Cable ? "cable"
+                                                                   : "spring";
   return materials::shell_material_name(law);
 }
 

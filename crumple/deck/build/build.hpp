@@ -181,6 +181,9 @@ void build_solids(Build& build);
 /// *CONTACT_INTERIOR. The part sets must be there, at the places that they have in the deck.
 void build_interiors(Build& build);
 // build_lines.cpp
+void build_beam_sections(Build& build);
+/// Axes of discrete beams, once there are coordinate systems.
+void settle_discrete_beams(Build& build);
 void build_beams(Build& build);
 void build_discretes(Build& build);
 // build_sets.cpp

@@ -89,11 +89,12 @@ std::optional<std::vector<Index>> Sides::named_parts(const RawContactSide& raw, 
   return others;
 }
 
-/// Beams, but not spot welds, which touch nothing.
+/// Beams, but not spot welds and discrete beams, which touch nothing.
 bool can_touch_as_beams(const model::Model& model, const model::Part& part) {
-  return model::kind_of(part) == ElementKind::Beam &&
-         model.beam_sections[static_cast<std::size_t>(part.beam_section)].formulation !=
-             model::BeamFormulation::SpotWeld;
+  if (model::kind_of(part) != ElementKind::Beam) return false;
+  const model::BeamFormulation formulation =
+      model.beam_sections[static_cast<std::size_t>(part.beam_section)].formulation;
+  return formulation != model::BeamFormulation::SpotWeld && formulation != model::BeamFormulation::Discrete;
 }
 
 /// The parts of beams among what a side takes in.

@@ -9,6 +9,7 @@
 
 #include "deck/build/build.hpp"
 #include "deck/format/vector.hpp"
+#include "model/beam_section.hpp"
 
 namespace crumple::deck {
 
@@ -18,6 +19,17 @@ const Vector& position_of(const Build& build, Index node) {
   return build.model.nodes.position[static_cast<std::size_t>(node)];
 }
 
+/// Whether there is an update of a law for the points of a cross section.
+bool suits_integrated(const model::ConstitutiveLaw& law) {
+  if (const auto* heated = std::get_if<model::JohnsonCook>(&law)) return heated->simplified;
+  if (const auto* table = std::get_if<model::PiecewiseLinearPlasticity>(&law))
+    return !model::has_strain_limits(*table);
+  return std::holds_alternative<model::Elastic>(law) ||
+         std::holds_alternative<model::PlasticKinematic>(law) ||
+         std::holds_alternative<model::PowerLawPlasticity>(law) ||
+         std::holds_alternative<model::NullMaterial>(law);
+}
+
 /// Whether a kind of beam can have a law.
 bool suits(model::BeamFormulation formulation, const model::ConstitutiveLaw& law) {
   const auto* plastic = std::get_if<model::PlasticKinematic>(&law);
@@ -25,6 +37,10 @@ bool suits(model::BeamFormulation formulation, const model::ConstitutiveLaw& law
   switch (formulation) {
     case model::BeamFormulation::SpotWeld:
       return std::holds_alternative<model::SpotWeldLaw>(law);
+    case model::BeamFormulation::Integrated:
+      return suits_integrated(law);
+    case model::BeamFormulation::Discrete:
+      return std::holds_alternative<model::DiscreteBeamLaw>(law);
     case model::BeamFormulation::Truss:
       return elastic || (plastic != nullptr && !plastic->viscoplastic);
     default:
@@ -37,11 +53,42 @@ std::array<std::string, 2> suiting_laws(model::BeamFormulation formulation) {
   switch (formulation) {
     case model::BeamFormulation::SpotWeld:
       return {"*MAT_SPOTWELD", "spot weld beams (ELFORM 9) have this law"};
+    case model::BeamFormulation::Integrated:
+      return {
+          "*MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_PIECEWISE_LINEAR_PLASTICITY, "
+          "*MAT_POWER_LAW_PLASTICITY, *MAT_SIMPLIFIED_JOHNSON_COOK, *MAT_NULL or *MAT_RIGID",
+          "beams integrated over their section (ELFORM 1, 4, 5) have these laws"};
+    case model::BeamFormulation::Discrete:
+      return {
+          "*MAT_LINEAR_ELASTIC_DISCRETE_BEAM, *MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM, "
+          "*MAT_CABLE_DISCRETE_BEAM or *MAT_ELASTIC_SPRING_DISCRETE_BEAM",
+          "discrete beams (ELFORM 6) have these laws"};
     case model::BeamFormulation::Truss:
       return {"*MAT_ELASTIC or *MAT_PLASTIC_KINEMATIC with VP = 0", "trusses have these laws"};
     default:
       return {"*MAT_ELASTIC or *MAT_RESULTANT_PLASTICITY", "beams of resultants (ELFORM 2) have these laws"};
   }
+}
+
+/// Discrete beams in axes of their own may have both nodes at one place.
+bool may_be_a_point(const Build& build, Index part_index) {
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(part_index)];
+  const auto* law = std::get_if<model::DiscreteBeamLaw>(
+      &build.model.materials[static_cast<std::size_t>(part.material)].law);
+  return law != nullptr && law->kind == model::DiscreteBeamLaw::Kind::Axes;
+}
+
+/// Axes that turn with the line of the nodes are not there.
+void check_place_of_axes(const RawPart& raw, const model::Part& part, Build& build) {
+  const std::size_t index = static_cast<std::size_t>(part.beam_section);
+  const double place = build.model.beam_sections[index].discrete.place;
+  if (!may_be_a_point(build, build.find_quietly(Item::Part, raw.id))) return;
+  if (place == 0 || place == 1 || place == -1) return;
+  build.report.field_unsupported(
+      build.deck.beam_sections[index].where,
+      {"SCOOR", fmt::format("{:g}", place), "-1, 0 or 1",
+       "the axes turn with the first node, the mean of both, or the second; not with the line of the nodes",
+       "axes"});
 }
 
 /// Laws that a kind of beam can have, said at the part.
@@ -54,10 +101,17 @@ void check_beam_law(const RawPart& raw, const model::Part& part, Build& build) {
   const model::ConstitutiveLaw& law = material.law;
   const model::BeamFormulation formulation =
       build.model.beam_sections[static_cast<std::size_t>(part.beam_section)].formulation;
+  if (formulation == model::BeamFormulation::Discrete) check_place_of_axes(raw, part, build);
   if (suits(formulation, law)) return;
   const auto [expected, hint] = suiting_laws(formulation);
   build.report.field_unsupported(raw.where,
                                  {"MID", std::to_string(raw.material), expected, hint, "material"});
+}
+
+bool bends_differently(const model::BeamSection& section) {
+  if (section.formulation == model::BeamFormulation::Discrete) return false;
+  if (section.formulation == model::BeamFormulation::Integrated) return !model::is_round(section);
+  return section.inertia_s != section.inertia_t;
 }
 
 /// The orientation of a beam, where its section needs one.
@@ -65,6 +119,7 @@ void check_orientation(const model::BeamElement& beam, const Where& where, Build
   const model::Part& part = build.model.parts[static_cast<std::size_t>(beam.part)];
   const auto& section = build.model.beam_sections[static_cast<std::size_t>(part.beam_section)];
   if (section.formulation == model::BeamFormulation::Truss) return;
+  if (section.formulation == model::BeamFormulation::Discrete && section.discrete.axes) return;
   const Vector axis = difference(position_of(build, beam.node[1]), position_of(build, beam.node[0]));
   Vector towards = beam.orientation;
   if (beam.orientation_node != no_index)
@@ -75,7 +130,7 @@ void check_orientation(const model::BeamElement& beam, const Where& where, Build
     build.report.error(
         where, "orientation",
         fmt::format("what gives the orientation of beam {} lies on its axis; move N3 off the line", beam.id));
-  else if (product == 0 && section.inertia_s != section.inertia_t)
+  else if (product == 0 && bends_differently(section))
     build.report.error(where, "orientation",
                        fmt::format("beam {} has no orientation, and its section bends differently about its "
                                    "two axes; give a node N3 in the direction of s",
@@ -104,6 +159,7 @@ bool find_ends(const std::array<UserId, 2>& ids, const Where& where, std::array<
 }  // namespace
 
 void build_beams(Build& build) {
+  settle_discrete_beams(build);
   std::vector<char> checked(build.model.parts.size(), 0);
   build.model.beams.reserve(build.deck.beams.size());
   for (const RawBeam& raw : build.deck.beams) {
@@ -118,7 +174,7 @@ void build_beams(Build& build) {
       complete = complete && beam.orientation_node != no_index;
     }
     build.enter(Item::Beam, {raw.id, "EID", raw.where}, build.model.beams.size());
-    if (complete && !has_length(build, beam.node)) {
+    if (complete && !has_length(build, beam.node) && !may_be_a_point(build, beam.part)) {
       build.report.error(raw.where, "length",
                          fmt::format("beam {} has no length; check N1 and N2 and their coordinates", raw.id));
       complete = false;

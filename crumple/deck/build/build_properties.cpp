@@ -227,6 +227,36 @@ void take_compression(const RawMaterial& raw, model::LowDensityFoam& law, Build&
   }
 }
 
+/// A curve of discrete beams: of at least two points, through the origin.
+Index direction_curve(const RawDirectionCurve& raw, Build& build) {
+  if (raw.id == 0) return no_index;
+  const Index index = find_points(build, {raw.id, raw.field, raw.where});
+  if (index == no_index) return no_index;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  double most = 0;
+  for (const double y : curve.ordinate) most = std::max(most, std::fabs(y));
+  constexpr double small = 1e-9;
+  if (curve.abscissa.front() > 0 || curve.abscissa.back() <= 0 || std::fabs(curve.at(0)) > small * most)
+    build.report.field_error(
+        raw.where,
+        {raw.field, std::to_string(raw.id), "a curve through the origin, to the right of it or to both sides",
+         fmt::format("curve {} goes from {:g} to {:g} and has {:g} at 0", raw.id, curve.abscissa.front(),
+                     curve.abscissa.back(), curve.at(0)),
+         "curve"});
+  return index;
+}
+
+void take_direction_curves(const RawMaterial& raw, model::DiscreteBeamLaw& law, Build& build) {
+  if (law.kind == model::DiscreteBeamLaw::Kind::Cable) {
+    law.stress_curve = direction_curve(raw.direction_curves[0], build);
+    return;
+  }
+  for (std::size_t i = 0; i < law.direction.size(); ++i) {
+    law.direction[i].curve = direction_curve(raw.direction_curves[i], build);
+    law.direction[i].damping_curve = direction_curve(raw.damping_curves[i], build);
+  }
+}
+
 /// One table of ids for all kinds of sections, in the order of the deck; the indices of shells, solids, beams
 /// and discrete elements follow each other.
 void enter_sections(Build& build) {
@@ -338,7 +368,7 @@ void build_properties(Build& build, const ReadOptions& options) {
       section.thickness_rule = model::ThicknessRule::Lobatto;
   }
   for (const RawSolidSection& raw : deck.solid_sections) model.solid_sections.push_back(raw.section);
-  for (const RawBeamSection& raw : deck.beam_sections) model.beam_sections.push_back(raw.section);
+  build_beam_sections(build);
   for (const RawDiscreteSection& raw : deck.discrete_sections) model.discrete_sections.push_back(raw.section);
   enter_sections(build);
   for (const RawHourglass& raw : deck.hourglasses) {
@@ -357,6 +387,8 @@ void build_properties(Build& build, const ReadOptions& options) {
       take_hardening(raw, *law, build);
       take_factors(raw, *law, build);
     }
+    if (auto* law = std::get_if<model::DiscreteBeamLaw>(&model.materials.back().law))
+      take_direction_curves(raw, *law, build);
     if (auto* law = std::get_if<model::CrushableFoam>(&model.materials.back().law))
       take_crush(raw, *law, build);
     if (auto* law = std::get_if<model::LowDensityFoam>(&model.materials.back().law))

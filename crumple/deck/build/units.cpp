@@ -113,6 +113,7 @@ std::string doubt(double density, double modulus) {
 std::string guess_units(const model::Model& model) {
   std::string_view found;
   for (const model::Material& material : model.materials) {
+    if (std::holds_alternative<model::DiscreteBeamLaw>(material.law)) continue;  // has no modulus
     const auto fits = std::find_if(systems.begin(), systems.end(),
                                    [&](const System& system) { return is_metal(material, system); });
     if (fits == systems.end() || (!found.empty() && fits->name != found)) return {};

@@ -109,9 +109,25 @@ struct RawSolidSection {
   Where where;
 };
 
+/// Points of cross sections of their own (*INTEGRATION_BEAM).
+struct RawBeamRule {
+  UserId id = 0;
+  double relative_area = 0;                   ///< of the points, over the product of both thicknesses
+  std::vector<model::SectionPoint> points{};  ///< from -1 to 1, with their share of the area
+  std::vector<model::SectionPoint> shape{};   ///< points of a standard shape, in the place of those
+  std::array<double, 2> least{};              ///< bounds of a standard shape along s and t
+  std::array<double, 2> most{};
+  std::array<double, 2> reference{};  ///< where the nodes of a standard shape lie, -1 to 1
+  Where where;
+};
+
 struct RawBeamSection {
   model::BeamSection section;
-  std::size_t order = 0;  ///< among all sections of the deck
+  UserId rule = 0;                    ///< of RawBeamRule; 0: the section has its points
+  std::array<double, 2> size{};       ///< of integrated beams, along s and t
+  std::array<double, 2> reference{};  ///< where their nodes lie, -1 to 1
+  UserId system = 0;                  ///< CID of discrete beams; 0 is none
+  std::size_t order = 0;              ///< among all sections of the deck
   Where where;
 };
 
@@ -130,11 +146,20 @@ struct RawSpringMaterial {
   Where where;
 };
 
+/// A curve of one direction of discrete beams.
+struct RawDirectionCurve {
+  UserId id = 0;
+  std::string_view field{};
+  Where where{};
+};
+
 struct RawMaterial {
   model::Material material;
   UserId held_system = 0;  ///< of a rigid material: the coordinate system of what is held; 0 is global axes
   UserId hardening_curve = 0;  ///< a curve or a table; of foam that of its crush
   UserId rate_curve = 0;
+  std::array<RawDirectionCurve, 6> direction_curves{};  ///< of discrete beams; of cables the first: stresses
+  std::array<RawDirectionCurve, 6> damping_curves{};
   Where where;
   Where curve_where;
 };
@@ -378,6 +403,7 @@ struct RawDeck {
   std::vector<RawSection> sections;
   std::vector<RawSolidSection> solid_sections;
   std::vector<RawBeamSection> beam_sections;
+  std::vector<RawBeamRule> beam_rules;
   std::vector<RawDiscreteSection> discrete_sections;
   std::vector<RawMaterial> materials;
   std::vector<RawSpringMaterial> spring_materials;

@@ -33,8 +33,16 @@ void read_section_solid(Cards& cards, RawDeck& deck);
 // read_beams.cpp
 void read_element_beam(Cards& cards, RawDeck& deck);
 void read_element_beam_orientation(Cards& cards, RawDeck& deck);
-void read_section_beam(Cards& cards, RawDeck& deck);
 void read_mat_resultant_plasticity(Cards& cards, RawDeck& deck);
+// read_beam_sections.cpp
+void read_section_beam(Cards& cards, RawDeck& deck);
+// read_integration_beam.cpp
+void read_integration_beam(Cards& cards, RawDeck& deck);
+// read_discrete_beam_materials.cpp
+void read_mat_linear_elastic_discrete_beam(Cards& cards, RawDeck& deck);
+void read_mat_nonlinear_elastic_discrete_beam(Cards& cards, RawDeck& deck);
+void read_mat_cable_discrete_beam(Cards& cards, RawDeck& deck);
+void read_mat_elastic_spring_discrete_beam(Cards& cards, RawDeck& deck);
 // read_spot_weld_materials.cpp
 void read_mat_spotweld(Cards& cards, RawDeck& deck);
 void read_mat_spotweld_damage_failure(Cards& cards, RawDeck& deck);

@@ -44,6 +44,7 @@ constexpr Keyword table[] = {
     {"SECTION_SHELL", read_section_shell, title},
     {"SECTION_SOLID", read_section_solid, title},
     {"SECTION_BEAM", read_section_beam, title},
+    {"INTEGRATION_BEAM", read_integration_beam},
     {"SECTION_DISCRETE", read_section_discrete, title},
     {"HOURGLASS", read_hourglass, title},
 
@@ -93,6 +94,14 @@ constexpr Keyword table[] = {
 
     {"MAT_RESULTANT_PLASTICITY", read_mat_resultant_plasticity, title},
     {"MAT_028", read_mat_resultant_plasticity, title},
+    {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", read_mat_linear_elastic_discrete_beam, title},
+    {"MAT_066", read_mat_linear_elastic_discrete_beam, title},
+    {"MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM", read_mat_nonlinear_elastic_discrete_beam, title},
+    {"MAT_067", read_mat_nonlinear_elastic_discrete_beam, title},
+    {"MAT_CABLE_DISCRETE_BEAM", read_mat_cable_discrete_beam, title},
+    {"MAT_071", read_mat_cable_discrete_beam, title},
+    {"MAT_ELASTIC_SPRING_DISCRETE_BEAM", read_mat_elastic_spring_discrete_beam, title},
+    {"MAT_074", read_mat_elastic_spring_discrete_beam, title},
     {"MAT_SPOTWELD", read_mat_spotweld, title},
     {"MAT_100", read_mat_spotweld, title},
     {"MAT_SPOTWELD_DAMAGE-FAILURE", read_mat_spotweld_damage_failure, title},

@@ -127,7 +127,7 @@ constexpr Substitute substitutes[] = {
     {"ELEMENT_DISCRETE_", "ELEMENT_DISCRETE", "the spring is straight between its nodes"},
     {"PART_COMPOSITE", "PART", "one material through the thickness, from *SECTION_SHELL"},
     {"PART_", "PART", "the part lacks what the option adds"},
-    {"INTEGRATION_", "SECTION_SHELL", "QR and NIP give Gauss or Lobatto points"},
+    {"INTEGRATION_SHELL", "SECTION_SHELL", "QR and NIP give Gauss or Lobatto points"},
     {"INITIAL_STRESS_", "", "the run begins without the stresses and strains of forming"},
     {"INITIAL_STRAIN_", "", "the run begins without the stresses and strains of forming"},
     {"INITIAL_VELOCITY_GENERATION_START_TIME", "INITIAL_VELOCITY_GENERATION",

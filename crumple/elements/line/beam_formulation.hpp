@@ -6,6 +6,8 @@
 //     BelytschkoSchwer   ELFORM 2   T. Belytschko, L. Schwer & M.J. Klein, IJNME 11 (1977) 65-84: resultants,
 //                                   elastic or with plastic hinges at the ends
 //     Truss              ELFORM 3   axial force alone; elastic or elastic-plastic
+//     IntegratedBeam     ELFORM 1, 4, 5   T.J.R. Hughes & W.K. Liu, CMAME 27 (1981) 331-362: stresses at
+//                                   points of the cross section half way
 //     SpotWeldBeam       ELFORM 9   as ELFORM 2 with shear, elastic-plastic, fails by its resultants
 //     springs, dampers   discrete_elements.hpp with the laws S01 to S05 of discrete_law.hpp
 //

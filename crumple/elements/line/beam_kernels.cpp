@@ -4,6 +4,8 @@
 #include "base/isa_variants.hpp"
 #include "elements/line/beam_kernel_list.hpp"
 #include "elements/line/belytschko_schwer.hpp"
+#include "elements/line/discrete_beam.hpp"
+#include "elements/line/integrated_beam.hpp"
 #include "elements/line/spot_weld_beam.hpp"
 #include "elements/line/truss.hpp"
 
@@ -13,13 +15,34 @@ namespace {
 /// Visits every number in the order in which it is stored.
 template <class Constants, class Visit>
 void for_each_number(Constants& c, const Visit& visit) {
-  for (auto* number :
-       {&c.area, &c.youngs_modulus, &c.bending_s, &c.bending_t, &c.twisting, &c.shear_stiffness, &c.plastic,
-        &c.yield_stress, &c.isotropic, &c.kinematic, &c.rate, &c.rate_exponent, &c.failure_strain,
-        &c.plastic_force, &c.plastic_moment_s, &c.plastic_moment_t, &c.failure_time})
+  for (auto* number : {&c.area,
+                       &c.youngs_modulus,
+                       &c.bending_s,
+                       &c.bending_t,
+                       &c.twisting,
+                       &c.shear_stiffness,
+                       &c.plastic,
+                       &c.yield_stress,
+                       &c.isotropic,
+                       &c.kinematic,
+                       &c.rate,
+                       &c.rate_exponent,
+                       &c.failure_strain,
+                       &c.plastic_force,
+                       &c.plastic_moment_s,
+                       &c.plastic_moment_t,
+                       &c.failure_time,
+                       &c.section_points,
+                       &c.section_material,
+                       &c.section_fails,
+                       &c.shear_root,
+                       &c.stress,
+                       &c.history,
+                       &c.first_share})
     visit(*number);
   for (auto* list : {&c.capacity, &c.strength})
     for (auto& number : *list) visit(number);
+  for (auto& number : c.held_turn) visit(number);
 }
 
 }  // namespace
@@ -37,12 +60,21 @@ BeamConstants beam_constants(const std::vector<double>& numbers) {
   return constants;
 }
 
+const double* section_places(const std::vector<double>& numbers) {
+  std::size_t fixed = 0;
+  BeamConstants constants;
+  for_each_number(constants, [&](double&) { ++fixed; });
+  return numbers.data() + fixed;
+}
+
 BeamKernel beam_kernel(Isa isa, model::BeamFormulation formulation) {
   return visit_isa(isa, [&]<Isa Variant>() { return beam_formulation_kernel<Variant>(formulation); });
 }
 
 const char* beam_name(model::BeamFormulation formulation) {
   if (formulation == model::BeamFormulation::Truss) return Truss::name;
+  if (formulation == model::BeamFormulation::Integrated) return IntegratedBeam::name;
+  if (formulation == model::BeamFormulation::Discrete) return DiscreteBeam::name;
   return formulation == model::BeamFormulation::SpotWeld ? SpotWeldBeam::name : BelytschkoSchwer::name;
 }
 

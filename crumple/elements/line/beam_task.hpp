@@ -6,6 +6,7 @@
 #include "domain/beam_block.hpp"
 #include "domain/node_fields.hpp"
 #include "elements/common/element_sums.hpp"
+#include "materials/common/section_material.hpp"
 
 namespace crumple::elements {
 
@@ -35,6 +36,14 @@ struct BeamConstants {
   /// shear, shear, torsion, bending, bending [length^2, length^3].
   std::array<double, weld_modes> capacity{};
   std::array<double, weld_modes> strength{};  ///< those at which it fails; 0: does not count [force, moment]
+  double section_points = 0;                  ///< of integrated beams
+  double section_material = 0;                ///< materials::section_material_kind
+  double section_fails = 0;                   ///< 1: its points can fail
+  double shear_root = 1;                      ///< square root of the factor on the shear stiffness [-]
+  double stress = 0;                          ///< first component of the item "stress"
+  double history = 0;                         ///< first component of the material's items
+  double first_share = 0.5;           ///< of discrete beams: of the first node in the turn of the axes
+  std::array<double, 3> held_turn{};  ///< 1: these do not turn about that axis
 };
 
 /// What every beam's state begins with; the formulation's items follow.
@@ -72,6 +81,21 @@ inline constexpr Index energy = plastic_strain + 1;  ///< internal energy of the
 inline constexpr Index failure_time = energy + 2;    ///< zero while it holds
 }  // namespace weld_state
 
+/// Items of an integrated beam besides those of `resultant_state`; stresses and the law's history follow.
+namespace integrated_state {
+inline constexpr Index energy = resultant_state::plastic;  ///< internal energy of the element and a zero
+}  // namespace integrated_state
+
+/// Items of a discrete beam.
+namespace discrete_beam_state {
+inline constexpr Index axes = beam_state::own;  ///< r and s, global
+inline constexpr Index reference = axes + 6;    ///< from node to node at time zero along r, s, t; of lines
+                                                ///< the length without force first
+inline constexpr Index deformation = reference + 3;  ///< displacements along, turns about r, s, t
+inline constexpr Index resultant = deformation + 6;  ///< forces along, moments about them
+inline constexpr Index energy = resultant + 6;       ///< internal energy of the element and a zero
+}  // namespace discrete_beam_state
+
 /// One chunk of one block.
 struct BeamTask {
   const domain::Vec3* position = nullptr;          ///< x at time n
@@ -87,10 +111,14 @@ struct BeamTask {
   model::StiffnessDamping damping{};
   Index damping_item = 0;  ///< first component of the item "damping"; 0: there is none
   BeamConstants constants;
+  materials::SectionUpdate section = nullptr;  ///< of integrated beams
+  const double* section_places = nullptr;      ///< their points [point][section_place]
+  const double* material = nullptr;            ///< ElementBlock::material_constants
 };
 
-/// ElementBlock::element_constants and back.
+/// ElementBlock::element_constants and back. The places of a section's points may follow the numbers.
 std::vector<double> to_numbers(const BeamConstants& constants);
 BeamConstants beam_constants(const std::vector<double>& numbers);
+const double* section_places(const std::vector<double>& numbers);
 
 }  // namespace crumple::elements

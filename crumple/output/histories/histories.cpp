@@ -26,6 +26,15 @@ double interval_or_glstat(const model::OutputRequests& asked, model::HistoryFile
   return asked.of(asked.of(file).asked ? file : model::HistoryFile::Glstat).interval;
 }
 
+/// Of those of *DATABASE_HISTORY_BEAM.
+bool has_integrated_beams(const View& view) {
+  const auto& beams = view.model.output.history_beams;
+  return std::any_of(beams.begin(), beams.end(), [&](Index beam) {
+    const model::Part& part = view.model.parts[view.model.beams[beam].part];
+    return view.model.beam_sections[part.beam_section].formulation == model::BeamFormulation::Integrated;
+  });
+}
+
 /// Those that are only written where the deck has their card.
 void add_asked(const View& view, std::vector<HistoryEntry>& entries) {
   using File = model::HistoryFile;
@@ -43,6 +52,8 @@ void add_asked(const View& view, std::vector<HistoryEntry>& entries) {
       "time,element,point,xx,yy,zz,xy,yz,zx,plastic_strain", make_solid_history);
   add(File::Elout, !asked.history_beams.empty(), "elout_beams.csv",
       "time,element,axial,shear_s,shear_t,moment_s,moment_t,torsion,plastic_strain", make_beam_history);
+  add(File::Elout, has_integrated_beams(view), "elout_beam_points.csv",
+      "time,element,point,s,t,rr,rs,rt,plastic_strain", make_beam_point_history);
   add(File::Secforc, !view.sections.empty(), "secforc.csv", "time,section,fx,fy,fz,mx,my,mz,force,x,y,z",
       [](const View&) { return make_section_history(); });
   add(File::Ncforc, !view.domain.contacts.empty() && view.contact_node_forces, "ncforc.csv",

@@ -81,6 +81,8 @@ std::unique_ptr<History> make_shell_history(const View& view);
 std::unique_ptr<History> make_solid_history(const View& view);
 /// Forces and moments in the beams of *DATABASE_HISTORY_BEAM, in their own axes.
 std::unique_ptr<History> make_beam_history(const View& view);
+/// Stresses at the points of integrated beams among them.
+std::unique_ptr<History> make_beam_point_history(const View& view);
 
 /// Forces and moments in the cross-sections of *DATABASE_CROSS_SECTION.
 std::unique_ptr<History> make_section_history();

@@ -30,14 +30,16 @@ class LineResults {
   explicit LineResults(const domain::DiscreteBlock& block);
 
   double resultant(Index place, Resultant which) const;
-  /// Effective plastic strain of a truss [-].
+  /// Effective plastic strain of a truss, of an integrated beam the largest of its points [-].
   double plastic_strain(Index place) const;
-  /// Amount of the stress of a truss [stress].
+  /// Amount of the stress of a truss, of an integrated beam the largest equivalent one of its points
+  /// [stress].
   double von_mises(Index place) const;
   /// False once the element has failed.
   bool alive(Index place) const;
 
  private:
+  double discrete_resultant(Index place, Resultant which) const;
   double item(Index place, const domain::StateItem* item, Index which = 0) const;
 
   const domain::ElementBlock* block_;
@@ -46,8 +48,11 @@ class LineResults {
   const domain::StateItem* active_;
   const domain::StateItem* resultant_;  ///< of beams
   const domain::StateItem* length_;     ///< at time zero
-  const domain::StateItem* force_;      ///< of discrete elements
+  const domain::StateItem* deformation_;
+  const domain::StateItem* force_;  ///< of discrete elements
   bool torsional_ = false;
+  bool integrated_ = false;
+  bool discrete_ = false;
   double area_ = 0;
 };
 

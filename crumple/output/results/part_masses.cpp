@@ -37,13 +37,17 @@ PartMasses::PartMasses(const View& view) {
   }
   for (const domain::BeamBlock& block : view.domain.beams) {
     const model::Part& part = view.model.parts[block.part];
-    const double line_density =
-        view.model.materials[part.material].density * view.model.beam_sections[part.beam_section].area;
+    const model::BeamSection& section = view.model.beam_sections[part.beam_section];
+    const double density = view.model.materials[part.material].density;
+    const auto volume_of = [&](double length) {
+      if (section.formulation != model::BeamFormulation::Discrete) return section.area * length;
+      return section.discrete.volume > 0 ? section.discrete.volume : section.discrete.cable_area * length;
+    };
     const domain::StateItem* const length = block.find("reference_length");
     if (length == nullptr) continue;
     for (Index place = 0; place < block.elements; ++place)
       for (const Index node : block.nodes_of(place))
-        by_node[block.part][node] += 0.5 * line_density * block.state(place, length->first);
+        by_node[block.part][node] += 0.5 * density * volume_of(block.state(place, length->first));
   }
   for (const auto& nodes : by_node) shares_.emplace_back(nodes.begin(), nodes.end());
 }

@@ -24,6 +24,9 @@ std::array<double, Count> stress_of(const domain::ElementBlock& block, Index pla
   return stress;
 }
 
+/// Stresses of a point of an integrated beam: along it, and the shears with s and t.
+inline constexpr std::size_t section_stresses = 3;
+
 /// How binout calls the states of elout, and which is which, counted from one.
 inline constexpr const char* stress_states = "elastic,plastic";
 constexpr double stress_state_of(double plastic_strain) {
