@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "base/index.hpp"
 
@@ -33,6 +34,26 @@ struct ShellSection {
   std::array<double, 4> thickness{};  ///< at the element's four nodes [length]
   /// Where the nodes lie: 1 on the upper surface, 0 in the middle, -1 on the lower one (NLOC) [-].
   double node_place = 0;
+};
+
+/// One integration point through the thickness of a layered shell, with its own material.
+struct ShellLayer {
+  Index material = no_index;  ///< in Model::materials
+  double place = 0;           ///< over half the thickness: -1 lower, 1 upper surface [-]
+  double share = 0;           ///< of the thickness; those of all layers sum to 1 [-]
+  double angle =
+      0;  ///< from the axes of an orthotropic material to those of the layer, about the normal [rad]
+};
+
+/// The layers of shells from the lower surface to the upper one (docs/theory/layered_shells.md).
+struct Layup {
+  std::vector<ShellLayer> layers;
+  /// Places and shares are those of the section's rule, not those of the layers.
+  bool follows_rule = false;
+  /// The element stays as long as it has layers that cannot fail (FAILOPT = 1 of *INTEGRATION_SHELL); else it
+  /// goes when all those have failed that can.
+  bool unfailing_layers_hold = false;
+  Index material = no_index;  ///< in Model::materials: what stands in for all of them, see layup_material()
 };
 
 enum class SolidFormulation {

@@ -40,7 +40,7 @@ void OrthotropicElasticLaw::prepare_element(const model::ConstitutiveLaw& law, c
   const double y = dot(along, axes.e2);
   // A direction normal to the shell leaves nothing to follow.
   if (!(std::hypot(x, y) > 1e-6 * norm(along))) fail_axis(axes.shell);
-  const double angle = std::atan2(y, x) + (axes.angle != 0 ? axes.angle : own.angle);
+  const double angle = std::atan2(y, x) + (axes.angle != 0 ? axes.angle : own.angle) + axes.layer_angle;
   block.set_state(place, history, std::cos(angle));
   block.set_state(place, history + 1, std::sin(angle));
 }
