@@ -77,6 +77,9 @@ void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck);
 // read_elastic_materials.cpp
 void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck);
 void read_mat_null(Cards& cards, RawDeck& deck);
+// read_composite_materials.cpp
+void read_mat_composite_damage(Cards& cards, RawDeck& deck);
+void read_mat_enhanced_composite_damage(Cards& cards, RawDeck& deck);
 
 // read_solid_materials.cpp
 void read_mat_blatz_ko_rubber(Cards& cards, RawDeck& deck);
