@@ -190,6 +190,7 @@ model::Model layered_strip(model::ShellFormulation formulation) {
   const auto add = [&](const std::vector<model::ShellLayer>& layers) {
     model::Layup layup;
     layup.layers = layers;
+    layup.unfailing_layers_hold = model.layups.empty();
     layup.material = static_cast<Index>(model.materials.size());
     model.materials.push_back(layup_material(model, layup));
     model.layups.push_back(layup);
@@ -266,9 +267,9 @@ const std::vector<Case>& cases() {
                                         {"torn_strips", torn_strips, true},
                                         {"pressed_panel", pressed_panel},
                                         {"bent_laminate", bent_laminate},
-                                        {"layers_BelytschkoTsay", layers_of_belytschko_tsay},
-                                        {"layers_FullyIntegrated", layers_fully_integrated},
-                                        {"failing_plies", failing_plies, true}};
+                                        {"layers_BelytschkoTsay", layers_of_belytschko_tsay, true},
+                                        {"layers_FullyIntegrated", layers_fully_integrated, true},
+                                        {"failing_plies", failing_plies}};
   static const std::vector<Case> all = [] {
     std::vector<Case> both = shells;
     both.insert(both.end(), solid_cases().begin(), solid_cases().end());

@@ -143,6 +143,35 @@ void update_layers(const ShellTask<Real>& task, const materials::MaterialTask<Re
   }
 }
 
+/// Takes the stress, with its share in the work of the step, from all layers of elements that go in it: those
+/// that cannot fail still have theirs, and the forces of the element end with the step. Plain loops over
+/// lanes: the same bits for every instruction set.
+template <class Formulation, class Pack>
+void drop_layers(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<Pack>>& scratch,
+                 const materials::MaterialTask<RealOf<Pack>>& material) {
+  using Real = RealOf<Pack>;
+  using materials::components;
+  const int points = task.constants.points;
+  Real* const intact = scratch.rows + scratch_row::intact * tile_lanes;
+  Real* const energy = scratch.rows + scratch_row::material_energy * tile_lanes;
+  for (Index k = 0; k < material.groups * lanes; ++k) {
+    bool goes = true;
+    for (int plane = 0; plane < Formulation::planes; ++plane)
+      goes = goes && intact[plane * tile_lanes + k] == Real(0);
+    if (!goes) continue;
+    Real* const state = material.state + k / lanes * material.group_stride + k % lanes;
+    for (int p = 0; p < Formulation::planes * points; ++p) {
+      Real work = Real(0);
+      for (int c = p * components; c < (p + 1) * components; ++c) {
+        work += state[c * lanes] * scratch.strain[c * tile_lanes + k];
+        state[c * lanes] = Real(0);
+      }
+      const Real area = Formulation::own_areas ? scratch.area[p * tile_lanes + k] : Real(1);
+      energy[p / points * tile_lanes + k] -= Real(0.5) * task.constants.weight[p % points] * area * work;
+    }
+  }
+}
+
 /// Lets points fail that the law would keep. Laws without failure of their own leave no `intact`.
 template <class Formulation, class Pack>
 void erode_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<Pack>>& scratch,
@@ -198,6 +227,8 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
       for (int k = 0; k < Formulation::planes * tile_lanes; ++k)
         rows[scratch_row::intact * tile_lanes + k] = Real(1);
     update_points<Formulation, Pack>(task, scratch, material);
+    if (task.layer_calls != 0 && task.constants.can_fail)
+      drop_layers<Formulation, Pack>(task, scratch, material);
     if (task.erosion != nullptr) erode_points<Formulation, Pack>(task, scratch, material);
     ahead.forces();
     for_each_pack<Pack>(task, first, groups, scratch,
