@@ -2,6 +2,7 @@
 #include "domain/build.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/error.hpp"
@@ -108,7 +109,11 @@ ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index 
   const model::ShellSection& section = model.shell_sections[model.parts[part].section];
   block.formulation =
       is_triangle(model.shells[shells.front()]) ? model::ShellFormulation::Triangle : section.formulation;
-  block.thickness_points = section.thickness_points;
+  block.layup = model::layup_of(model, model.shells[shells.front()]);
+  block.has_own_layup = model.shells[shells.front()].layup != no_index;
+  block.thickness_points = block.layup == no_index
+                               ? section.thickness_points
+                               : static_cast<Index>(model.layups[block.layup].layers.size());
   connect(block, nodes, [&](Index shell) { return triangle_last(model.shells[shell].node); });
   return block;
 }
@@ -149,13 +154,18 @@ DiscreteBlock make_discrete_block(const model::Model& model, const NodeFields& n
   return block;
 }
 
-/// A block of a part's quadrilaterals and one of its triangles, which have a formulation of their own.
+/// A block of a part's quadrilaterals and one of its triangles, which have a formulation of their own; and as
+/// many more as there are layups of its elements.
 void add_blocks(const model::Model& model, Index part, std::vector<Index> shells, Domain& domain) {
   const auto triangles = std::stable_partition(
       shells.begin(), shells.end(), [&](Index shell) { return !is_triangle(model.shells[shell]); });
   const std::vector<Index> split[2] = {{shells.begin(), triangles}, {triangles, shells.end()}};
-  for (const std::vector<Index>& alike : split)
-    if (!alike.empty()) domain.shells.push_back(make_block(model, domain.nodes, part, alike));
+  for (const std::vector<Index>& shape : split) {
+    std::map<Index, std::vector<Index>> by_layup;
+    for (const Index shell : shape) by_layup[model.shells[shell].layup].push_back(shell);
+    for (const auto& [layup, alike] : by_layup)
+      domain.shells.push_back(make_block(model, domain.nodes, part, alike));
+  }
 }
 
 }  // namespace

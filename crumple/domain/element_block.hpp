@@ -19,6 +19,17 @@ struct StateItem {
   std::string unit;  ///< dimension, in words: "stress", "-", "length"
   Index first = 0;
   Index count = 0;
+  // Of an item that only some layers of a shell have; 0 layers: it is not divided by layers.
+  Index first_layer = 0;
+  Index layers = 0;
+  Index all_layers = 0;  ///< of the shell
+
+  /// Which of the item's points a point of the element is; no_index if the item has none for it.
+  Index point_of(Index point) const {
+    if (layers == 0) return point;
+    const Index layer = point % all_layers - first_layer;
+    return layer < 0 || layer >= layers ? no_index : point / all_layers * layers + layer;
+  }
 };
 
 /// Of an element whose mass may grow with its stable step.

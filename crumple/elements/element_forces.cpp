@@ -29,6 +29,7 @@ class Pass {
     std::size_t bytes = bytes_per_node * static_cast<std::size_t>(domain.nodes.count());
     for (domain::ShellBlock& block : domain.shells) {
       shells_.push_back(from_numbers<ShellConstants<Real>>(block.element_constants));
+      layers_.push_back(calls_of(block));
       bytes += domain::state_of<Real>(block).size() * sizeof(Real);
     }
     for (domain::SolidBlock& block : domain.solids) {
@@ -63,6 +64,14 @@ class Pass {
   }
 
  private:
+  std::vector<LayerCall<Real>> calls_of(const domain::ShellBlock& block) const {
+    std::vector<LayerCall<Real>> calls;
+    for (const domain::LayerRun& run : block.runs)
+      calls.push_back({materials::shell_material_update<Real>(domain_.execution.isa, run.law), run.first,
+                       run.points, run.history, run.constants, run.can_fail});
+    return calls;
+  }
+
   void work_off_shells(domain::ShellBlock& block, const Chunk& chunk, const ShellConstants<Real>& constants,
                        ElementSums& sums) const {
     auto task = chunk_task<ShellTask, Real>(domain_, block, chunk);
@@ -71,6 +80,10 @@ class Pass {
     task.erosion = erosion_of(chunk);
     if (block.damping) task.damping = &damping_[static_cast<std::size_t>(chunk.block)];
     task.material = materials::shell_material_update<Real>(domain_.execution.isa, constants.material);
+    const std::vector<LayerCall<Real>>& layers = layers_[chunk.block];
+    task.layers = layers.data();
+    task.layer_calls = static_cast<int>(layers.size());
+    task.layers_hold = block.layers_hold;
     shell_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
   }
   void work_off_solids(domain::SolidBlock& block, const Chunk& chunk, const SolidConstants<Real>& constants,
@@ -127,6 +140,7 @@ class Pass {
   Domain& domain_;
   bool from_memory_ = false;
   std::vector<ShellConstants<Real>> shells_;
+  std::vector<std::vector<LayerCall<Real>>> layers_;  ///< by block of shells; empty without layers
   std::vector<SolidConstants<Real>> solids_;
   std::vector<BeamConstants> beams_;
   std::vector<ErosionCheck> erosion_;      ///< by block

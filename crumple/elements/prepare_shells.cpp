@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "base/error.hpp"
@@ -23,24 +24,47 @@ const model::ShellSection& section_of(const model::Model& model, const ShellBloc
   return model.shell_sections[model.parts[block.part].section];
 }
 
-void set_thickness_rule(const model::Part& part, const model::ShellSection& section,
-                        ShellConstants<double>& constants) {
+/// Places and weights of the points of the section's rule.
+math::Quadrature rule_of(const model::Part& part, const model::ShellSection& section, int points) {
   using model::ThicknessRule;
-  const int points = section.thickness_points;
   const bool ends = section.thickness_rule != ThicknessRule::Gauss;
   const int most = section.thickness_rule == ThicknessRule::Trapezoid ? materials::max_points : 10;
   require(points >= (ends ? 2 : 1) && points <= most, part,
           std::to_string(points) +
               " integration points through the thickness are not possible; Gauss takes " +
               "1 to 10, Lobatto 2 to 10, the trapezoidal rule 2 to " + std::to_string(materials::max_points));
-  const math::Quadrature rule = section.thickness_rule == ThicknessRule::Gauss ? math::gauss_rule(points)
-                                : section.thickness_rule == ThicknessRule::Lobatto
-                                    ? math::lobatto_rule(points)
-                                    : math::trapezoid_rule(points);
+  return section.thickness_rule == ThicknessRule::Gauss     ? math::gauss_rule(points)
+         : section.thickness_rule == ThicknessRule::Lobatto ? math::lobatto_rule(points)
+                                                            : math::trapezoid_rule(points);
+}
+
+/// The material of the elements of a block; of layered ones that which stands in for their layers.
+const model::Material& material_of_block(const model::Model& model, const ShellBlock& block) {
+  return model::material_of(model, model.shells[block.element.front()]);
+}
+
+void set_thickness_rule(const model::Model& model, ShellConstants<double>& constants, ShellBlock& block) {
+  const model::Part& part = model.parts[block.part];
+  const model::ShellSection& section = section_of(model, block);
+  const int points = block.thickness_points;
+  if (block.layup == no_index || model.layups[block.layup].follows_rule) {
+    const math::Quadrature rule = rule_of(part, section, points);
+    block.point_place.assign(rule.point.begin(), rule.point.end());
+    block.point_weight.assign(rule.weight.begin(), rule.weight.end());
+  } else {
+    require(points <= materials::max_points, part,
+            std::to_string(points) + " layers are too many; " + std::to_string(materials::max_points) +
+                " are possible");
+    for (const model::ShellLayer& layer : model.layups[block.layup].layers) {
+      block.point_place.push_back(layer.place);
+      block.point_weight.push_back(layer.share);
+    }
+  }
   constants.points = points;
   // Places count from the surface of the nodes.
-  for (std::size_t i = 0; i < rule.point.size(); ++i) constants.place[i] = rule.point[i] - section.node_place;
-  std::copy(rule.weight.begin(), rule.weight.end(), constants.weight);
+  for (std::size_t i = 0; i < block.point_place.size(); ++i)
+    constants.place[i] = block.point_place[i] - section.node_place;
+  std::copy(block.point_weight.begin(), block.point_weight.end(), constants.weight);
 }
 
 /// The stiffness form with what the material resists the patterns of a square with: E t / 12 in the membrane,
@@ -78,11 +102,76 @@ void declare_own_items(bool can_fail, ShellBlock& block) {
   if (can_fail) domain::add_item(block, "energy", "energy", 2);
 }
 
+/// Layers of one material whose axes do not differ are one run: laws without axes do not ask for angles.
+bool continues(const model::Model& model, const ShellBlock& block, std::size_t layer) {
+  const std::vector<model::ShellLayer>& layers = model.layups[block.layup].layers;
+  if (layer == 0 || layers[layer].material != layers[layer - 1].material) return false;
+  if (!materials::has_axes(model.materials[layers[layer].material].law)) return true;
+  const bool own_angles = model.shells[block.element.front()].layer_angles != no_index;
+  return !own_angles && layers[layer].angle == layers[layer - 1].angle;
+}
+
+/// The items of a law for the points of a run.
+void declare_run(const model::Material& material, domain::LayerRun& run, ShellBlock& block) {
+  const std::size_t first_item = block.items.size();
+  const Index points = block.points;
+  block.points = block.plane_points * run.points;
+  run.history = materials::declare_history(material.law, block);
+  block.points = points;
+  for (std::size_t item = first_item; item < block.items.size(); ++item) {
+    block.items[item].first_layer = run.first;
+    block.items[item].layers = run.points;
+    block.items[item].all_layers = block.thickness_points;
+  }
+}
+
+bool can_fail(const model::Model& model, const ShellBlock& block) {
+  if (block.layup == no_index) return materials::can_fail(material_of_block(model, block));
+  const std::vector<model::ShellLayer>& layers = model.layups[block.layup].layers;
+  return std::any_of(layers.begin(), layers.end(), [&](const model::ShellLayer& layer) {
+    return materials::can_fail(model.materials[layer.material]);
+  });
+}
+
+/// The runs of a layered block with state and numbers of their laws.
+void prepare_layers(const model::Model& model, ShellBlock& block) {
+  const model::Layup& layup = model.layups[block.layup];
+  std::map<Index, Index> constants_of;  // first number by material
+  for (std::size_t layer = 0; layer < layup.layers.size(); ++layer) {
+    if (continues(model, block, layer)) {
+      ++block.runs.back().points;
+      continue;
+    }
+    const Index index = layup.layers[layer].material;
+    const model::Material& material = model.materials[index];
+    domain::LayerRun run;
+    run.law = materials::shell_material_kind(material.law);
+    require(run.law >= 0, model.parts[block.part],
+            "its layer " + std::to_string(layer + 1) + " has a material that cannot be used with shells");
+    run.first = static_cast<Index>(layer);
+    run.points = 1;
+    run.can_fail = materials::can_fail(material);
+    const auto next = static_cast<Index>(block.material_constants.size());
+    const auto [entry, is_new] = constants_of.emplace(index, next);
+    if (is_new) {
+      const std::vector<double> numbers = materials::shell_material_constants(material);
+      block.material_constants.insert(block.material_constants.end(), numbers.begin(), numbers.end());
+    }
+    run.constants = entry->second;
+    block.runs.push_back(run);
+  }
+  for (domain::LayerRun& run : block.runs)
+    declare_run(model.materials[layup.layers[static_cast<std::size_t>(run.first)].material], run, block);
+  block.layers_hold =
+      layup.unfailing_layers_hold && std::any_of(block.runs.begin(), block.runs.end(),
+                                                 [](const domain::LayerRun& run) { return !run.can_fail; });
+}
+
 ShellConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
                                      ShellBlock& block) {
   const model::Part& part = model.parts[block.part];
   const model::ShellSection& section = section_of(model, block);
-  const model::Material& material = model.materials[part.material];
+  const model::Material& material = material_of_block(model, block);
   const ShellKind kind = shell_kind(block.formulation);
   const int law = materials::shell_material_kind(material.law);
   require(kind.kind >= 0, part, "its shell formulation is not computed by any kind in the registry");
@@ -94,12 +183,12 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.formulation = kind.kind;
   constants.planes = kind.planes;
   constants.material = law;
-  constants.can_fail = materials::can_fail(material) || material.erosion;
+  constants.can_fail = can_fail(model, block) || material.erosion;
   constants.thickness_change = model.control.thickness_change;
   constants.shear_root = std::sqrt(section.shear_factor);
   constants.slowness = 1 / elastic.plate_wave_speed();
   constants.poissons_ratio = elastic.poissons_ratio;
-  set_thickness_rule(part, section, constants);
+  set_thickness_rule(model, constants, block);
   set_hourglass(model::hourglass_of(model, part), elastic, section.shear_factor, constants);
   // Full integration has no membrane mode to control; drilling takes its place
   // (docs/theory/fully_integrated.md).
@@ -108,15 +197,20 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   block.plane_points = kind.planes;
   block.points = kind.planes * block.thickness_points;
   domain::add_item(block, "stress", "stress", materials::components * block.points);
-  constants.history = materials::declare_history(material.law, block);
+  if (block.layup == no_index || block.rigid)
+    constants.history = materials::declare_history(material.law, block);
+  else
+    prepare_layers(model, block);
   constants.own = block.components;
   declare_own_items(constants.can_fail, block);
   block.erosion = material.erosion;
   if (block.erosion) declare_erosion(block);
   if (!block.rigid) block.damping = part.damping;
+  require(!block.damping || block.layup == no_index, part,
+          "*DAMPING_PART_STIFFNESS acts on shells of one material, not on layers");
   declare_damping(shell_damping(elastic), materials::components, block);
   block.allocate(domain.execution.precision);
-  block.material_constants = materials::shell_material_constants(material);
+  if (block.runs.empty()) block.material_constants = materials::shell_material_constants(material);
   if (!materials::has_stiffness(material.law))
     constants.hourglass_membrane = constants.hourglass_warping = constants.hourglass_bending = 0;
   block.element_constants = to_numbers(constants);
@@ -159,8 +253,7 @@ struct ShellMass {
 /// element of side L has the shear frequency kappa G / rho (4 / L^2 + 1 / inertia), to stay below 4 c^2 / L^2
 /// with the plate wave speed c. The theory manual's A/8 is that for a metal; it is too little for nu = 0.
 double shear_inertia(const model::Model& model, const ShellBlock& block, double shear_root) {
-  const ElasticConstants elastic =
-      materials::elastic_constants(model.materials[model.parts[block.part].material]);
+  const ElasticConstants elastic = materials::elastic_constants(material_of_block(model, block));
   const double speed = elastic.plate_wave_speed();
   const double ratio = shear_root * shear_root * elastic.shear_modulus() / (elastic.density * speed * speed);
   return std::max(0.125, 0.25 * ratio / std::max(1 - ratio, 0.1));
@@ -179,6 +272,24 @@ double coupled_step(double offset, double thickness, double inertia) {
   return 1 / std::sqrt(largest);
 }
 
+/// What the laws keep for each element: axes, those of layers turned by their angles.
+void prepare_axes(const model::Model& model, const model::ShellElement& shell,
+                  const materials::LaminaAxes& axes, Index history, ShellBlock& block, Index place) {
+  if (block.runs.empty()) {
+    materials::prepare_element(material_of_block(model, block).law, axes, block, history, place);
+    return;
+  }
+  const std::vector<model::ShellLayer>& layers = model.layups[block.layup].layers;
+  for (const domain::LayerRun& run : block.runs) {
+    const model::ShellLayer& layer = layers[static_cast<std::size_t>(run.first)];
+    materials::LaminaAxes turned = axes;
+    turned.layer_angle = shell.layer_angles == no_index
+                             ? layer.angle
+                             : model.layer_angles[static_cast<std::size_t>(shell.layer_angles + run.first)];
+    materials::prepare_element(model.materials[layer.material].law, turned, block, run.history, place);
+  }
+}
+
 ShellMass prepare_element(const model::Model& model, const domain::Domain& domain, ShellBlock& block,
                           const ShellConstants<double>& constants, Index place) {
   const Index real = std::min(place, block.elements - 1);
@@ -192,7 +303,7 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
 
   const std::array<double, 4> at_nodes = model::shell_thickness(model, shell);
   const double thickness = 0.25 * ((at_nodes[0] + at_nodes[1]) + (at_nodes[2] + at_nodes[3]));
-  const model::Material& material = model.materials[model.parts[block.part].material];
+  const model::Material& material = material_of_block(model, block);
   const bool stiff = materials::has_stiffness(material.law);
   const double offset = 0.5 * thickness * section_of(model, block).node_place;
   const double about_nodes = thickness * thickness / 12 + offset * offset;
@@ -209,7 +320,7 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
   block.set_state(place, own + element_state::frame + 1, frame[1]);
   block.set_state(place, own + element_state::step_scale,
                   (stiff ? triangle ? 2 : 1 : no_limit) * coupled * std::sqrt(factor));
-  materials::prepare_element(material.law, lamina_axes(shell, corner), block, constants.history, place);
+  prepare_axes(model, shell, lamina_axes(shell, corner), constants.history, block, place);
 
   const double mass = material.density * area * thickness;
   return {factor * mass, inertia, (factor - 1) * mass};

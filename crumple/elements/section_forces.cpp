@@ -18,6 +18,8 @@ void copy_kind(const domain::ShellBlock& from, domain::ShellBlock& to) {
   to.formulation = from.formulation;
   to.thickness_points = from.thickness_points;
   to.plane_points = from.plane_points;
+  to.runs = from.runs;
+  to.layers_hold = from.layers_hold;
 }
 void copy_kind(const domain::SolidBlock& from, domain::SolidBlock& to) {
   to.formulation = from.formulation;

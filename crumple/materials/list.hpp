@@ -29,6 +29,7 @@
 #include "materials/eos/gruneisen.hpp"
 #include "materials/eos/linear_polynomial.hpp"
 #include "materials/laws/blatz_ko.hpp"
+#include "materials/laws/composite_damage.hpp"
 #include "materials/laws/crushable_foam.hpp"
 #include "materials/laws/elastic.hpp"
 #include "materials/laws/johnson_cook.hpp"
@@ -62,6 +63,7 @@ using ShellLaws = LawList<         //
     PowerLawPlasticityLaw,         //
     JohnsonCookLaw,                //
     OrthotropicElasticLaw,         //
+    CompositeDamageLaw,            //
     NullLaw>;
 
 /// Every constitutive law of solids. What a law must have is written in solid_update.hpp (its SolidUpdate).

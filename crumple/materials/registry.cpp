@@ -90,6 +90,19 @@ void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, 
       ShellLaws{});
 }
 
+bool has_axes(const model::ConstitutiveLaw& law) {
+  bool axes = false;
+  with_law(
+      law,
+      [&]<class Law>(Law, int) {
+        axes = requires(const LaminaAxes& of, domain::ElementBlock& block) {
+          Law::prepare_element(law, of, block, 0, 0);
+        };
+      },
+      ShellLaws{});
+  return axes;
+}
+
 bool has_stiffness(const model::ConstitutiveLaw& law) {
   bool stiff = true;
   with_any_law(law, [&]<class Law>(Law) {

@@ -15,6 +15,7 @@ struct Use {
     return {};
   }
   LawUse operator()(const OrthotropicElastic& /*law*/) const { return {true, false, false, false}; }
+  LawUse operator()(const CompositeDamage& /*law*/) const { return {true, false, false, false}; }
   LawUse operator()(const JohnsonCook& law) const { return {true, true, !law.simplified, false}; }
   LawUse operator()(const NullMaterial& /*law*/) const { return {true, true, true, true}; }
   LawUse operator()(const ResultantPlasticity& /*law*/) const { return {false, false, false, false}; }

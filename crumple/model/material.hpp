@@ -137,6 +137,32 @@ struct OrthotropicElastic {
   double angle = 0;  ///< from what a follows to a, about the normal [rad]; an element's own goes before it
 };
 
+/// Unidirectional layers that fail by modes: fibres and matrix, each in tension and compression
+/// (*MAT_ENHANCED_COMPOSITE_DAMAGE, *MAT_COMPOSITE_DAMAGE). Strengths and limits of zero are none.
+struct CompositeDamage : OrthotropicElastic {
+  enum class Matrix {
+    Chang,       ///< tension and compression apart, Chang & Chang 1987 (CRIT = 54)
+    TsaiWu,      ///< one quadratic form for both, Tsai & Wu 1971 (CRIT = 55)
+    ChangShear,  ///< as Chang with the shear energy of the nonlinear law (*MAT_COMPOSITE_DAMAGE)
+  };
+  Matrix matrix = Matrix::Chang;
+  double tension_a = 0;            ///< XT, along the fibres [stress]
+  double compression_a = 0;        ///< XC, a positive number [stress]
+  double tension_b = 0;            ///< YT, across [stress]
+  double compression_b = 0;        ///< YC, a positive number [stress]
+  double shear_strength = 0;       ///< SC in the plane [stress]
+  double shear_softening = 0;      ///< alpha: shear strain = tau / G + alpha tau^3 [1/stress^3]
+  double shear_in_fibre_mode = 0;  ///< beta of the tensile fibre mode [-]
+  double fibre_tension_left = 0;   ///< factor on XT where the matrix has failed in compression; 0 is 1 [-]
+  double fibre_compression_by_matrix = 0;  ///< then XC is this times YC; 0: it stays [-]
+  double failure_tension = 0;              ///< strain along the fibres at which a point goes [-]
+  double failure_compression = 0;          ///< below zero [-]
+  double failure_matrix = 0;               ///< strain across, either sign [-]
+  double failure_shear = 0;                ///< of the tensor, either sign [-]
+  double failure_effective = 0;            ///< sqrt(4/3 (a^2 + ab + b^2 + shear^2)) [-]
+  bool goes_by_fibre_tension = false;      ///< a point goes as soon as its fibres fail in tension
+};
+
 /// Sets the isotropic stand-in: its plate waves are as fast as the fastest in any direction in the plane, its
 /// shear modulus is not below those of the transverse shears.
 void set_stand_in(OrthotropicElastic& law);
@@ -295,8 +321,9 @@ struct DiscreteBeamLaw {
 /// The constitutive law and its constants. A new law is one more alternative here.
 using ConstitutiveLaw =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
-                 OrthotropicElastic, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo, MooneyRivlin,
-                 CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic, DiscreteBeamLaw>;
+                 OrthotropicElastic, CompositeDamage, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo,
+                 MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
+                 DiscreteBeamLaw>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

@@ -25,6 +25,8 @@ struct ShellElement {
   std::array<Index, 4> node{no_index, no_index, no_index, no_index};  ///< a triangle repeats one, see below
   std::array<double, 4> thickness{};  ///< at the nodes [length]; all zero takes the section's
   double material_angle = 0;          ///< of an orthotropic law [rad]; zero takes the material's
+  Index layup = no_index;             ///< in Model::layups; no_index takes the part's
+  Index layer_angles = no_index;      ///< first of its layers' angles in Model::layer_angles; or the layup's
 };
 
 /// Nodes 1 to 4 around one face, 5 to 8 around the opposite one, 5 above 1. Wedges repeat 5
@@ -81,6 +83,7 @@ struct Part {
   Index solid_section = no_index;     ///< in Model::solid_sections
   Index beam_section = no_index;      ///< in Model::beam_sections
   Index discrete_section = no_index;  ///< in Model::discrete_sections
+  Index layup = no_index;             ///< in Model::layups, of shells; no_index: one material
   Index material = no_index;          ///< in Model::materials; no_index for a part of springs
   Index spring_material = no_index;   ///< in Model::spring_materials, for a part of springs
   Index hourglass = no_index;  ///< in Model::hourglass_controls; no_index takes Model::control.hourglass

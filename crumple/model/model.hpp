@@ -36,6 +36,8 @@ struct Model {
   std::vector<DiscreteElement> discretes;
   std::vector<Part> parts;
   std::vector<ShellSection> shell_sections;
+  std::vector<Layup> layups;
+  std::vector<double> layer_angles;  ///< of shells whose layers have angles of their own [rad]
   std::vector<SolidSection> solid_sections;
   std::vector<BeamSection> beam_sections;
   std::vector<DiscreteSection> discrete_sections;
@@ -85,6 +87,17 @@ struct Model {
 /// Thickness of a shell at its four nodes [length]: the element's own where given, else the section's. Where
 /// a triangle repeats a node stands the mean of its corners, so that the mean of all four is that, too.
 std::array<double, 4> shell_thickness(const Model& model, const ShellElement& shell);
+
+/// Layup of a shell, or no_index if it has one material through the thickness.
+Index layup_of(const Model& model, const ShellElement& shell);
+
+/// The material of a shell; of a layered one that which stands in for its layers.
+const Material& material_of(const Model& model, const ShellElement& shell);
+
+/// The material that stands in for the layers of a shell where one is asked for: with the mean density, and
+/// isotropic elastic constants whose plate waves and transverse shear are as fast as those of the layers
+/// (docs/theory/layered_shells.md).
+Material layup_material(const Model& model, const Layup& layup);
 
 /// Whether the elements of a part are rigid: they have mass and a surface, but no forces.
 bool is_rigid(const Model& model, const Part& part);

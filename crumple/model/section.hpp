@@ -37,6 +37,26 @@ struct ShellSection {
   double node_place = 0;
 };
 
+/// One integration point through the thickness of a layered shell, with its own material.
+struct ShellLayer {
+  Index material = no_index;  ///< in Model::materials
+  double place = 0;           ///< over half the thickness: -1 lower, 1 upper surface [-]
+  double share = 0;           ///< of the thickness; those of all layers sum to 1 [-]
+  double angle =
+      0;  ///< from the axes of an orthotropic material to those of the layer, about the normal [rad]
+};
+
+/// The layers of shells from the lower surface to the upper one (docs/theory/layered_shells.md).
+struct Layup {
+  std::vector<ShellLayer> layers;
+  /// Places and shares are those of the section's rule, not those of the layers.
+  bool follows_rule = false;
+  /// The element stays as long as it has layers that cannot fail (FAILOPT = 1 of *INTEGRATION_SHELL); else it
+  /// goes when all those have failed that can.
+  bool unfailing_layers_hold = false;
+  Index material = no_index;  ///< in Model::materials: what stands in for all of them, see layup_material()
+};
+
 enum class SolidFormulation {
   OnePointHexahedron,        ///< uniform strain, Flanagan & Belytschko 1981
   SelectiveHexahedron,       ///< 2 x 2 x 2 points with the mean dilatation, Hughes 1980

@@ -178,6 +178,76 @@ model::Model bent_laminate() {
   return model;
 }
 
+/// Layers of elastic, plastic and orthotropic materials, of the part and of some elements of their own, one
+/// of which fails; hit at a free end.
+model::Model layered_strip(model::ShellFormulation formulation) {
+  model::Model model = bent_laminate();
+  model.shell_sections[0].formulation = formulation;
+  model::PlasticKinematic metal = kinematic_steel();
+  metal.yield_stress = 0.02;
+  metal.failure_strain = 1e-4;
+  model.materials.push_back({.id = 3, .title = "foil", .density = 7.85e-6, .law = metal});
+  const auto add = [&](const std::vector<model::ShellLayer>& layers) {
+    model::Layup layup;
+    layup.layers = layers;
+    layup.unfailing_layers_hold = model.layups.empty();
+    layup.material = static_cast<Index>(model.materials.size());
+    model.materials.push_back(layup_material(model, layup));
+    model.layups.push_back(layup);
+  };
+  add({{0, -0.75, 0.25, 0}, {0, -0.25, 0.25, 1.2}, {2, 0.1, 0.1, 0}, {0, 0.6, 0.4, -0.5}});
+  add({{2, -0.5, 0.5, 0}, {2, 0.4, 0.4, 0}, {0, 0.9, 0.1, 0}});
+  model.parts[0].layup = 0;
+  model.parts[0].material = model.layups[0].material;
+  for (std::size_t shell = 30; shell < 40; ++shell) {
+    model.shells[shell].layup = 1;
+    model.shells[shell].layer_angles = static_cast<Index>(model.layer_angles.size());
+    for (const double angle : {0.0, 0.0, 0.1 * static_cast<double>(shell)})
+      model.layer_angles.push_back(angle);
+  }
+  return model;
+}
+model::Model layers_of_belytschko_tsay() {
+  return layered_strip(ShellFormulation::BelytschkoTsay);
+}
+model::Model layers_fully_integrated() {
+  return layered_strip(ShellFormulation::FullyIntegrated);
+}
+
+/// Two layers that fail by modes and go, by Chang & Chang and by Tsai & Wu, torn.
+model::Model failing_plies() {
+  model::Model model = bent_laminate();
+  model.shell_sections[0].formulation = ShellFormulation::BelytschkoTsay;
+  for (const auto matrix : {model::CompositeDamage::Matrix::Chang, model::CompositeDamage::Matrix::TsaiWu}) {
+    model::CompositeDamage law;
+    static_cast<model::OrthotropicElastic&>(law) =
+        std::get<model::OrthotropicElastic>(model.materials[0].law);
+    law.matrix = matrix;
+    law.tension_a = 0.3;
+    law.compression_a = 0.2;
+    law.tension_b = 0.05;
+    law.compression_b = 0.12;
+    law.shear_strength = 0.06;
+    law.shear_softening = 100;
+    law.shear_in_fibre_mode = 0.5;
+    law.failure_tension = matrix == model::CompositeDamage::Matrix::Chang ? 0.01 : 0;
+    law.failure_matrix = law.failure_tension;
+    law.failure_shear = law.failure_tension;
+    law.goes_by_fibre_tension = law.failure_tension == 0;
+    model.materials.push_back({.id = 3, .title = "ply", .density = 1.6e-6, .law = law});
+  }
+  model::Layup layup;
+  layup.layers = {{2, -0.5, 0.5, 0.3}, {3, 0.5, 0.5, -0.9}};
+  layup.material = static_cast<Index>(model.materials.size());
+  model.materials.push_back(layup_material(model, layup));
+  model.layups.push_back(layup);
+  model.parts[0].layup = 0;
+  model.parts[0].material = layup.material;
+  for (model::InitialVelocity& initial : model.initial_velocities)
+    initial.velocity = {30, 4 * initial.velocity[2], initial.velocity[2]};
+  return model;
+}
+
 }  // namespace
 
 model::PlasticKinematic kinematic_steel() {
@@ -196,7 +266,10 @@ const std::vector<Case>& cases() {
                                         {"crushed_tube_FullyIntegrated", tube_fully_integrated},
                                         {"torn_strips", torn_strips, true},
                                         {"pressed_panel", pressed_panel},
-                                        {"bent_laminate", bent_laminate}};
+                                        {"bent_laminate", bent_laminate},
+                                        {"layers_BelytschkoTsay", layers_of_belytschko_tsay, true},
+                                        {"layers_FullyIntegrated", layers_fully_integrated, true},
+                                        {"failing_plies", failing_plies}};
   static const std::vector<Case> all = [] {
     std::vector<Case> both = shells;
     both.insert(both.end(), solid_cases().begin(), solid_cases().end());

@@ -25,14 +25,27 @@ constexpr Index rows = 3;
 
 /// What makes the middle fail.
 enum class Failure {
-  Law,       ///< the law's own plastic strain
-  Criterion  ///< a principal strain (*MAT_ADD_EROSION)
+  Law,        ///< the law's own plastic strain
+  Criterion,  ///< a principal strain (*MAT_ADD_EROSION)
+  Fibres      ///< the strain of failure of fibres (*MAT_ENHANCED_COMPOSITE_DAMAGE)
 };
 
 struct Case {
   model::ShellFormulation formulation;
   Failure failure;
 };
+
+/// As stiff as the metal; its strength stays up to the same strain.
+model::CompositeDamage fibres() {
+  model::CompositeDamage law;
+  law.modulus_a = law.modulus_b = law.modulus_c = 210;
+  law.poisson_ba = law.poisson_ca = law.poisson_cb = 0.3;
+  law.shear_ab = law.shear_bc = law.shear_ca = 80;
+  law.tension_a = law.compression_a = law.tension_b = law.compression_b = law.shear_strength = 0.27;
+  law.failure_tension = 0.04;
+  set_stand_in(law);
+  return law;
+}
 
 model::Model strip(const Case& of) {
   model::Model model =
@@ -44,7 +57,9 @@ model::Model strip(const Case& of) {
   soft.tangent_modulus = 1;
   soft.isotropic_fraction = 0.5;
   model::Material middle{.id = 2, .title = "soft", .density = 7.85e-6, .law = soft};
-  if (of.failure == Failure::Law)
+  if (of.failure == Failure::Fibres)
+    middle.law = fibres();
+  else if (of.failure == Failure::Law)
     std::get<model::PlasticKinematic>(middle.law).failure_strain = 0.04;
   else
     middle.erosion = model::ErosionCriteria{.largest_principal_strain = 0.04};
@@ -135,7 +150,9 @@ TEST_P(Strip, PulledApartLosesNothing) {
     const double momentum_of_half = 0.5 * initial_mass * speed;
     EXPECT_LT(worst_momentum, (precision == Precision::Double ? 1e-11 : 1e-5) * momentum_of_half);
     test::verified(std::string("strip torn apart by erosion, ") +
-                       (GetParam().failure == Failure::Law ? "" : "*MAT_ADD_EROSION, ") +
+                       (GetParam().failure == Failure::Law      ? ""
+                        : GetParam().failure == Failure::Fibres ? "*MAT_ENHANCED_COMPOSITE_DAMAGE, "
+                                                                : "*MAT_ADD_EROSION, ") +
                        (precision == Precision::Double ? "double" : "mixed") +
                        ": energy over the initial one",
                    "conservation")
@@ -148,15 +165,18 @@ INSTANTIATE_TEST_SUITE_P(Formulations, Strip,
                          ::testing::Values(Case{model::ShellFormulation::BelytschkoTsay, Failure::Law},
                                            Case{model::ShellFormulation::HughesLiu, Failure::Law},
                                            Case{model::ShellFormulation::BelytschkoTsay, Failure::Criterion},
-                                           Case{model::ShellFormulation::FullyIntegrated,
-                                                Failure::Criterion}),
+                                           Case{model::ShellFormulation::FullyIntegrated, Failure::Criterion},
+                                           Case{model::ShellFormulation::BelytschkoTsay, Failure::Fibres},
+                                           Case{model::ShellFormulation::FullyIntegrated, Failure::Fibres}),
                          [](const auto& test) {
                            const auto formulation = test.param.formulation;
                            const std::string name =
                                formulation == model::ShellFormulation::BelytschkoTsay ? "BelytschkoTsay"
                                : formulation == model::ShellFormulation::HughesLiu    ? "HughesLiu"
                                                                                       : "FullyIntegrated";
-                           return name + (test.param.failure == Failure::Law ? "" : "ByCriterion");
+                           return name + (test.param.failure == Failure::Law         ? ""
+                                          : test.param.failure == Failure::Criterion ? "ByCriterion"
+                                                                                     : "OfFibres");
                          });
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <ostream>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -34,7 +35,11 @@ std::string thickness_range(const model::Model& model, Index part) {
   return least == most ? fmt::format("{:.4g}", most) : fmt::format("{:.4g}-{:.4g}", least, most);
 }
 
-std::string points_words(const model::ShellSection& section) {
+/// Number of the points through the thickness and their rule.
+std::string points_words(const model::Model& model, const model::Part& part,
+                         const model::ShellSection& section) {
+  if (part.layup != no_index && !model.layups[part.layup].follows_rule)
+    return counted(model.layups[part.layup].layers.size(), "layer");
   const char* rule = section.thickness_rule == model::ThicknessRule::Gauss     ? "Gauss"
                      : section.thickness_rule == model::ThicknessRule::Lobatto ? "Lobatto"
                                                                                : "trapezoid";
@@ -65,11 +70,22 @@ ElementWords element_words(const model::Model& model, const model::Part& part) {
     return {model.discrete_sections[part.discrete_section].torsional ? "discrete, torsional" : "discrete",
             "-"};
   const model::ShellSection& section = model.shell_sections[part.section];
-  return {elements::shell_kind(section.formulation).name, points_words(section)};
+  return {elements::shell_kind(section.formulation).name, points_words(model, part, section)};
 }
 
 bool is_shell(const model::Part& part) {
   return model::kind_of(part) == model::ElementKind::Shell;
+}
+
+/// The law of all layers, or that there are several.
+const char* layers_words(const model::Model& model, const model::Layup& layup) {
+  const auto name_of = [&](const model::ShellLayer& layer) {
+    return materials::shell_material_name(model.materials[layer.material].law);
+  };
+  const char* const first = name_of(layup.layers.front());
+  for (const model::ShellLayer& layer : layup.layers)
+    if (std::string_view(name_of(layer)) != first) return "layers of several laws";
+  return first;
 }
 
 const char* material_words(const model::Model& model, const model::Part& part) {
@@ -79,6 +95,7 @@ const char* material_words(const model::Model& model, const model::Part& part) {
   const model::ConstitutiveLaw& law = model.materials[part.material].law;
   if (std::holds_alternative<model::ResultantPlasticity>(law)) return "resultant plasticity";
   if (std::holds_alternative<model::SpotWeldLaw>(law)) return "spot weld";
+  if (part.layup != no_index) return layers_words(model, model.layups[part.layup]);
   if (const auto* discrete = std::get_if<model::DiscreteBeamLaw>(&law))
     return discrete->kind == model::DiscreteBeamLaw::Kind::Axes    ? "six directions"
            : discrete->kind == model::DiscreteBeamLaw::Kind::Cable ? "cable"

@@ -50,6 +50,7 @@ const ItemWords& words(Item item) {
       {"joint", "*CONSTRAINED_JOINT_REVOLUTE_ID or another joint", "*CONSTRAINED_JOINT_", ""},
       {"airbag", "*AIRBAG_SIMPLE_AIRBAG_MODEL_ID", "*AIRBAG_", ""},
       {"vector", "*DEFINE_VECTOR", "*DEFINE_VECTOR_", ""},
+      {"integration rule", "*INTEGRATION_SHELL", "*INTEGRATION_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -107,10 +108,9 @@ Index Build::find(Item item, const Reference& reference) {
   FieldFault fault{
       reference.field,
       std::to_string(reference.id),
-      fmt::format(
-          "the id of {} {}",
-          word.name.starts_with('h') || word.name.starts_with('o') || word.name.starts_with('e') ? "an" : "a",
-          word.name),
+      fmt::format("the id of {} {}",
+                  std::string_view("hoei").find(word.name.front()) != std::string_view::npos ? "an" : "a",
+                  word.name),
       {},
       "reference"};
   if (item == Item::Part && is_dropped(reference.id)) {

@@ -70,6 +70,7 @@ enum class Item {
   Joint,
   ControlVolume,
   DefinedVector,
+  IntegrationRule,
   Count,  ///< how many there are
 };
 
@@ -93,6 +94,7 @@ class Build {
   std::vector<std::vector<Index>> discrete_sets;  ///< likewise
   std::vector<std::int32_t> shells_of_part;       ///< number of shells, by index of the part
   std::vector<std::int32_t> solids_of_part;       ///< number of solids, by index of the part
+  std::map<std::vector<double>, Index> layups;    ///< of elements, by materials and shares of their layers
   std::vector<std::int32_t> lines_of_part;  ///< number of beams or discrete elements, by index of the part
 
   /// Enters the id of an item that gets this index. An id that is there already is reported.
@@ -146,6 +148,12 @@ using model::ElementKind;
 /// Index of the part that an element names. Where there is none, or its section is for another kind of
 /// elements, says so and returns no_index.
 Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
+// build_layups.cpp
+/// Gives a part of shells the layers that its keyword or its section asks for. False, with a message, if they
+/// cannot be made.
+bool build_part_layup(Build& build, const RawPart& raw, model::Part& part);
+/// The layers of *ELEMENT_SHELL_COMPOSITE; shells with the same ones share a layup. False as above.
+bool build_element_layup(Build& build, const RawShell& raw, model::ShellElement& shell);
 // build_transformations.cpp
 /// Moves the nodes of *NODE_TRANSFORM. Before all else that uses their positions.
 void move_nodes(Build& build);

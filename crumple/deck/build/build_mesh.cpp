@@ -152,7 +152,7 @@ bool find_material(const RawPart& raw, bool has_section, model::Part& part, Buil
     return false;
   const Index index = build.find(Item::Material, {raw.material, "MID", raw.where});
   if (index == no_index) return false;
-  const auto others = static_cast<Index>(build.model.materials.size());
+  const auto others = static_cast<Index>(build.deck.materials.size());
   const bool is_spring = index >= others;
   const bool needs_spring = model::kind_of(part) == ElementKind::Discrete;
   if (has_section && is_spring != needs_spring) {
@@ -170,6 +170,10 @@ bool find_material(const RawPart& raw, bool has_section, model::Part& part, Buil
 
 /// The section of a part by its id; false if there is none, which has been reported.
 bool find_section(const RawPart& raw, model::Part& part, Build& build) {
+  if (!raw.layers.empty()) {
+    part.section = static_cast<Index>(raw.own_section);
+    return true;
+  }
   if (raw.section == RawPart::unreadable || !is_given(raw.section, "SECID", "a section", raw, build))
     return false;
   const Index index = build.find(Item::Section, {raw.section, "SECID", raw.where});
@@ -250,7 +254,8 @@ void build_parts(Build& build) {
   const std::vector<UserId> used = parts_with_elements(build.deck);
   for (const RawPart& raw : build.deck.parts) {
     // Pre-processors write such a part for something that is not in this deck.
-    if (raw.section == 0 && raw.material == 0 && !std::binary_search(used.begin(), used.end(), raw.id)) {
+    if (raw.section == 0 && raw.material == 0 && raw.layers.empty() &&
+        !std::binary_search(used.begin(), used.end(), raw.id)) {
       build.drop_part(raw.id);
       build.report.add(
           Severity::Note, raw.where, "empty",
@@ -263,11 +268,14 @@ void build_parts(Build& build) {
     part.contact_thickness = raw.contact_thickness;
     part.contact_thickness_scale = raw.contact_thickness_scale;
     const bool has_section = find_section(raw, part, build);
-    const bool has_material = find_material(raw, has_section, part, build);
+    const bool is_composite = !raw.layers.empty();
+    const bool has_material = is_composite || find_material(raw, has_section, part, build);
     if (raw.hourglass != 0) part.hourglass = build.find(Item::Hourglass, {raw.hourglass, "HGID", raw.where});
     if (raw.equation_of_state != 0 && part.solid_section != no_index)
       part.equation_of_state = build.find(Item::EquationOfState, {raw.equation_of_state, "EOSID", raw.where});
-    if (!has_section || !has_material) {
+    const bool complete = has_section && has_material;
+    if (complete && !is_composite) check_part(raw, part, build);
+    if (!complete || !build_part_layup(build, raw, part)) {
       build.drop_part(raw.id);
       if (build.report.allow_unsupported())
         build.report.warning(raw.where, "dropped",
@@ -275,7 +283,6 @@ void build_parts(Build& build) {
       continue;
     }
     warn_of_assumed_strain(raw, part, build);
-    check_part(raw, part, build);
     build.enter(Item::Part, {raw.id, "PID", raw.where}, build.model.parts.size());
     build.model.parts.push_back(std::move(part));
   }
@@ -302,6 +309,7 @@ void build_shells(Build& build) {
       complete = complete && shell.node[i] != no_index;
     }
     build.enter(Item::Shell, {raw.id, "EID", raw.where}, shells.size());
+    if (complete && raw.layers != 0) complete = build_element_layup(build, raw, shell);
     if (complete) turn_triangle(shell);
     if (complete && repeats_node(shell.node)) {
       build.report.error(

@@ -274,7 +274,8 @@ void enter_sections(Build& build) {
   take(deck.solid_sections);
   take(deck.beam_sections);
   take(deck.discrete_sections);
-  for (const Entry& entry : entries) build.enter(Item::Section, entry.reference, entry.index);
+  for (const Entry& entry : entries)
+    if (entry.reference.id != 0) build.enter(Item::Section, entry.reference, entry.index);
 }
 
 /// A curve of a spring or damper: it must have both signs and go through the origin.
@@ -371,6 +372,9 @@ void build_properties(Build& build, const ReadOptions& options) {
   build_beam_sections(build);
   for (const RawDiscreteSection& raw : deck.discrete_sections) model.discrete_sections.push_back(raw.section);
   enter_sections(build);
+  for (std::size_t i = 0; i < deck.integration_rules.size(); ++i)
+    build.enter(Item::IntegrationRule,
+                {deck.integration_rules[i].id, "IRID", deck.integration_rules[i].where}, i);
   for (const RawHourglass& raw : deck.hourglasses) {
     build.enter(Item::Hourglass, {raw.id, "HGID", raw.where}, model.hourglass_controls.size());
     model.hourglass_controls.push_back(raw.control);

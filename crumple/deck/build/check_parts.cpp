@@ -90,6 +90,7 @@ void check_contact_of_null_shells(Build& build) {
     if (shell.part == no_index) continue;
     const model::Part& part = build.model.parts[static_cast<std::size_t>(shell.part)];
     if (part.material == no_index || model::is_rigid(build.model, part)) continue;
+    if (static_cast<std::size_t>(part.material) >= build.deck.materials.size()) continue;  // of layers
     const RawMaterial& raw = build.deck.materials[static_cast<std::size_t>(part.material)];
     const auto* skin = std::get_if<model::NullMaterial>(&raw.material.law);
     if (skin == nullptr || skin->youngs_modulus > 0) continue;

@@ -62,6 +62,7 @@ bool is_metal(const model::Material& material, const System& system) {
 bool is_plastic(const model::ConstitutiveLaw& law) {
   return !std::holds_alternative<model::Elastic>(law) &&
          !std::holds_alternative<model::OrthotropicElastic>(law) &&
+         !std::holds_alternative<model::CompositeDamage>(law) &&
          !std::holds_alternative<model::NullMaterial>(law) && !std::holds_alternative<model::BlatzKo>(law) &&
          !std::holds_alternative<model::MooneyRivlin>(law) &&
          !std::holds_alternative<model::CrushableFoam>(law) &&

@@ -35,6 +35,32 @@ struct RawShell {
   std::array<double, 4> thickness{};
   double material_angle = 0;  ///< [rad]
   Where where;
+  std::size_t layers = 0;  ///< of *ELEMENT_SHELL_COMPOSITE: place in RawDeck::element_layers, from 1; 0: none
+};
+
+/// One layer of *PART_COMPOSITE or *ELEMENT_SHELL_COMPOSITE.
+struct RawLayer {
+  UserId material = 0;
+  double thickness = 0;
+  double angle = 0;  ///< [rad]
+  std::string_view field;
+  Where where;
+};
+
+/// One point of *INTEGRATION_SHELL.
+struct RawIntegrationPoint {
+  double place = 0;
+  double share = 0;
+  UserId part = 0;  ///< 0: the element's own
+  Where where;
+};
+
+/// *INTEGRATION_SHELL.
+struct RawIntegrationRule {
+  UserId id = 0;
+  std::vector<RawIntegrationPoint> points;
+  bool unfailing_layers_hold = false;
+  Where where;
 };
 
 struct RawSolid {
@@ -93,6 +119,8 @@ struct RawPart {
   double contact_thickness = 0;        ///< OPTT; 0 is none
   double contact_thickness_scale = 1;  ///< SFT
   Where where;
+  std::vector<RawLayer> layers{};  ///< of *PART_COMPOSITE
+  std::size_t own_section = 0;     ///< then its place in RawDeck::sections
 };
 
 struct RawSection {
@@ -101,6 +129,9 @@ struct RawSection {
   bool thickness_good = true;     ///< false: could not be read, which has been reported
   std::size_t order = 0;          ///< among all sections of the deck
   Where where;
+  UserId integration_rule = 0;  ///< QR below zero; 0: none
+  Where rule_where{};
+  std::vector<double> angles{};  ///< of the points with ICOMP = 1 [rad]
 };
 
 struct RawSolidSection {
@@ -395,6 +426,8 @@ struct RawDeck {
   std::string title;
   std::vector<RawNode> nodes;
   std::vector<RawShell> shells;
+  std::vector<std::vector<RawLayer>> element_layers;
+  std::vector<RawIntegrationRule> integration_rules;
   std::vector<RawSolid> solids;
   std::vector<RawBeam> beams;
   std::vector<RawDiscrete> discretes;

@@ -63,6 +63,15 @@ void read_part(Cards& cards, RawDeck& deck);
 void read_part_inertia(Cards& cards, RawDeck& deck);
 void read_section_shell(Cards& cards, RawDeck& deck);
 void read_hourglass(Cards& cards, RawDeck& deck);
+// read_layups.cpp
+void read_part_composite(Cards& cards, RawDeck& deck);
+void read_part_composite_long(Cards& cards, RawDeck& deck);
+void read_element_shell_composite(Cards& cards, RawDeck& deck);
+void read_integration_shell(Cards& cards, RawDeck& deck);
+/// The shell of a card of *ELEMENT_SHELL; false, with a message, if its ids could not be read.
+bool read_shell(Cards& cards, RawShell& shell);
+/// OPTT and SFT of the card that _CONTACT adds to *PART.
+void read_part_contact(Cards& cards, RawPart& part);
 
 // read_materials.cpp
 void read_mat_elastic(Cards& cards, RawDeck& deck);
@@ -76,6 +85,9 @@ void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck);
 // read_elastic_materials.cpp
 void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck);
 void read_mat_null(Cards& cards, RawDeck& deck);
+// read_composite_materials.cpp
+void read_mat_composite_damage(Cards& cards, RawDeck& deck);
+void read_mat_enhanced_composite_damage(Cards& cards, RawDeck& deck);
 
 // read_solid_materials.cpp
 void read_mat_blatz_ko_rubber(Cards& cards, RawDeck& deck);

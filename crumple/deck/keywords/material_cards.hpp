@@ -23,6 +23,14 @@ RawMaterial material_of(const Heading& heading, const Card& card);
 /// LS-DYNA's default for "never" is a huge strain; here it is zero.
 double failure_strain(double read);
 
+/// The direction that AOPT of a card calls for: of the card with A1 to A3, or of that with V1 to V3.
+void take_direction(const Card& second, const Card& third, const Card& fourth, model::OrthotropicElastic& law,
+                    Report& report);
+
+/// Gives an orthotropic law its isotropic stand-in; `card` has PRBA. False if the numbers are not sound, or,
+/// with a message, not those of a material.
+bool take_stand_in(const Card& card, bool sound, model::OrthotropicElastic& law, Report& report);
+
 /// Reports a PC above zero.
 void check_pressure_cut_off(const Card& card, Report& report);
 

@@ -104,6 +104,12 @@ void read_node(Cards& cards, RawDeck& deck) {
   }
 }
 
+bool read_shell(Cards& cards, RawShell& shell) {
+  const Card card = cards.next_filled(shell_card);
+  shell = shell_of(card, cards.placement().map);
+  return has_ids(card);
+}
+
 void read_element_shell(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Card card = cards.next_filled(shell_card);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *PART, *SECTION_SHELL, *HOURGLASS.
 #include <cmath>
+#include <iterator>
+#include <numbers>
 
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/rigid_inertia.hpp"
@@ -40,11 +42,9 @@ constexpr Field section_card[] = {
          "Belytschko-Wong-Chiang, 16 fully integrated, 0 what *CONTROL_SHELL says"),
     real_or_default("SHRF", 1.0, above_zero),
     integer_or_default("NIP", 2, within(1, 20, "points through the thickness")),
-    unused("PROPT"),  // what LS-DYNA prints
-    only("QR", {0, 1}, "0 is Gauss, 1 trapezoidal; user rules (negative) are not supported"),
-    only("ICOMP", {0},
-         "layers with angles of their own are not supported; BETA of the material or the element turns all "
-         "of them"),
+    unused("PROPT"),                  // what LS-DYNA prints
+    real_or_id("QR", IdKind::Other),  // 0 is Gauss, 1 trapezoidal, negative a rule of *INTEGRATION_SHELL
+    only("ICOMP", {0, 1}, "1 gives each point an angle, B1, B2, ..."),
     unused("SETYP"),  // for two-dimensional elements
 };
 
@@ -59,6 +59,10 @@ constexpr Field section_thickness_card[] = {
     unused("EDGSET"),  // for two-dimensional seatbelts
 };
 
+constexpr Field angle_card[] = {
+    real("B1"), real("B2"), real("B3"), real("B4"), real("B5"), real("B6"), real("B7"), real("B8"),
+};
+
 constexpr Field hourglass_card[] = {
     id("HGID"),
     only("IHQ", {0, 1, 2, 3, 4, 5, 6}, hourglass_forms),
@@ -70,8 +74,35 @@ constexpr Field hourglass_card[] = {
     real("QW", 0, not_negative),  // default QB
 };
 
+/// QR: a rule of its own, or the number of one.
+void take_rule(const Card& card, RawSection& raw, Report& report) {
+  const double rule = card.real("QR");
+  if (rule == 1) raw.section.thickness_rule = model::ThicknessRule::Trapezoid;
+  if (rule < 0)
+    raw.integration_rule = -static_cast<UserId>(rule);
+  else if (rule != 0 && rule != 1)
+    report.field_unsupported(card.where(), {"QR", std::string(card.text("QR")), "0, 1 or a negative number",
+                                            "0 is Gauss, 1 trapezoidal, a negative number is one of "
+                                            "*INTEGRATION_SHELL",
+                                            "rule"});
+}
+
+/// The angles of ICOMP = 1, eight on a card.
+std::vector<double> read_angles(Cards& cards, int points) {
+  std::vector<double> angles;
+  const double sign = cards.placement().map.mirrors() ? -1 : 1;
+  while (static_cast<int>(angles.size()) < points) {
+    const Card card = cards.next(angle_card);
+    for (std::size_t i = 0; i < std::size(angle_card) && static_cast<int>(angles.size()) < points; ++i)
+      angles.push_back(sign * card.real(angle_card[i].name) * std::numbers::pi / 180);
+  }
+  return angles;
+}
+
 /// Gauss and Lobatto rules are made for ten points at most.
-void check_points(const Card& card, const model::ShellSection& section, Report& report) {
+void check_points(const Card& card, const RawSection& raw, Report& report) {
+  const model::ShellSection& section = raw.section;
+  if (raw.integration_rule != 0) return;
   const bool trapezoid = section.thickness_rule == model::ThicknessRule::Trapezoid;
   if (!card.good("NIP") || !card.good("QR")) return;
   if (!trapezoid && section.thickness_points > 10)
@@ -135,6 +166,13 @@ model::SolidHourglassForm solid_hourglass_form(std::int64_t number) {
   }
 }
 
+void read_part_contact(Cards& cards, RawPart& part) {
+  if (cards.where().keyword.find("_CONTACT") == std::string_view::npos) return;
+  const Card contact = cards.next(part_contact_card);
+  part.contact_thickness = contact.real("OPTT");
+  part.contact_thickness_scale = contact.real("SFT");
+}
+
 namespace {
 
 void read_parts(Cards& cards, RawDeck& deck, bool with_inertia) {
@@ -149,11 +187,7 @@ void read_parts(Cards& cards, RawDeck& deck, bool with_inertia) {
     part.hourglass = card.good("HGID") ? card.integer("HGID") : 0;
     part.where = card.where();
     if (with_inertia) part.inertia = read_inertia(cards);
-    if (cards.where().keyword.find("_CONTACT") != std::string_view::npos) {
-      const Card contact = cards.next(part_contact_card);
-      part.contact_thickness = contact.real("OPTT");
-      part.contact_thickness_scale = contact.real("SFT");
-    }
+    read_part_contact(cards, part);
     if (card.good("PID")) deck.parts.push_back(std::move(part));
   }
 }
@@ -180,12 +214,14 @@ void read_section_shell(Cards& cards, RawDeck& deck) {
     raw.section.shear_factor = card.real("SHRF");
     raw.section.thickness_points = card.good("NIP") ? static_cast<int>(card.integer("NIP")) : 2;
     raw.section.node_place = second.real("NLOC");
-    if (card.real("QR") == 1) raw.section.thickness_rule = model::ThicknessRule::Trapezoid;
-    check_points(card, raw.section, cards.report());
+    raw.rule_where = card.where();
+    take_rule(card, raw, cards.report());
+    check_points(card, raw, cards.report());
     raw.section.thickness = {second.real("T1"), second.real("T2"), second.real("T3"), second.real("T4")};
     for (std::size_t i = 1; i < 4; ++i)
       if (raw.section.thickness[i] == 0) raw.section.thickness[i] = raw.section.thickness[0];
     raw.thickness_good = second.good("T1") && second.good("T2") && second.good("T3") && second.good("T4");
+    if (card.real("ICOMP") == 1) raw.angles = read_angles(cards, raw.section.thickness_points);
     raw.where = second.where();
     raw.order = deck.section_count();
     if (card.good("SECID")) deck.sections.push_back(std::move(raw));

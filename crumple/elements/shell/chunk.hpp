@@ -70,7 +70,106 @@ void update_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf
     const bool one_point = Formulation::planes == 1 && !task.constants.viscous;
     material.yield = one_point ? scratch.rows + scratch_row::yield * tile_lanes : nullptr;
     material.intact = task.constants.can_fail ? row(scratch_row::intact) : nullptr;
-    task.material(material);
+    if (task.layer_calls == 0)
+      task.material(material);
+    else
+      update_layers<RealOf<Pack>, Pack>(task, material, plane, Formulation::planes);
+  }
+}
+
+/// What one call of a law leaves, for one plane of a tile.
+template <class Real>
+struct LayerRows {
+  alignas(cache_line) Real energy[tile_lanes];
+  alignas(cache_line) Real thickness_strain[tile_lanes];
+  alignas(cache_line) Real yield[materials::yield_row::count * tile_lanes];
+  alignas(cache_line) Real intact[tile_lanes];
+};
+
+/// Adds what the law of some layers has left to what the driver reads. An element is intact as long as a
+/// layer is that can fail.
+template <class Real, class Pack>
+void add_layers(const LayerRows<Real>& own, bool can_fail, Index count,
+                const materials::MaterialTask<Real>& sum) {
+  namespace yield_row = materials::yield_row;
+  for (Index k = 0; k < count; ++k) {
+    sum.energy[k] += own.energy[k];
+    sum.thickness_strain[k] += own.thickness_strain[k];
+    if (can_fail && sum.intact != nullptr && own.intact[k] != Real(0)) sum.intact[k] = Real(1);
+  }
+  if (sum.yield == nullptr) return;
+  for (Index k = 0; k < count; ++k) {
+    sum.yield[yield_row::stress * tile_lanes + k] += own.yield[yield_row::stress * tile_lanes + k];
+    sum.yield[yield_row::left * tile_lanes + k] += own.yield[yield_row::left * tile_lanes + k] - Real(1);
+  }
+}
+
+/// One plane of a layered shell: each law for its layers. `material` says where all points are, and where
+/// the sums go.
+template <class Real, class Pack>
+void update_layers(const ShellTask<Real>& task, const materials::MaterialTask<Real>& material, int plane,
+                   int planes) {
+  using materials::components;
+  LayerRows<Real> own;
+  bool holds = task.layers_hold;
+  bool fails = false;
+  for (int i = 0; i < task.layer_calls; ++i) fails = fails || task.layers[i].can_fail;
+  holds = holds || !fails;
+  const Index count = material.groups * lanes;
+  for (Index k = 0; k < count; ++k) {
+    material.energy[k] = material.thickness_strain[k] = Real(0);
+    if (material.intact != nullptr) material.intact[k] = holds ? Real(1) : Real(0);
+    if (material.yield == nullptr) continue;
+    material.yield[materials::yield_row::stress * tile_lanes + k] = Real(0);
+    material.yield[materials::yield_row::left * tile_lanes + k] = Real(1);
+  }
+  for (int i = 0; i < task.layer_calls; ++i) {
+    const LayerCall<Real>& call = task.layers[i];
+    materials::MaterialTask<Real> layers = material;
+    layers.points = call.points;
+    layers.all_points = planes * call.points;
+    layers.first_point = plane * call.points;
+    layers.stress = material.stress + components * (material.first_point + call.first - layers.first_point);
+    layers.history = call.history;
+    layers.strain = material.strain + call.first * components * tile_lanes;
+    layers.weight = material.weight + call.first;
+    if (material.area != nullptr) layers.area = material.area + call.first * tile_lanes;
+    layers.constants = material.constants + call.constants;
+    layers.energy = own.energy;
+    layers.thickness_strain = own.thickness_strain;
+    layers.yield = material.yield != nullptr ? own.yield : nullptr;
+    layers.intact = call.can_fail ? own.intact : nullptr;
+    call.update(layers);
+    add_layers<Real, Pack>(own, call.can_fail, count, material);
+  }
+}
+
+/// Takes the stress, with its share in the work of the step, from all layers of elements that go in it: those
+/// that cannot fail still have theirs, and the forces of the element end with the step. Plain loops over
+/// lanes: the same bits for every instruction set.
+template <class Formulation, class Pack>
+void drop_layers(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<Pack>>& scratch,
+                 const materials::MaterialTask<RealOf<Pack>>& material) {
+  using Real = RealOf<Pack>;
+  using materials::components;
+  const int points = task.constants.points;
+  Real* const intact = scratch.rows + scratch_row::intact * tile_lanes;
+  Real* const energy = scratch.rows + scratch_row::material_energy * tile_lanes;
+  for (Index k = 0; k < material.groups * lanes; ++k) {
+    bool goes = true;
+    for (int plane = 0; plane < Formulation::planes; ++plane)
+      goes = goes && intact[plane * tile_lanes + k] == Real(0);
+    if (!goes) continue;
+    Real* const state = material.state + k / lanes * material.group_stride + k % lanes;
+    for (int p = 0; p < Formulation::planes * points; ++p) {
+      Real work = Real(0);
+      for (int c = p * components; c < (p + 1) * components; ++c) {
+        work += state[c * lanes] * scratch.strain[c * tile_lanes + k];
+        state[c * lanes] = Real(0);
+      }
+      const Real area = Formulation::own_areas ? scratch.area[p * tile_lanes + k] : Real(1);
+      energy[p / points * tile_lanes + k] -= Real(0.5) * task.constants.weight[p % points] * area * work;
+    }
   }
 }
 
@@ -146,6 +245,8 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
       for (int k = 0; k < Formulation::planes * tile_lanes; ++k)
         rows[scratch_row::intact * tile_lanes + k] = Real(1);
     update_points<Formulation, Pack>(task, scratch, material);
+    if (task.layer_calls != 0 && task.constants.can_fail)
+      drop_layers<Formulation, Pack>(task, scratch, material);
     if (task.erosion != nullptr) erode_points<Formulation, Pack>(task, scratch, material);
     ahead.forces();
     if (task.damping != nullptr)

@@ -43,11 +43,25 @@ inline constexpr Index hourglass = 5;   ///< five generalised hourglass stresses
 inline constexpr Index energy = 10;     ///< internal and hourglass energy of the element, if it can fail
 }  // namespace element_state
 
+/// Points through the thickness that one law brings up to date; see domain::LayerRun.
+template <class Real>
+struct LayerCall {
+  materials::MaterialUpdate<Real> update = nullptr;
+  int first = 0;
+  int points = 0;
+  Index history = 0;
+  Index constants = 0;
+  bool can_fail = false;
+};
+
 /// One chunk of one block.
 template <class Real>
 struct ShellTask : ElementTask<Real> {
   ShellConstants<Real> constants;
-  materials::MaterialUpdate<Real> material = nullptr;
+  materials::MaterialUpdate<Real> material = nullptr;  ///< of all points, unless there are layers
+  const LayerCall<Real>* layers = nullptr;
+  int layer_calls = 0;  ///< 0: one law for all points
+  bool layers_hold = false;
 };
 
 }  // namespace crumple::elements

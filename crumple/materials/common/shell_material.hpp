@@ -94,12 +94,16 @@ struct LaminaAxes {
   math::Vec3 side;        ///< from the first to the second node
   double angle = 0;       ///< model::ShellElement::material_angle [rad]
   UserId shell = 0;
+  double layer_angle = 0;  ///< added to `angle`, or to the material's, in a layered shell [rad]
 };
 
 /// Sets what the law keeps for each element, once before the run; `history` is what declare_history returned.
 /// Throws Error naming the shell if its axes do not fit.
 void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes, domain::ElementBlock& block,
                      Index history, Index place);
+
+/// True if the law has axes in the plane, so that layers of it differ by their angles.
+bool has_axes(const model::ConstitutiveLaw& law);
 
 /// False if the material never has a stress: its shells limit no step and have no hourglass control.
 bool has_stiffness(const model::ConstitutiveLaw& law);

@@ -12,7 +12,9 @@ template <class Law, class Real>
 void update(const MaterialTask<Real>& task) {
   using Pack = NativePack<Real>;
   using Update = typename Law::template Update<Pack>;
-  if constexpr (requires { Law::is_turned; })
+  if constexpr (requires { Update::update_points(task); })
+    Update::update_points(task);
+  else if constexpr (requires { Law::is_turned; })
     update_turned_tile<Update, Pack>(task);
   else
     update_tile<Update, Pack>(task);

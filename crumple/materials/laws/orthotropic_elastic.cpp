@@ -34,19 +34,27 @@ void OrthotropicElasticLaw::declare_history(const model::ConstitutiveLaw& /*law*
 
 void OrthotropicElasticLaw::prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes,
                                             domain::ElementBlock& block, Index history, Index place) {
-  const auto& own = std::get<Model>(law);
+  set_axes(std::get<Model>(law), axes, block, history, place);
+}
+
+void OrthotropicElasticLaw::set_axes(const model::OrthotropicElastic& own, const LaminaAxes& axes,
+                                     domain::ElementBlock& block, Index history, Index place) {
   const Vec3 along = direction(own, axes);
   const double x = dot(along, axes.e1);
   const double y = dot(along, axes.e2);
   // A direction normal to the shell leaves nothing to follow.
   if (!(std::hypot(x, y) > 1e-6 * norm(along))) fail_axis(axes.shell);
-  const double angle = std::atan2(y, x) + (axes.angle != 0 ? axes.angle : own.angle);
+  const double angle = std::atan2(y, x) + (axes.angle != 0 ? axes.angle : own.angle) + axes.layer_angle;
   block.set_state(place, history, std::cos(angle));
   block.set_state(place, history + 1, std::sin(angle));
 }
 
 std::vector<double> OrthotropicElasticLaw::constants(const model::Material& material) {
-  const auto& law = std::get<Model>(material.law);
+  return constants_of(std::get<Model>(material.law), material);
+}
+
+std::vector<double> OrthotropicElasticLaw::constants_of(const model::OrthotropicElastic& law,
+                                                        const model::Material& material) {
   require(law.modulus_a > 0 && law.modulus_b > 0 && law.modulus_c > 0, material,
           "the moduli EA, EB and EC must be above zero");
   require(law.shear_ab > 0 && law.shear_bc > 0 && law.shear_ca > 0, material,

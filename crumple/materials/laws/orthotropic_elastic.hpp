@@ -50,6 +50,11 @@ struct OrthotropicElasticLaw {
   /// Cosine and sine of the angle from the lamina's first axis to the material's.
   static void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes,
                               domain::ElementBlock& block, Index history, Index place);
+  /// The same two of a law that has these constants among others.
+  static std::vector<double> constants_of(const model::OrthotropicElastic& law,
+                                          const model::Material& material);
+  static void set_axes(const model::OrthotropicElastic& law, const LaminaAxes& axes,
+                       domain::ElementBlock& block, Index history, Index place);
 
   template <class Pack>
   struct Update {

@@ -34,16 +34,33 @@ PointHistory::PointHistory(const domain::ElementBlock& block) : block_(&block) {
                            [](const domain::StateItem& one) { return one.name == "stress"; });
   if (item == block.items.end()) return;
   for (++item; item != block.items.end() && !is_of_element(item->name); ++item) {
-    if (is_left_out(item->name) || item->count % block.points != 0) continue;
-    const Index stride = item->count / block.points;
-    for (Index i = 0; i < stride; ++i) components_.push_back({item->first + i, stride});
+    const Index points = item->layers == 0 ? block.points : block.points / item->all_layers * item->layers;
+    if (is_left_out(item->name) || item->count % points != 0) continue;
+    add(*item);
+  }
+}
+
+void PointHistory::add(const domain::StateItem& item) {
+  const Index points = item.layers == 0 ? block_->points : block_->points / item.all_layers * item.layers;
+  const Index stride = item.count / points;
+  // The laws of layers count their variables each from the first on.
+  if (item.layers != 0 && item.first_layer != last_layer_) {
+    last_layer_ = item.first_layer;
+    next_ = 0;
+  }
+  for (Index i = 0; i < stride; ++i, ++next_) {
+    if (next_ == components_.size())
+      components_.emplace_back(static_cast<std::size_t>(block_->points), no_index);
+    for (Index point = 0; point < block_->points; ++point)
+      if (const Index at = item.point_of(point); at != no_index)
+        components_[next_][static_cast<std::size_t>(point)] = item.first + i + at * stride;
   }
 }
 
 double PointHistory::value(Index place, Index point, int variable) const {
   if (variable >= count()) return 0;
-  const Component& its = components_[static_cast<std::size_t>(variable)];
-  return block_->state(place, its.first + point * its.stride);
+  const Index component = components_[static_cast<std::size_t>(variable)][static_cast<std::size_t>(point)];
+  return component == no_index ? 0 : block_->state(place, component);
 }
 
 }  // namespace crumple::output

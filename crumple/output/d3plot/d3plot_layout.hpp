@@ -42,12 +42,12 @@ class PointHistory {
   double value(Index place, Index point, int variable) const;
 
  private:
-  struct Component {
-    Index first = 0;   ///< in the state, of the first point
-    Index stride = 0;  ///< from point to point
-  };
+  void add(const domain::StateItem& item);
+
   const domain::ElementBlock* block_;
-  std::vector<Component> components_;
+  std::vector<std::vector<Index>> components_;  ///< [variable][point] in the state; no_index: it has none
+  std::size_t next_ = 0;                        ///< variable, while they are being found
+  Index last_layer_ = no_index;                 ///< of the item before
 };
 
 }  // namespace crumple::output

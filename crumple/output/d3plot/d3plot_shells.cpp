@@ -5,21 +5,11 @@
 #include <cmath>
 
 #include "output/results/part_masses.hpp"
+#include "output/results/point_results.hpp"
 
 namespace crumple::output {
 
 namespace {
-
-math::Quadrature rule_of(const model::ShellSection& section, Index points) {
-  switch (section.thickness_rule) {
-    case model::ThicknessRule::Lobatto:
-      return math::lobatto_rule(points);
-    case model::ThicknessRule::Trapezoid:
-      return math::trapezoid_rule(points);
-    default:
-      return math::gauss_rule(points);
-  }
-}
 
 struct PlaneTensor {
   double xx = 0, yy = 0, xy = 0;
@@ -41,10 +31,8 @@ D3plotShells::D3plotShells(const View& view, const domain::ShellBlock& block)
       history_(block),
       layout_(view.model.output.extent),
       stress_(block.find("stress")),
-      plastic_strain_(block.find("plastic_strain")),
       energy_(block.find("energy")) {
   if (stress_ != nullptr) layers_ = stress_->count / ShellResults::stress_components / block.plane_points;
-  rule_ = rule_of(*section_, layers_);
 }
 
 D3plotShells::Local D3plotShells::stress(Index place, Index layer) const {
@@ -60,11 +48,10 @@ D3plotShells::Local D3plotShells::stress(Index place, Index layer) const {
 }
 
 double D3plotShells::plastic_strain(Index place, Index layer) const {
-  if (plastic_strain_ == nullptr) return 0;
   double mean = 0;
   const Index planes = block_->plane_points;
   for (Index plane = 0; plane < planes; ++plane)
-    mean += block_->state(place, plastic_strain_->first + plane * layers_ + layer) / planes;
+    mean += plastic_strain_of(*block_, place, plane * layers_ + layer) / planes;
   return mean;
 }
 
@@ -102,10 +89,10 @@ void D3plotShells::add_resultants(D3plotWords& words, const ShellAxes& axes, Ind
   PlaneTensor moment;
   double shear1 = 0;
   double shear2 = 0;
-  for (Index layer = 0; layer < layers_; ++layer) {
+  for (Index layer = 0; layer < static_cast<Index>(block_->point_place.size()); ++layer) {
     const auto [xx, yy, xy, yz, zx] = stress(place, layer);
-    const double weight = thickness * rule_.weight[layer];
-    const double arm = 0.5 * thickness * rule_.point[layer] * weight;
+    const double weight = thickness * block_->point_weight[static_cast<std::size_t>(layer)];
+    const double arm = 0.5 * thickness * block_->point_place[static_cast<std::size_t>(layer)] * weight;
     force = {force.xx + weight * xx, force.yy + weight * yy, force.xy + weight * xy};
     moment = {moment.xx + arm * xx, moment.yy + arm * yy, moment.xy + arm * xy};
     // The stress that the formulations keep has the root of the factor once, their forces have it twice.
@@ -128,7 +115,7 @@ void D3plotShells::add_resultants(D3plotWords& words, const ShellAxes& axes, Ind
 double D3plotShells::energy_density(Index place) const {
   if (energy_ == nullptr) return 0;
   const model::ShellElement& shell = view_->model.shells[block_->element[place]];
-  const double density = view_->model.materials[view_->model.parts[block_->part].material].density;
+  const double density = model::material_of(view_->model, shell).density;
   const double volume = shell_mass(*view_, shell) / density;
   return volume > 0 ? block_->state(place, energy_->first) / volume : 0;
 }

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "math/quadrature.hpp"
 #include "output/d3plot/d3plot_layout.hpp"
 #include "output/d3plot/d3plot_words.hpp"
 #include "output/results/shell_axes.hpp"
@@ -44,9 +43,7 @@ class D3plotShells {
   ShellResults results_;
   PointHistory history_;
   D3plotLayout layout_;
-  math::Quadrature rule_;
   const domain::StateItem* stress_;
-  const domain::StateItem* plastic_strain_;
   const domain::StateItem* energy_;
   Index layers_ = 1;  ///< points through the thickness
 };

@@ -14,7 +14,7 @@ double shell_mass(const View& view, const model::ShellElement& shell) {
   const double area = 0.5 * math::norm(math::cross(first, second));
   const auto thickness = model::shell_thickness(model, shell);
   const double mean = 0.25 * (thickness[0] + thickness[1] + thickness[2] + thickness[3]);
-  return model.materials[model.parts[shell.part].material].density * area * mean;
+  return model::material_of(model, shell).density * area * mean;
 }
 
 PartMasses::PartMasses(const View& view) {

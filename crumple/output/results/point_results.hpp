@@ -8,10 +8,14 @@
 
 namespace crumple::output {
 
-/// Effective plastic strain of a point [-]; zero of a law without.
+/// Effective plastic strain of a point [-]; zero of a law without. Layers of a shell have an item each.
 inline double plastic_strain_of(const domain::ElementBlock& block, Index place, Index point) {
-  const domain::StateItem* const item = block.find("plastic_strain");
-  return item == nullptr || point >= item->count ? 0.0 : block.state(place, item->first + point);
+  for (const domain::StateItem& item : block.items) {
+    if (item.name != "plastic_strain") continue;
+    const Index at = item.point_of(point);
+    if (at != no_index && at < item.count) return block.state(place, item.first + at);
+  }
+  return 0;
 }
 
 /// The components of a point as they are kept [stress]; zero where none are.

@@ -19,15 +19,17 @@ ShellResults::ShellResults(const model::Model& model, const domain::ShellBlock& 
     : model_(&model),
       block_(&block),
       stress_(block.find("stress")),
-      plastic_strain_(block.find("plastic_strain")),
       thickness_(block.find("thickness")),
-      active_(block.find("active")) {}
+      active_(block.find("active")) {
+  for (const domain::StateItem& item : block.items)
+    if (item.name == "plastic_strain") plastic_strains_.push_back(&item);
+}
 
 double ShellResults::plastic_strain(Index place) const {
-  if (plastic_strain_ == nullptr) return 0;
   double largest = 0;
-  for (Index i = 0; i < plastic_strain_->count; ++i)
-    largest = std::max(largest, block_->state(place, plastic_strain_->first + i));
+  for (const domain::StateItem* item : plastic_strains_)
+    for (Index i = 0; i < item->count; ++i)
+      largest = std::max(largest, block_->state(place, item->first + i));
   return largest;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "base/index.hpp"
 #include "domain/shell_block.hpp"
@@ -38,7 +39,7 @@ class ShellResults {
   const model::Model* model_;
   const domain::ShellBlock* block_;
   const domain::StateItem* stress_;
-  const domain::StateItem* plastic_strain_;
+  std::vector<const domain::StateItem*> plastic_strains_;  ///< one, or of each run of layers that has it
   const domain::StateItem* thickness_;
   const domain::StateItem* active_;
 };

@@ -187,6 +187,95 @@ TEST(ElasticMaterial, Orthotropic) {
   EXPECT_EQ(crossed.direction[2], 1);
 }
 
+TEST(CompositeMaterial, Enhanced) {
+  const std::string start =
+      "_TITLE\nply\n         1    1.5E-9  127000.0    8400.0       0.0     0.021\n"
+      "    4200.0    4100.0    3000.0       0.0       3.0\n"
+      "       0.0       0.0       0.0       0.0       0.0       0.0      30.0\n"
+      "       0.0       1.0       0.5       0.0       0.0       0.0      0.04      0.05\n"
+      "       0.0     1E-11       0.5       0.4       1.5      0.03     -0.02       0.2\n"
+      "   -1470.0    2200.0     199.0      49.0     154.0";
+  const auto law =
+      law_of<model::CompositeDamage>("*MAT_ENHANCED_COMPOSITE_DAMAGE" + start + "      54.0       0.7\n");
+  EXPECT_EQ(law.modulus_c, 8400);
+  EXPECT_EQ(law.shear_bc, 4100);
+  EXPECT_EQ(law.axes, model::OrthotropicElastic::Axes::CrossNormal);
+  EXPECT_EQ(law.direction, (std::array<double, 3>{0, 1, 0.5}));
+  EXPECT_NEAR(law.angle, 0.52359877559829887, 1e-15);
+  EXPECT_EQ(law.matrix, model::CompositeDamage::Matrix::Chang);
+  EXPECT_EQ(law.compression_a, 1470);
+  EXPECT_EQ(law.tension_a, 2200);
+  EXPECT_EQ(law.compression_b, 199);
+  EXPECT_EQ(law.tension_b, 49);
+  EXPECT_EQ(law.shear_strength, 154);
+  EXPECT_EQ(law.shear_in_fibre_mode, 0.7);
+  EXPECT_EQ(law.shear_softening, 1e-11);
+  EXPECT_EQ(law.fibre_tension_left, 0.4);
+  EXPECT_EQ(law.fibre_compression_by_matrix, 1.5);
+  EXPECT_EQ(law.failure_tension, 0.03);
+  EXPECT_EQ(law.failure_compression, -0.02);
+  EXPECT_EQ(law.failure_matrix, 0.04);
+  EXPECT_EQ(law.failure_shear, 0.05);
+  EXPECT_EQ(law.failure_effective, 0.2);
+  EXPECT_FALSE(law.goes_by_fibre_tension);
+  EXPECT_GT(law.youngs_modulus, 100000);
+  EXPECT_EQ(messages_of("*MAT_054" + start + "      55.0\n").size(), 5U) << "strains of failure are left out";
+  EXPECT_EQ(messages_of("*MAT_055" + start + "\n").size(), 5U);
+}
+
+TEST(CompositeMaterial, DefaultsOfEnhanced) {
+  const std::string cards =
+      "\n1,1.5E-9,127000,8400,0,0.021\n4200,3000,4200\n\n\n,,,,,,,\n1470,2200,199,49,154\n";
+  const auto law = law_of<model::CompositeDamage>("*MAT_54" + cards);
+  EXPECT_EQ(law.matrix, model::CompositeDamage::Matrix::Chang);
+  EXPECT_EQ(law.fibre_compression_by_matrix, 2);
+  EXPECT_EQ(law.fibre_tension_left, 0);
+  EXPECT_TRUE(law.goes_by_fibre_tension);
+  EXPECT_EQ(law_of<model::CompositeDamage>("*MAT_055" + cards).matrix,
+            model::CompositeDamage::Matrix::TsaiWu);
+}
+
+TEST(CompositeMaterial, Damage) {
+  const auto law = law_of<model::CompositeDamage>(
+      "*MAT_022\n1,1.5E-9,127000,8400,9000,0.021,0.03,0.04\n4200,3000,4200,0,2\n0,0,0,0,1,0\n0,0,0,0,0,0,-"
+      "45\n"
+      "154,2200,49,199,2E-8\n");
+  EXPECT_EQ(law.modulus_c, 9000);
+  EXPECT_EQ(law.poisson_cb, 0.04);
+  EXPECT_EQ(law.matrix, model::CompositeDamage::Matrix::ChangShear);
+  EXPECT_EQ(law.shear_strength, 154);
+  EXPECT_EQ(law.tension_a, 2200);
+  EXPECT_EQ(law.tension_b, 49);
+  EXPECT_EQ(law.compression_b, 199);
+  EXPECT_EQ(law.shear_softening, 2e-8);
+  EXPECT_EQ(law.shear_in_fibre_mode, 1);
+  EXPECT_FALSE(law.goes_by_fibre_tension);
+  EXPECT_NEAR(law.angle, -0.78539816339744828, 1e-15);
+  EXPECT_EQ(law.direction, (std::array<double, 3>{0, 1, 0}));
+}
+
+TEST(CompositeMaterial, Faults) {
+  const auto only = [](const std::string& fourth, const std::string& fifth, const std::string& rest,
+                       const std::string& expected) {
+    const auto messages = messages_of("*MAT_054\n1,1.5E-9,127000,8400,0,0.021\n4200,3000,4200\n\n" + fourth +
+                                      "\n" + fifth + "\n" + rest);
+    ASSERT_EQ(messages.size(), 1U) << rest;
+    EXPECT_NE(messages[0].find(expected), std::string::npos) << messages[0];
+  };
+  const std::string strengths = "1470,2200,199,49,154\n";
+  only("", "1E-8", strengths, "field TFAIL");
+  only("", "", "1470,2200,199,0,154\n", "field YT");
+  only("", "", "0,2200,199,49,154\n", "field XC");
+  only("", "", "1470,2200,199,49,154,22\n", "field CRIT");
+  only("", "", "1470,2200,199,49,154,54,2\n", "field BETA");
+  only("", ",,,1.5", strengths, "field FBRT");
+  only("", ",,,,,0.02,0.01", strengths, "field DFAILC");
+  only(",,,,,,0.02", "", strengths, "field DFAILM");
+  only("", "", strengths + ",0.1\n", "field EPSF");
+  only("", "", strengths + "\n0.5\n", "field SLIMT1");
+  only("", "", strengths + "\n\n7\n", "field LCXC");
+}
+
 TEST(ElasticMaterial, OrthotropicFaults) {
   const auto only = [](const std::string& text, const std::string& expected) {
     const auto messages = messages_of(text);

@@ -61,7 +61,8 @@ constexpr Field null_card[] = {
     real("PR", 0, poisson),
 };
 
-/// The vector that AOPT calls for.
+}  // namespace
+
 void take_direction(const Card& second, const Card& third, const Card& fourth, model::OrthotropicElastic& law,
                     Report& report) {
   const double option = second.real("AOPT");
@@ -78,7 +79,17 @@ void take_direction(const Card& second, const Card& third, const Card& fourth, m
                                       fmt::format("AOPT = {} takes the axis a from it", option), "axis"});
 }
 
-}  // namespace
+bool take_stand_in(const Card& card, bool sound, model::OrthotropicElastic& law, Report& report) {
+  if (!sound) return false;
+  if (law.poisson_ba * law.poisson_ba * law.modulus_a < law.modulus_b) {
+    set_stand_in(law);
+    return true;
+  }
+  report.field_error(card.where(),
+                     {"PRBA", std::string(card.text("PRBA")), "a ratio whose square is below EB / EA",
+                      "nu_ba / E_b = nu_ab / E_a", "ratio"});
+  return false;
+}
 
 void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
@@ -103,12 +114,7 @@ void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck) {
     take_direction(second, third, fourth, law, cards.report());
     const bool sound = card.good("EA") && card.good("EB") && card.good("PRBA") && second.good("GAB") &&
                        second.good("GBC") && second.good("GCA");
-    if (sound && !(law.poisson_ba * law.poisson_ba * law.modulus_a < law.modulus_b))
-      cards.report().field_error(
-          card.where(), {"PRBA", std::string(card.text("PRBA")), "a ratio whose square is below EB / EA",
-                         "nu_ba / E_b = nu_ab / E_a", "ratio"});
-    else if (sound)
-      set_stand_in(law);
+    take_stand_in(card, sound, law, cards.report());
     raw.material.law = law;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
