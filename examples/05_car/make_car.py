@@ -32,12 +32,13 @@ def main():
     parser.add_argument("--size", choices=dimensions.SIZES, default="20k", help="elements, about (default 20k)")
     parser.add_argument("--case", choices=load_cases.SPEEDS, default="wall", help="what the car runs onto (default wall)")
     parser.add_argument("--end", type=float, default=main_file.END_TIME, help="end of the run [ms] (default 100)")
+    parser.add_argument("--cycles", type=int, default=0, help="end after so many steps (default 0: no limit)")
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, help="folder for the files")
     parser.add_argument("-v", "--verbose", action="store_true", help="masses of parts and trim")
     options = parser.parse_args()
     assembly = Assembly(options.size, options.case)
     options.output.mkdir(parents=True, exist_ok=True)
-    for name, lines in assembly.files(options.end):
+    for name, lines in assembly.files(options.end, options.cycles):
         (options.output / name).write_text("\n".join(lines) + "\n")
     report(assembly)
     if options.verbose:

@@ -125,7 +125,7 @@ def add_radiator(car):
              plate=("mild", 0.8), length=lambda _: car.size.engine_bay)
     hat_beam(car, "radiator lower member", [(303, y, 472) for y in (-424, 0, 424)], (1, 0, 0), 44, 34, "mild", 1.2,
              plate=("mild", 0.8), length=lambda _: car.size.engine_bay)
-    part = car.sheet("radiator", "aluminium", 1.5, added_mass=11.0)
+    part = car.sheet("radiator", "aluminium", 1.5, contact_thickness=8.0)
     car.mesh.surface(part, lambda y, z: (288, y, z), divide((-340, 340), 1.3 * car.size.engine_bay),
                      divide((335, 705), 1.3 * car.size.engine_bay))
 

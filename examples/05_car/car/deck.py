@@ -9,7 +9,8 @@ from .suspension import OFFSETS
 SEAT_OFFSETS = {"right": 5000000, "left": 6000000}
 PART_STEP = 1000  # numbers of parts, sections and sets of the k-th included file begin at k times this
 SETS = {"touching": 1, "sheets": 2, "welds": 3, "foam": 4, "tyres": 5, "all": 6}
-SPEED = 56.0 / 3.6  # [mm/ms]
+# Parts that fold: fully integrated shells, whose corners need no hourglass control.
+CRUSHED = "bumper beam", "crash box", "rail front", "rail end plate"
 
 
 def file_number(offset):
@@ -42,7 +43,8 @@ def section_cards(part, mesh_kind):
     if mesh_kind == "solid":
         return ["*SECTION_SOLID", row(part.number, 1)]
     points = 2 if part.material in RIGID else (3 if part.material in ("glass", "plastic", "tyre") else 5)
-    return ["*SECTION_SHELL", row(part.number, 2, 0.833333, points), row(*[part.thickness] * 4)]
+    form = 16 if part.name.startswith(CRUSHED) and part.material not in RIGID else 2
+    return ["*SECTION_SHELL", row(part.number, form, 0.833333, points), row(*[part.thickness] * 4)]
 
 
 def part_cards(parts):

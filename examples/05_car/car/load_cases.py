@@ -50,4 +50,4 @@ def barrier_cards():
     k = BARRIER_NODES * 10
     return [*materials.barrier_cards(), "*INCLUDE_TRANSFORM", "barrier.k",
             row(BARRIER_OFFSET, BARRIER_OFFSET, k, 0, k, 0, 0), row(k), row(0.0), row(0),
-            "*CONTACT_INTERIOR", row(k + 1), "*SET_PART_LIST", row(k + 1), row(k + 1, k + 2)]
+            "*CONTACT_INTERIOR", row(k + 1)]

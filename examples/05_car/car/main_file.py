@@ -10,16 +10,15 @@ from .suspension import OFFSETS
 END_TIME = 100.0
 FRAMES = 50
 STEP = {"20k": 2.2e-3, "100k": 9.0e-4, "400k": 4.5e-4}  # *CONTROL_TIMESTEP DT2MS [ms]
-NOTHING_TOUCHES = "weld", "rods"
 
 
-def controls(title, size, end_time, mesh_size):
+def controls(title, size, end_time, cycles, mesh_size):
     return f"""*KEYWORD
 $ Written by make_car.py. Units: kg, mm, ms, kN, GPa.
 *TITLE
 {title}
 *CONTROL_TERMINATION
-{row(end_time)}
+{row(end_time, cycles)}
 *CONTROL_TIMESTEP
 $   dtinit    tssfac      isdo    tslimt     dt2ms
 {row(0.0, 0.9, 0, 0.0, -STEP[size])}
@@ -29,7 +28,7 @@ $   dtinit    tssfac      isdo    tslimt     dt2ms
 $   wrpang     esort     irnxx    istupd    theory       bwc
 {row(20.0, 1, -1, 1, 2, 1)}
 *CONTROL_HOURGLASS
-{row(4, 0.03)}
+{row(4, 0.02)}
 *CONTROL_ACCURACY
 $      osu       inn
 {row(1, 2)}
@@ -99,19 +98,19 @@ def motion(case):
     return ["*INITIAL_VELOCITY", row(0, exempt), row(speed, 0.0, 0.0), *([row(0.0, 0.0, 0.0)] if exempt else [])]
 
 
-def masses(car, instances, trim):
+def masses(trim):
     yield "*ELEMENT_MASS_PART"
     for number, mass in sorted(trim.items()):
         yield f"{number:8d}{mass:16.6f}"
 
 
-def main_file(car, size, case, instances, trim, end_time=END_TIME):
+def main_file(car, size, case, instances, trim, end_time=END_TIME, cycles=0):
     title = {"wall": "rigid wall", "offset": "offset deformable barrier", "pole": "pole"}[case]
-    yield from controls(f"Small car, {size} elements, onto a {title} at {SPEEDS[case]:g} km/h", size, end_time, car.size)
+    yield from controls(f"Small car, {size} elements, onto a {title} at {SPEEDS[case]:g} km/h", size, end_time, cycles, car.size)
     yield from outputs(car)
     yield from part_sets(car, instances, case == "offset")
     yield from contacts()
     yield from motion(case)
-    yield from masses(car, instances, trim)
+    yield from masses(trim)
     yield from {"wall": wall, "pole": pole}[case](car.size) if case != "offset" else barrier_cards()
     yield from ["*INCLUDE", "body.k", *transformations(), *seats(OFFSET_Y), "*END"]

@@ -12,7 +12,6 @@ class Part:
     thickness: float  # of shells [mm]; zero is solids
     touches: bool = True  # takes part in the contact of the car with itself
     contact_thickness: float = 0.0  # *PART_CONTACT, zero is none
-    added_mass: float = 0.0  # *ELEMENT_MASS_PART [kg]
 
 
 class Parts:

@@ -182,8 +182,8 @@ def add_screens(car):
         length = math.dist(low, high)
         car.mesh.surface(part, point, unit_divisions(length, car.size.rear), unit_divisions(2 * high_half, car.size.rear))
 
-    screen("windscreen", (1206, 956), (1872, 1396), 716, 592, 5.0, 30)
-    screen("rear window", (3592, 920), (3132, 1382), 688, 590, 4.0, -20)
+    screen("windscreen", (1206, 956), (1894, 1409), 716, 590, 5.0, 30)
+    screen("rear window", (3592, 920), (3110, 1402), 688, 590, 4.0, -20)
 
 
 def build(car):
