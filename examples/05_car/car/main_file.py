@@ -28,7 +28,7 @@ $   dtinit    tssfac      isdo    tslimt     dt2ms
 $   wrpang     esort     irnxx    istupd    theory       bwc
 {row(20.0, 1, -1, 1, 2, 1)}
 *CONTROL_HOURGLASS
-{row(4, 0.02)}
+{row(4, 0.01)}
 *CONTROL_ACCURACY
 $      osu       inn
 {row(1, 2)}
@@ -39,23 +39,23 @@ $      osu       inn
 $   ignore
 {row(1)}
 *DATABASE_GLSTAT
-{row(0.1)}
+{row(0.1, 2)}
 *DATABASE_MATSUM
-{row(0.5)}
+{row(0.5, 2)}
 *DATABASE_RWFORC
-{row(0.1)}
+{row(0.1, 2)}
 *DATABASE_RCFORC
-{row(0.1)}
+{row(0.1, 2)}
 *DATABASE_SLEOUT
-{row(0.5)}
+{row(0.5, 2)}
 *DATABASE_NODOUT
-{row(0.05)}
+{row(0.05, 2)}
 *DATABASE_JNTFORC
-{row(0.5)}
+{row(0.5, 2)}
 *DATABASE_SWFORC
-{row(0.5)}
+{row(0.5, 2)}
 *DATABASE_ABSTAT
-{row(0.5)}
+{row(0.5, 2)}
 *DATABASE_BINARY_D3PLOT
 {row(end_time / FRAMES)}
 """.splitlines() + materials.cards(mesh_size.pitch)
@@ -86,7 +86,7 @@ def part_sets(car, instances, barrier):
 
 
 def contacts():
-    return ["*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID", row(1) + "car", row(SETS["touching"], 0, 2), row(0.15, 0.15, 0.0, 0.0, 20.0),
+    return ["*CONTACT_AUTOMATIC_GENERAL_ID", row(1) + "car", row(SETS["touching"], 0, 2), row(0.15, 0.15, 0.0, 0.0, 20.0),
             row(1.0), row(1, 0.1), row(0.0), row(0, 1),
             "*CONTACT_SPOTWELD_ID", row(2) + "welds", row(SETS["welds"], SETS["sheets"], 2, 2), row(0.0), row(1.0),
             "*CONTACT_INTERIOR", row(SETS["foam"])]

@@ -4,7 +4,7 @@
 import math
 
 from .dimensions import FLANGE
-from .mesh import Mesh, add, frame_at, path_stations, unit
+from .mesh import Mesh, add, blend, frame_at, path_stations, unit
 from .parts import Parts
 
 
@@ -54,6 +54,21 @@ def hat_corners(path, across, widths, depths, flange, trigger, split_walls):
     return corners
 
 
+def rounded(path, *values, bend=55.0):
+    """A path with its corners rounded by quadratic curves that begin and end `bend` from them (less on short legs), and values
+    that are given at its points likewise."""
+    rows = [[*point, *(v[i] for v in values)] for i, point in enumerate(path)]
+    result = [rows[0]]
+    for before, corner, after in zip(rows, rows[1:], rows[2:]):
+        lengths = math.dist(before[:3], corner[:3]), math.dist(after[:3], corner[:3])
+        ends = [blend(corner, other, min(0.45, bend / length)) for other, length in zip((before, after), lengths)]
+        for k in range(5):
+            t = k / 4
+            result.append(blend(blend(ends[0], corner, t), blend(corner, ends[1], t), t))
+    result.append(rows[-1])
+    return [tuple(row[:3]) for row in result], *([row[3 + i] for row in result] for i in range(len(values)))
+
+
 def no_trigger(_):
     return 0.0
 
@@ -67,6 +82,7 @@ def hat_beam(car, name, path, across, widths, depths, material, thickness, plate
     across = unit(across)
     widths = [widths] * len(path) if isinstance(widths, (int, float)) else widths
     depths = [depths] * len(path) if isinstance(depths, (int, float)) else depths
+    path, widths, depths = rounded(path, widths, depths)
     length = length or car.size.at
     stations = path_stations(path, length)
     section = section or min(length((path[0][0] + path[-1][0]) / 2), 1.2 * max(depths))
