@@ -6,27 +6,36 @@ from .mesh import divide
 from .profiles import hat_beam, side_name
 
 
-def build(car):
+def add_floor(car):
+    """Heel board and floor: the heel board begins above the tunnel."""
     mesh, size = car.mesh, car.size.rear
     width, floor = d.REAR_WIDTH, d.REAR_FLOOR
-    rear_floor = car.sheet("rear floor", "mild", 0.9)
+    part = car.sheet("rear floor", "mild", 0.9)
     outline = [(2528, d.FLOOR + 5), (2556, d.FLOOR + 5), (2600, floor), (3140, floor), (3170, floor - 12), (4171, floor - 12)]
-    heel = 356.0  # over the tunnel the heel board begins here
+    heel = d.TUNNEL_HEIGHT + 6
     over = [(2556 + 44 * (heel - d.FLOOR - 5) / (floor - d.FLOOR - 5), heel), *outline[2:]]
     beside = [outline[0], outline[1], over[0], *outline[2:]]
     edge = d.TUNNEL_WIDTH + 12
-    mesh.sweep(rear_floor, lambda y: [(x, y, z) for x, z in over], divide((-edge, edge), size), size)
+    mesh.sweep(part, lambda y: [(x, y, z) for x, z in over], divide((-edge, edge), size), size)
     for s in (1, -1):
-        name = side_name(s)
-        mesh.sweep(rear_floor, lambda y: [(x, s * y, z) for x, z in beside], divide((edge, width), size), size)
+        mesh.sweep(part, lambda y: [(x, s * y, z) for x, z in beside], divide((edge, width), size), size)
+
+
+def add_rails(car):
+    for s in (1, -1):
         path = [(x, s * (d.RAIL_Y - 2), z) for x, z, _ in d.REAR_RAIL]
-        hat_beam(car, f"rear rail {name}", path, (0, -s, 0), [row[2] for row in d.REAR_RAIL], d.RAIL_DEPTH,
+        hat_beam(car, f"rear rail {side_name(s)}", path, (0, -s, 0), [row[2] for row in d.REAR_RAIL], d.RAIL_DEPTH,
                  "high strength", 1.8, plate=("high strength", 1.6), length=lambda x: 0.8 * car.size.at(x), gap=2.2)
-        part = car.sheet(f"inner quarter {name}", "mild", 0.8)
-        mesh.surface(part, lambda x, z: (x, s * (width + 7), z), divide((2625, 4168), size), divide((396, 892), size))
-    for title, x, z in (("front", 2960.0, floor - 3), ("rear", 3640.0, floor - 15)):
+        part = car.sheet(f"inner quarter {side_name(s)}", "mild", 0.8)
+        car.mesh.surface(part, lambda x, z: (x, s * (d.REAR_WIDTH + 7), z), divide((2625, 4168), car.size.rear),
+                         divide((396, 892), car.size.rear))
+    for title, x, z in (("front", 2960.0, d.REAR_FLOOR - 3), ("rear", 3640.0, d.REAR_FLOOR - 15)):
         hat_beam(car, f"rear cross member {title}", [(x, y, z) for y in (-426, 0, 426)], (0, 0, -1), 80, 55,
                  "high strength", 1.4, length=lambda _: car.size.cabin)
+
+
+def add_panels(car):
+    mesh, size, width = car.mesh, car.size.rear, d.REAR_WIDTH
     part = car.sheet("rear seat back", "mild", 0.8)
     mesh.surface(part, lambda y, z: (3128 + 0.12 * (z - 420), y, z), divide((-width, width), size), divide((421, 893), size))
     part = car.sheet("shelf", "mild", 0.9)
@@ -36,12 +45,22 @@ def build(car):
     part = car.sheet("rear bumper beam", "high strength", 1.6)
     mesh.sweep(part, lambda y: [(x, y, z) for x, z in ((4190, 320), (4232, 320), (4232, 430), (4190, 430))],
                divide((-540, 540), size), size, closed=True)
-    tank = car.sheet("fuel tank", "mild", 1.2)
+
+
+def add_tank(car):
+    mesh, tank = car.mesh, car.sheet("fuel tank", "mild", 1.2)
     low, high = (2620, -330, 190), (2875, 330, 385)
-    xs, ys, zs = (divide((a, b), size) for a, b in zip(low, high))
+    xs, ys, zs = (divide((a, b), car.size.rear) for a, b in zip(low, high))
     for z in (low[2], high[2]):
         mesh.surface(tank, lambda x, y, z=z: (x, y, z), xs, ys)
     for y in (low[1], high[1]):
         mesh.surface(tank, lambda x, z, y=y: (x, y, z), xs, zs)
     for x in (low[0], high[0]):
         mesh.surface(tank, lambda y, z, x=x: (x, y, z), ys, zs)
+
+
+def build(car):
+    add_floor(car)
+    add_rails(car)
+    add_panels(car)
+    add_tank(car)

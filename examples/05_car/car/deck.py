@@ -8,7 +8,7 @@ from .suspension import OFFSETS
 
 SEAT_OFFSETS = {"right": 5000000, "left": 6000000}
 PART_STEP = 1000  # numbers of parts, sections and sets of the k-th included file begin at k times this
-SETS = {"touching": 1, "sheets": 2, "welds": 3, "foam": 4, "tyres": 5, "all": 6}
+SETS = {"touching": 1, "sheets": 2, "welds": 3, "foam": 4}
 # Parts that fold: fully integrated shells, whose corners need no hourglass control.
 CRUSHED = "crash box", "rail front", "upper rail", "radiator upper"
 

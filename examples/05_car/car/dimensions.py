@@ -57,7 +57,6 @@ HINGE_PILLAR = 1265.0
 DASH_TOP = 872.0
 SHELF = 900.0
 REAR_PANEL = 4180.0
-LENGTH = 4300.0
 WHEELS = {"front right": (FRONT_AXLE, 1), "front left": (FRONT_AXLE, -1), "rear right": (REAR_AXLE, 1),
           "rear left": (REAR_AXLE, -1)}
 

@@ -12,8 +12,8 @@ GAP = 3.0  # before the bumper
 POLE_RADIUS = 127.0
 OVERLAP = 0.4
 WIDTH = 1690.0
-BARRIER_NODES = 700
 BARRIER_OFFSET = 7000000
+BARRIER_PARTS = 7000
 
 
 def wall(_):
@@ -47,7 +47,7 @@ def offset(size):
 
 def barrier_cards():
     """Materials of the offset barrier, its contact with the car, and the wall behind it."""
-    k = BARRIER_NODES * 10
+    k = BARRIER_PARTS
     return [*materials.barrier_cards(), "*INCLUDE_TRANSFORM", "barrier.k",
             row(BARRIER_OFFSET, BARRIER_OFFSET, k, 0, k, 0, 0), row(k), row(0.0), row(0),
             "*CONTACT_INTERIOR", row(k + 1)]

@@ -2,14 +2,23 @@
 """car.k: controls, outputs, materials, sets, contacts, the includes, and the motion of the car."""
 
 from . import materials
-from .deck import PART_STEP, SEAT_OFFSETS, SETS, file_number, id_list, row, seats, set_cards, transformations
-from .load_cases import BARRIER_NODES, BARRIER_OFFSET, SPEEDS, barrier_cards, pole, wall
+from .deck import PART_STEP, SETS, file_number, row, seats, set_cards, transformations
+from .load_cases import BARRIER_PARTS, SPEEDS, barrier_cards, pole, wall
 from .seat import OFFSET_Y
-from .suspension import OFFSETS
 
 END_TIME = 100.0
 FRAMES = 50
 STEP = {"20k": 2.2e-3, "100k": 9.0e-4, "400k": 4.5e-4}  # *CONTROL_TIMESTEP DT2MS [ms]
+
+
+# Intervals of the histories [ms].
+HISTORIES = {"GLSTAT": 0.1, "MATSUM": 0.5, "RWFORC": 0.1, "RCFORC": 0.1, "SLEOUT": 0.5, "NODOUT": 0.05, "JNTFORC": 0.5,
+             "SWFORC": 0.5, "ABSTAT": 0.5}
+
+
+def histories(end_time):
+    lines = [line for name, interval in HISTORIES.items() for line in (f"*DATABASE_{name}", row(interval, 2))]
+    return [*lines, "*DATABASE_BINARY_D3PLOT", row(end_time / FRAMES)]
 
 
 def controls(title, size, end_time, cycles, mesh_size):
@@ -38,27 +47,7 @@ $      osu       inn
 {row(0.0)}
 $   ignore
 {row(1)}
-*DATABASE_GLSTAT
-{row(0.1, 2)}
-*DATABASE_MATSUM
-{row(0.5, 2)}
-*DATABASE_RWFORC
-{row(0.1, 2)}
-*DATABASE_RCFORC
-{row(0.1, 2)}
-*DATABASE_SLEOUT
-{row(0.5, 2)}
-*DATABASE_NODOUT
-{row(0.05, 2)}
-*DATABASE_JNTFORC
-{row(0.5, 2)}
-*DATABASE_SWFORC
-{row(0.5, 2)}
-*DATABASE_ABSTAT
-{row(0.5, 2)}
-*DATABASE_BINARY_D3PLOT
-{row(end_time / FRAMES)}
-""".splitlines() + materials.cards(mesh_size.pitch)
+""".splitlines() + histories(end_time) + materials.cards(mesh_size.pitch)
 
 
 def outputs(car):
@@ -72,14 +61,14 @@ def part_sets(car, instances, barrier):
     """`instances`: (offset of the file, parts, whether they are sheet that welds are tied to)."""
     touching = [p.number for p in car.parts if p.touches]
     sheets = [p.number for p in car.parts if p.touches and p.thickness and p.material not in materials.RIGID]
-    foam, tyres = [], []
+    foam = []
     for offset, parts in instances:
         base = file_number(offset) * PART_STEP
         touching += [base + p.number for p in parts]
         sheets += [base + p.number for p in parts if p.thickness and p.material == "high strength"]
         foam += [base + p.number for p in parts if p.material == "seat foam"]
     if barrier:
-        touching += [BARRIER_NODES * 10 + k for k in (1, 2)]
+        touching += [BARRIER_PARTS + k for k in (1, 2)]
     welds = [p.number for p in car.parts if p.material in materials.DIAMETERS]
     for name, members in (("touching", touching), ("sheets", sheets), ("welds", welds), ("foam", foam)):
         yield from set_cards("PART", SETS[name], members)
@@ -94,7 +83,7 @@ def contacts():
 
 def motion(case):
     speed = -SPEEDS[case] / 3.6
-    exempt = BARRIER_NODES * 10 + 2 if case == "offset" else 0
+    exempt = BARRIER_PARTS + 2 if case == "offset" else 0
     return ["*INITIAL_VELOCITY", row(0, exempt), row(speed, 0.0, 0.0), *([row(0.0, 0.0, 0.0)] if exempt else [])]
 
 

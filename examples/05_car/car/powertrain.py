@@ -1,23 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Engine and gearbox (rigid, bolted together), their mounts, and the subframe."""
 
-from . import dimensions as d
 from .body_front import rail_centre
 from .mesh import divide
 from .profiles import side_name
 
 ENGINE = (436.0, -322.0, 318.0), (800.0, 70.0, 790.0)
 GEARBOX = (520.0, 78.0, 285.0), (830.0, 335.0, 600.0)
+BLOCK = 57.6  # length of the elements of rigid blocks, in all sizes
 MOUNT = 590.0, 690.0
 SUBFRAME = 895.0, 985.0, 246.0, 300.0  # x and z
 ARM_PIVOT = 350.0
 
 
 def add_engine(car):
-    size = car.size.cabin * 1.2
     for name, (low, high) in (("engine", ENGINE), ("gearbox", GEARBOX)):
         part = car.parts.solid(name, "engine")
-        car.mesh.box(part, low, high, size)
+        car.mesh.box(part, low, high, BLOCK)
     for s, block in ((1, GEARBOX), (-1, ENGINE)):
         end = max(abs(block[0][1]), abs(block[1][1]))
         part = car.sheet(f"engine mount {side_name(s)}", "high strength", 3.5)
