@@ -6,29 +6,36 @@ from .mesh import divide
 from .profiles import hat_beam, side_name
 
 
-def add_floor(car):
-    """Heel board and floor: the heel board begins above the tunnel."""
-    mesh, size = car.mesh, car.size.rear
-    width, floor = d.REAR_WIDTH, d.REAR_FLOOR
-    part = car.sheet("rear floor", "mild", 0.9)
-    outline = [(2528, d.FLOOR + 5), (2556, d.FLOOR + 5), (2600, floor), (3140, floor), (3170, floor - 12), (4171, floor - 12)]
+def floor_outline():
+    """x and z of the floor beside the tunnel, and over it, where the heel board begins above the tunnel."""
+    floor, foot = d.REAR_FLOOR, d.FLOOR + 5
+    rear = [(2600, floor), (3140, floor), (3170, floor - 12), (4171, floor - 12)]
     heel = d.TUNNEL_HEIGHT + 6
-    over = [(2556 + 44 * (heel - d.FLOOR - 5) / (floor - d.FLOOR - 5), heel), *outline[2:]]
-    beside = [outline[0], outline[1], over[0], *outline[2:]]
-    edge = d.TUNNEL_WIDTH + 12
-    mesh.sweep(part, lambda y: [(x, y, z) for x, z in over], divide((-edge, edge), size), size)
-    for s in (1, -1):
-        mesh.sweep(part, lambda y: [(x, s * y, z) for x, z in beside], divide((edge, width), size), size)
+    over = [(2556 + 44 * (heel - foot) / (floor - foot), heel), *rear]
+    return [(2528, foot), (2556, foot), *over], over
 
 
-def add_rails(car):
+def add_floor(car):
+    size, edge = car.size.rear, d.TUNNEL_WIDTH + 12
+    part = car.sheet("rear floor", "mild", 0.9)
+    beside, over = floor_outline()
+    car.mesh.sweep(part, lambda y: [(x, y, z) for x, z in over], divide((-edge, edge), size), size)
     for s in (1, -1):
-        path = [(x, s * (d.RAIL_Y - 2), z) for x, z, _ in d.REAR_RAIL]
-        hat_beam(car, f"rear rail {side_name(s)}", path, (0, -s, 0), [row[2] for row in d.REAR_RAIL], d.RAIL_DEPTH,
-                 "high strength", 1.8, plate=("high strength", 1.6), length=lambda x: 0.8 * car.size.at(x), gap=2.2)
-        part = car.sheet(f"inner quarter {side_name(s)}", "mild", 0.8)
-        car.mesh.surface(part, lambda x, z: (x, s * (d.REAR_WIDTH + 7), z), divide((2625, 4168), car.size.rear),
-                         divide((396, 892), car.size.rear))
+        car.mesh.sweep(part, lambda y: [(x, s * y, z) for x, z in beside], divide((edge, d.REAR_WIDTH), size), size)
+        add_rail(car, s)
+
+
+def add_rail(car, s):
+    """Rear rail and inner quarter of a side."""
+    path = [(x, s * (d.RAIL_Y - 2), z) for x, z, _ in d.REAR_RAIL]
+    hat_beam(car, f"rear rail {side_name(s)}", path, (0, -s, 0), [row[2] for row in d.REAR_RAIL], d.RAIL_DEPTH,
+             "high strength", 1.8, plate=("high strength", 1.6), length=lambda x: 0.8 * car.size.at(x), gap=2.2)
+    part = car.sheet(f"inner quarter {side_name(s)}", "mild", 0.8)
+    car.mesh.surface(part, lambda x, z: (x, s * (d.REAR_WIDTH + 7), z), divide((2625, 4168), car.size.rear),
+                     divide((396, 892), car.size.rear))
+
+
+def add_cross_members(car):
     for title, x, z in (("front", 2960.0, d.REAR_FLOOR - 3), ("rear", 3640.0, d.REAR_FLOOR - 15)):
         hat_beam(car, f"rear cross member {title}", [(x, y, z) for y in (-426, 0, 426)], (0, 0, -1), 80, 55,
                  "high strength", 1.4, length=lambda _: car.size.cabin)
@@ -61,6 +68,6 @@ def add_tank(car):
 
 def build(car):
     add_floor(car)
-    add_rails(car)
+    add_cross_members(car)
     add_panels(car)
     add_tank(car)
