@@ -31,14 +31,17 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--size", choices=dimensions.SIZES, default="20k", help="elements, about (default 20k)")
     parser.add_argument("--case", choices=load_cases.SPEEDS, default="wall", help="what the car runs onto (default wall)")
-    parser.add_argument("--end", type=float, default=main_file.END_TIME, help="end of the run [ms] (default 100)")
+    parser.add_argument("--end", type=float, default=main_file.Options.end_time, help="end of the run [ms] (default 100)")
     parser.add_argument("--cycles", type=int, default=0, help="end after so many steps (default 0: no limit)")
+    parser.add_argument("--integrated", action="store_true", help="all shells fully integrated, not only where the car folds")
+    parser.add_argument("--all-edges", action="store_true", help="contact of all edges, not only of free ones")
     parser.add_argument("-o", "--output", type=pathlib.Path, required=True, help="folder for the files")
     parser.add_argument("-v", "--verbose", action="store_true", help="masses of parts and trim")
     options = parser.parse_args()
     assembly = Assembly(options.size, options.case)
+    chosen = main_file.Options(options.end, options.cycles, options.integrated, options.all_edges)
     options.output.mkdir(parents=True, exist_ok=True)
-    for name, lines in assembly.files(options.end, options.cycles):
+    for name, lines in assembly.files(chosen):
         (options.output / name).write_text("\n".join(lines) + "\n")
     report(assembly)
     if options.verbose:

@@ -102,12 +102,12 @@ class Assembly:
         return (sum(len(m.shells) for m in meshes), sum(len(m.solids) for m in meshes),
                 len(self.car.welds) + len(self.car.rods))
 
-    def files(self, end_time, cycles=0):
+    def files(self, options):
         """Names and lines."""
         by_kind = {i.name.split()[0]: i for i in self.instances}
         yield "car.k", main_file.main_file(self.car, self.size_name, self.case, [(i.offset, i.parts) for i in self.instances],
-                                           self.trim, end_time, cycles)
-        yield "body.k", deck.body_file(self.car)
+                                           self.trim, options)
+        yield "body.k", deck.body_file(self.car, options.integrated)
         yield "wheel.k", deck.wheel_file(by_kind["wheel"].mesh, by_kind["wheel"].parts, self.hubs, wheel.PRESSURE)
         yield "seat.k", deck.seat_file(by_kind["seat"].mesh, by_kind["seat"].parts)
         if self.case == "offset":

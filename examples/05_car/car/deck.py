@@ -33,7 +33,7 @@ def element_cards(mesh):
             yield f"{number:8d}" + "".join(f"{value:8d}" for value in element)
 
 
-def section_cards(part, mesh_kind):
+def section_cards(part, mesh_kind, integrated=False):
     if part.material in DIAMETERS:
         return ["*SECTION_BEAM", row(part.number, 9, 1.0, 0, 1), row(DIAMETERS[part.material], DIAMETERS[part.material], 0.0, 0.0)]
     if part.material == "rod":
@@ -43,14 +43,15 @@ def section_cards(part, mesh_kind):
     if mesh_kind == "solid":
         return ["*SECTION_SOLID", row(part.number, 1)]
     points = 2 if part.material in RIGID else (3 if part.material in ("glass", "plastic", "tyre") else 5)
-    form = 16 if part.name.startswith(CRUSHED) and part.material not in RIGID else 2
+    full = (integrated or part.name.startswith(CRUSHED)) and part.material not in RIGID
+    form = 16 if full else 2
     return ["*SECTION_SHELL", row(part.number, form, 0.833333, points), row(*[part.thickness] * 4)]
 
 
-def part_cards(parts):
+def part_cards(parts, integrated=False):
     for part in parts:
         kind = "shell" if part.thickness else "solid"
-        yield from section_cards(part, kind)
+        yield from section_cards(part, kind, integrated)
         yield "*PART_CONTACT" if part.contact_thickness else "*PART"
         yield part.name
         yield row(part.number, part.number, materials.number(part.material))
@@ -69,10 +70,10 @@ def set_cards(keyword, number, members):
     yield from id_list(members)
 
 
-def body_file(car):
+def body_file(car, integrated):
     """body.k: everything of the car but wheels, seats and controls."""
     yield "*KEYWORD"
-    yield from part_cards(car.parts)
+    yield from part_cards(car.parts, integrated)
     yield from node_cards(car.mesh)
     yield from element_cards(car.mesh)
     yield "*ELEMENT_BEAM"

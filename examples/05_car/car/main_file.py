@@ -1,16 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """car.k: controls, outputs, materials, sets, contacts, the includes, and the motion of the car."""
 
+from dataclasses import dataclass
+
 from . import materials
 from .deck import PART_STEP, SETS, file_number, row, seats, set_cards, transformations
 from .load_cases import BARRIER_PARTS, SPEEDS, barrier_cards, pole, wall
 from .seat import OFFSET_Y
 
-END_TIME = 100.0
 FRAMES = 50
+
+
+@dataclass(frozen=True)
+class Options:
+    end_time: float = 100.0
+    cycles: int = 0  # at most, 0 is no limit
+    integrated: bool = False  # all deformable shells fully integrated
+    all_edges: bool = False  # of shells touch, not only free ones
+
 STEP = {"20k": 2.2e-3, "100k": 9.0e-4, "400k": 4.5e-4}  # *CONTROL_TIMESTEP DT2MS [ms]
-
-
 # Intervals of the histories [ms].
 HISTORIES = {"GLSTAT": 0.1, "MATSUM": 0.5, "RWFORC": 0.1, "RCFORC": 0.1, "SLEOUT": 0.5, "NODOUT": 0.05, "JNTFORC": 0.5,
              "SWFORC": 0.5, "ABSTAT": 0.5}
@@ -21,13 +29,13 @@ def histories(end_time):
     return [*lines, "*DATABASE_BINARY_D3PLOT", row(end_time / FRAMES)]
 
 
-def controls(title, size, end_time, cycles, mesh_size):
+def controls(title, size, options, mesh_size):
     return f"""*KEYWORD
 $ Written by make_car.py. Units: kg, mm, ms, kN, GPa.
 *TITLE
 {title}
 *CONTROL_TERMINATION
-{row(end_time, cycles)}
+{row(options.end_time, options.cycles)}
 *CONTROL_TIMESTEP
 $   dtinit    tssfac      isdo    tslimt     dt2ms
 {row(0.0, 0.9, 0, 0.0, -STEP[size])}
@@ -47,7 +55,7 @@ $      osu       inn
 {row(0.0)}
 $   ignore
 {row(1)}
-""".splitlines() + histories(end_time) + materials.cards(mesh_size.pitch)
+""".splitlines() + histories(options.end_time) + materials.cards(mesh_size.pitch)
 
 
 def outputs(car):
@@ -74,8 +82,9 @@ def part_sets(car, instances, barrier):
         yield from set_cards("PART", SETS[name], members)
 
 
-def contacts():
-    return ["*CONTACT_AUTOMATIC_GENERAL_ID", row(1) + "car", row(SETS["touching"], 0, 2), row(0.15, 0.15, 0.0, 0.0, 20.0),
+def contacts(all_edges):
+    keyword = "*CONTACT_AUTOMATIC_GENERAL_INTERIOR_ID" if all_edges else "*CONTACT_AUTOMATIC_GENERAL_ID"
+    return [keyword, row(1) + "car", row(SETS["touching"], 0, 2), row(0.15, 0.15, 0.0, 0.0, 20.0),
             row(1.0), row(1, 0.1), row(0.0), row(0, 1),
             "*CONTACT_SPOTWELD_ID", row(2) + "welds", row(SETS["welds"], SETS["sheets"], 2, 2), row(0.0), row(1.0),
             "*CONTACT_INTERIOR", row(SETS["foam"])]
@@ -93,12 +102,12 @@ def masses(trim):
         yield f"{number:8d}{mass:16.6f}"
 
 
-def main_file(car, size, case, instances, trim, end_time=END_TIME, cycles=0):
+def main_file(car, size, case, instances, trim, options):
     title = {"wall": "rigid wall", "offset": "offset deformable barrier", "pole": "pole"}[case]
-    yield from controls(f"Small car, {size} elements, onto a {title} at {SPEEDS[case]:g} km/h", size, end_time, cycles, car.size)
+    yield from controls(f"Small car, {size} elements, onto a {title} at {SPEEDS[case]:g} km/h", size, options, car.size)
     yield from outputs(car)
     yield from part_sets(car, instances, case == "offset")
-    yield from contacts()
+    yield from contacts(options.all_edges)
     yield from motion(case)
     yield from masses(trim)
     yield from {"wall": wall, "pole": pole}[case](car.size) if case != "offset" else barrier_cards()
