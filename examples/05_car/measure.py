@@ -6,8 +6,8 @@
     ./measure.py ../../build/release/crumple --size 100k -t 2 --keep out_100k
     ./measure.py --result out_100k                                of a run that is there
 
-With --keep the folder keeps the decks and the result, and pulse.csv: acceleration, velocity and displacement of the feet of
-both B pillars, the acceleration filtered by CFC 60 (SAE J211).
+With --keep the folder keeps the decks and the result, and pulse.csv: deceleration, velocity and displacement of the feet of
+both B pillars and the force on the wall, deceleration and force filtered by CFC 60 (SAE J211).
 """
 
 import argparse
@@ -24,6 +24,7 @@ sys.path.insert(0, str(HERE.parent / "support"))
 from runs import rows_of, run  # noqa: E402
 
 GRAVITY = 9.80665e-3  # [mm/ms2]
+STEP = 0.05  # of even curves [ms]
 
 
 def filtered(values, step, frequency_class=60.0):
@@ -52,28 +53,31 @@ def evenly(times, values, step):
 
 
 def pulse(folder):
-    """Times, mean acceleration [g], velocity and displacement [mm/ms, mm] of the first two nodes of nodout, on even steps."""
+    """Times, deceleration [g], velocity and displacement [mm/ms, mm], means of the feet of both B pillars."""
     by_node = {}
     for row in rows_of(folder / "nodout.csv"):
         by_node.setdefault(row["node"], []).append(row)
-    pillars = [rows for rows in by_node.values()]
-    pillars = sorted((rows for rows in pillars if abs(rows[0]["x"] - 2225) < 40 and abs(rows[0]["y"]) > 600),
+    pillars = sorted((rows for rows in by_node.values() if abs(rows[0]["x"] - 2225) < 40 and abs(rows[0]["y"]) > 600),
                      key=lambda rows: rows[0]["y"])
-    step = 0.05
     curves = []
     for rows in pillars:
         times = [row["time"] for row in rows]
-        velocity = evenly(times, [row["vx"] for row in rows], step)
-        way = evenly(times, [row["ux"] for row in rows], step)
-        acceleration = [(b - a) / step / GRAVITY for a, b in zip(velocity, velocity[1:])]
-        curves.append((filtered(acceleration + acceleration[-1:], step), velocity, way))
+        velocity = evenly(times, [row["vx"] for row in rows], STEP)
+        way = evenly(times, [row["ux"] for row in rows], STEP)
+        acceleration = [(b - a) / STEP / GRAVITY for a, b in zip(velocity, velocity[1:])]
+        curves.append((filtered(acceleration + acceleration[-1:], STEP), velocity, way))
     mean = [[sum(values) / len(curves) for values in zip(*(curve[k] for curve in curves))] for k in range(3)]
-    return [k * step for k in range(len(mean[0]))], *mean
+    return [k * STEP for k in range(len(mean[0]))], *mean
 
 
-def wall_force(folder):
-    rows = rows_of(folder / "rwforc.csv")
-    return evenly([row["time"] for row in rows], [row["normal"] for row in rows], 0.1)
+def wall_force(folder, count):
+    """Filtered force on the rigid wall at the times of pulse(); zero where there is none."""
+    file = folder / "rwforc.csv"
+    rows = rows_of(file) if file.exists() else []
+    if len(rows) < 3:
+        return [0.0] * count
+    values = filtered(evenly([row["time"] for row in rows], [row["normal"] for row in rows], STEP), STEP)
+    return (values + values[-1:] * count)[:count]
 
 
 def figures(folder):
@@ -81,12 +85,12 @@ def figures(folder):
     times, acceleration, velocity, way = pulse(folder)
     stop = next((i for i, v in enumerate(velocity) if v >= 0), len(velocity) - 1)
     energy = record["energy"]
-    force = filtered(wall_force(folder), 0.1)
+    force = wall_force(folder, len(times))
     with open(folder / "pulse.csv", "w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(["time", "acceleration [g]", "velocity", "displacement"])
-        writer.writerows([f"{t:.2f}", f"{a:.4f}", f"{v:.4f}", f"{-u:.3f}"] for t, a, v, u in
-                         zip(times, acceleration, velocity, way))
+        writer.writerow(["time", "deceleration [g]", "velocity [m/s]", "displacement [mm]", "wall force [kN]"])
+        writer.writerows([f"{t:.2f}", f"{a:.4f}", f"{-v:.4f}", f"{-u:.3f}", f"{f:.3f}"] for t, a, v, u, f in
+                         zip(times, acceleration, velocity, way, force))
     absorbed = energy["internal"] + energy["hourglass"] + energy["friction"] + energy["eroded"]
     failed = [check["name"] for check in record["checks"] if not check["pass"]]
     return [("elements (shells / solids / beams)", " / ".join(str(record["elements"].get(k, 0)) for k in ("shells", "solids", "beams"))),
@@ -97,7 +101,7 @@ def figures(folder):
              if velocity[stop] >= 0 else "-"),
             ("their largest deceleration, CFC 60 [g]", f"{max(acceleration):.1f} at {times[acceleration.index(max(acceleration))]:.1f} ms"),
             ("velocity of rebound [m/s]", f"{velocity[-1]:.2f}"),
-            ("largest force on the wall, CFC 60 [kN]", f"{max(force):.0f} at {0.1 * force.index(max(force)):.1f} ms"),
+            ("largest force on the wall, CFC 60 [kN]", f"{max(force):.0f} at {times[force.index(max(force))]:.1f} ms"),
             ("absorbed [kJ]", f"{absorbed / 1000:.1f}"),
             ("hourglass / internal [%]", f"{100 * energy['hourglass'] / energy['internal']:.1f}"),
             ("energy error [%]", f"{100 * energy['error']:.2g}"),
