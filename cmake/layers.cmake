@@ -12,11 +12,12 @@ set(CRUMPLE_LAYERS
   "constraints: domain model math base"
   "loads: domain model math base"
   "timeloop: elements materials contact constraints loads domain model math base"
-  "deck: model base"
-  "output: domain model math base"
-  "report: output base"
-  "live: report output base"
-  "compare: report output base")
+  "files: base"
+  "deck: files model base"
+  "output: files domain model math base"
+  "report: output files base"
+  "live: report output files base"
+  "compare: report output files base")
 # app may include everything; it is built by crumple/app/CMakeLists.txt.
 
 # Inside a folder: "room: the rooms of the same folder that it may include". What stands in the folder itself may include
@@ -64,7 +65,7 @@ set(CRUMPLE_ROOMS
 # folder. They include nothing of it.
 set(CRUMPLE_SHARED_HEADERS contact/tolerances.hpp)
 
-set(CRUMPLE_NON_CORE deck output report live compare)
+set(CRUMPLE_NON_CORE files deck output report live compare)
 set(CRUMPLE_LAYER_NAMES "")
 foreach(line IN LISTS CRUMPLE_LAYERS)
   string(REGEX REPLACE ":.*" "" name "${line}")
@@ -114,34 +115,13 @@ function(crumple_add_isa_variants layer)
   endforeach()
 endfunction()
 
-# The live page needs cpp-httplib, whose package says how its library was compiled; without it the program says
-# so where it is asked for.
-function(crumple_choose_http_server target)
-  set(folder ${PROJECT_SOURCE_DIR}/crumple/live)
-  # Debian has it as a shared library alone.
-  if(NOT CRUMPLE_PORTABLE)
-    find_package(PkgConfig)
-  endif()
-  if(PKG_CONFIG_FOUND AND NOT CRUMPLE_PORTABLE)
-    pkg_check_modules(CRUMPLE_HTTPLIB IMPORTED_TARGET cpp-httplib)
-  endif()
-  if(CRUMPLE_HTTPLIB_FOUND)
-    find_package(Threads REQUIRED)
-    target_sources(${target} PRIVATE ${folder}/http_server.cpp)
-    target_link_libraries(${target} PRIVATE PkgConfig::CRUMPLE_HTTPLIB Threads::Threads)
-  else()
-    message(STATUS "cpp-httplib is missing (libcpp-httplib-dev): crumple is built without --serve")
-    target_sources(${target} PRIVATE ${folder}/no_http_server.cpp)
-  endif()
-endfunction()
-
 # Most of the compiler's time goes into headers, so files are compiled eight at a time: always around the core, which is
 # two thirds of the files; in the core under sanitizers only, as there users measure what each file was compiled to. What
 # is around the core is not optimised under sanitizers. Alone are files with local names of another file in their folder,
 # and with definitions of their own: the second list has the ends of their names. tools/check_tidy reads both.
 set(CRUMPLE_UNITY_LAYERS app compare constraints contact deck domain elements live loads materials model output report
   timeloop)
-set(CRUMPLE_COMPILED_ALONE _history _reader beam_kernels comparison d3plot_state edge_geometry edge_search
+set(CRUMPLE_COMPILED_ALONE _history _reader http_server beam_kernels comparison d3plot_state edge_geometry edge_search
   element_constants forces global_search mass_damping multipliers numbers page quantity_names read_conditions read_control
   read_control_shell read_discretes read_mesh read_parts read_sets read_solids read_walls report_command
   rigid_motion run_record solid_benchmark solid_overlaps sprague_geers stable_steps stop_signals text_file)
@@ -172,8 +152,8 @@ endfunction()
 # One static library per folder, with its rooms. A folder without sources yet is an interface target.
 function(crumple_add_layer layer)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/crumple/${layer}/*.cpp)
-  # Kernels are compiled by instruction set, and one of the two servers is chosen below.
-  list(FILTER sources EXCLUDE REGEX "/kernels/|http_server\\.cpp$")
+  # Kernels are compiled by instruction set, below.
+  list(FILTER sources EXCLUDE REGEX "/kernels/")
   set(target crumple_${layer})
   set(scope PUBLIC)
   if(sources)
@@ -221,6 +201,7 @@ function(crumple_add_layer layer)
     target_link_libraries(${target} ${scope} ZLIB::ZLIB nlohmann_json::nlohmann_json)
   endif()
   if(layer STREQUAL "live")
-    crumple_choose_http_server(${target})
+    find_package(Threads REQUIRED)
+    target_link_libraries(${target} PRIVATE Threads::Threads)
   endif()
 endfunction()

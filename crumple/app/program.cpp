@@ -2,6 +2,7 @@
 #include "app/program.hpp"
 
 #include <exception>
+#include <new>
 #include <ostream>
 
 #include "app/arguments/command_line.hpp"
@@ -41,9 +42,10 @@ ExitCode run_program(const std::vector<std::string>& arguments, const Console& c
       case Command::Run:
         return run_deck(line.options, console);
     }
+  } catch (const std::bad_alloc&) {
+    print(console.err, "crumple: error: There is not enough memory.\n");
   } catch (const std::exception& fault) {
-    // What comes this far is no input error, which the commands report themselves, but a bug or lack of
-    // memory.
+    // What comes this far is no input error, which the commands report themselves, but a bug.
     print(console.err, "crumple: internal error: {}\n", fault.what());
   }
   return ExitCode::Numerical;

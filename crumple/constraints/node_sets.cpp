@@ -17,13 +17,14 @@ NodeSets::NodeSets(const model::Model& model, domain::Domain& domain) {
     set.nodes.reserve(given.nodes.size());
     for (const Index node : given.nodes) set.nodes.push_back(nodes.domain_node[node]);
     std::sort(set.nodes.begin(), set.nodes.end());
+    double mass = 0;
     for (const Index node : set.nodes) {
-      set.mass += nodes.moving_mass(node);
+      mass += nodes.moving_mass(node);
       for (std::size_t axis = 0; axis < 3; ++axis)
         if ((nodes.fixed[node] & domain::fixed_translation(static_cast<int>(axis))) != 0)
           set.fixed[axis] = true;
     }
-    if (!(set.mass > 0)) throw Error("A set of *CONSTRAINED_NODE_SET has no mass.");
+    if (!(mass > 0)) throw Error("A set of *CONSTRAINED_NODE_SET has no mass.");
     sets_.push_back(std::move(set));
   }
   constrain(domain);
@@ -35,9 +36,13 @@ void NodeSets::constrain(domain::Domain& domain) const {
     if (domain.clock.time >= set.failure_time) continue;
     for (int axis = 0; axis < 3; ++axis) {
       if (!set.direction[static_cast<std::size_t>(axis)]) continue;
+      double mass = 0;  // it may grow
       double momentum = 0;
-      for (const Index node : set.nodes) momentum += nodes.moving_mass(node) * nodes.velocity[node][axis];
-      const double velocity = set.fixed[static_cast<std::size_t>(axis)] ? 0 : momentum / set.mass;
+      for (const Index node : set.nodes) {
+        mass += nodes.moving_mass(node);
+        momentum += nodes.moving_mass(node) * nodes.velocity[node][axis];
+      }
+      const double velocity = set.fixed[static_cast<std::size_t>(axis)] ? 0 : momentum / mass;
       for (const Index node : set.nodes) nodes.velocity[node][axis] = velocity;
     }
   }

@@ -23,7 +23,6 @@ class NodeSets {
  private:
   struct Set {
     std::vector<Index> nodes;  ///< domain nodes, ascending
-    double mass = 0;           ///< [mass]
     std::array<bool, 3> direction{};
     std::array<bool, 3> fixed{};
     double failure_time = 0;

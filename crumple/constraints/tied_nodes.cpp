@@ -143,6 +143,7 @@ void TiedNodes::order_links(const model::Model& model, const Domain& domain) {
 
 /// What every member carries; marks the tied ones.
 void TiedNodes::share_masses(Domain& domain) {
+  if (links_.empty()) return;
   NodeFields& nodes = domain.nodes;
   nodes.carried_mass.assign(static_cast<std::size_t>(nodes.count()), 0.0);
   nodes.carried_inertia.assign(static_cast<std::size_t>(nodes.count()), 0.0);

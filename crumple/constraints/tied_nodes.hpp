@@ -61,6 +61,9 @@ class TiedNodes {
 
   void declare(domain::StateList& list);
 
+  /// Brings what nodes carry up to date, once masses or what is tied have changed.
+  void share_masses(domain::Domain& domain);
+
  private:
   struct Link {
     Index node = no_index;           ///< in members_
@@ -76,7 +79,6 @@ class TiedNodes {
   void add_links(const model::Model& model, const domain::Domain& domain);
   void order_links(const model::Model& model, const domain::Domain& domain);
   void check_corners(const model::Model& model, const domain::Domain& domain) const;
-  void share_masses(domain::Domain& domain);
   void share_velocities(domain::Domain& domain);
   void copy_velocities(domain::Domain& domain) const;
 

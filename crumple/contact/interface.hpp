@@ -13,7 +13,8 @@
 //     edge_edge/     the same of edges and beams, beside the nodes
 //     pinball/       segments by balls inside of them, instead of both
 //       |
-//       |            Touch: two points that repel each other, whatever detector found them
+//       |            Each is a Detector (search/detector.hpp); a Touch, two points that repel each other, is
+//       |            the same whatever detector found it
 //     enforcement/   forces, friction, energy: by penalty, or by Lagrange multipliers
 //       |
 //     nodal forces   pair by pair in a fixed order: bitwise the same for any number of threads

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
+#include <unordered_map>
 
 #include "deck/build/build.hpp"
 #include "deck/build/units.hpp"
@@ -73,9 +75,10 @@ class Reading final : private DeckHandler {
   Scanner scanner_;
   Parameters parameters_;
   RawDeck deck_;
-  std::deque<Placement> placements_;                      ///< of the files of *INCLUDE_TRANSFORM
-  std::vector<std::pair<const Keyword*, Where>> single_;  ///< keywords that count once, with their place
+  std::deque<Placement> placements_;        ///< of the files of *INCLUDE_TRANSFORM
+  std::map<const Keyword*, Where> single_;  ///< keywords that count once, with their last place
   std::vector<IgnoredKeyword> ignored_;
+  std::unordered_map<std::string_view, std::size_t> ignored_index_;  ///< by keyword
   bool has_keywords_ = false;
 };
 
@@ -111,16 +114,18 @@ void Reading::take_block(const Block& block) {
     return;
   }
   if (!found->keyword->repeats) {
-    for (auto& [keyword, where] : single_)
-      if (keyword == found->keyword)
-        report_.warning(block.where, "again",
-                        fmt::format("replaces what the same keyword says at {}", report_.place(where)));
-    single_.emplace_back(found->keyword, block.where);
+    const auto [earlier, is_first] = single_.try_emplace(found->keyword, block.where);
+    if (!is_first)
+      report_.warning(
+          block.where, "again",
+          fmt::format("replaces what the same keyword says at {}", report_.place(earlier->second)));
+    earlier->second = block.where;
   }
   Cards cards(block, found->heading, parameters_, report_);
   found->keyword->read(cards, deck_);
   cards.report_unread();
-  if (cards.is_damaged()) deck_.faulty.push_back(block.where.keyword);
+  if (cards.is_damaged() && std::ranges::find(deck_.faulty, block.where.keyword) == deck_.faulty.end())
+    deck_.faulty.push_back(block.where.keyword);
 }
 
 std::vector<Inclusion> Reading::inclusions_of(const Block& block) {
@@ -131,6 +136,8 @@ std::vector<Inclusion> Reading::inclusions_of(const Block& block) {
 
 void Reading::leave_out(const Block& block) {
   note_definition(block);
+  if (!options_.parameters.empty())
+    for (const Line& line : block.lines) parameters_.note_references(line.text);
   const IgnoredRow* row = find_ignored(block.name);
   if (row) {
     report_.warning(block.where, "ignored", fmt::format("is left out: {}", row->reason));
@@ -141,7 +148,9 @@ void Reading::leave_out(const Block& block) {
     // All output keywords of LS-DYNA are known: another one is a mistake.
     const std::string_view fault =
         block.name.starts_with("DATABASE_") ? "LS-DYNA has no such keyword" : "this keyword is not supported";
-    const std::string advice = advice_on(block.name);
+    // Beyond so many there is no message, and finding the nearest keyword takes longer than reading.
+    const bool is_shown = ignored_.size() < Report::most_kinds;
+    const std::string advice = is_shown ? advice_on(block.name) : "";
     const std::string_view left_out = report_.allow_unsupported() ? ", and is left out" : "";
     const std::string_view link = advice.ends_with('?')                ? " If not, "
                                   : advice.starts_with("; nearest is") ? "; otherwise "
@@ -155,13 +164,13 @@ void Reading::leave_out(const Block& block) {
   const Omission why = row                           ? Omission::Harmless
                        : report_.allow_unsupported() ? Omission::OnRequest
                                                      : Omission::Refused;
-  const std::string name(block.where.keyword);
-  const auto known = std::find_if(ignored_.begin(), ignored_.end(),
-                                  [&](const IgnoredKeyword& ignored) { return ignored.keyword == name; });
-  if (known == ignored_.end())
-    ignored_.push_back({name, report_.file_name(block.where.file), block.where.line, 1, why});
+  // The scanner keeps the names.
+  const auto [known, is_new] = ignored_index_.try_emplace(block.where.keyword, ignored_.size());
+  if (is_new)
+    ignored_.push_back(
+        {std::string(block.where.keyword), report_.file_name(block.where.file), block.where.line, 1, why});
   else
-    ++known->count;
+    ++ignored_[known->second].count;
 }
 
 void Reading::note_definition(const Block& block) {
@@ -205,8 +214,10 @@ ReadResult Reading::run() {
   result.text_hash = scanner_.text_hash();
   result.ignored_keywords = ignored_;
   result.texts = std::move(texts_);
+  result.parameters = parameters_.all();
   if (has_keywords_) {
     check_settings(deck_, report_);
+    parameters_.report_unused_presets(report_);
     model::Model model = build_model(deck_, options_, report_);
     check_whole(model);
     result.unit_system = guess_units(model);
@@ -244,6 +255,13 @@ ReadResult read_deck_text(std::string_view text, const ReadOptions& options,
                           const std::map<std::string, std::string>& included, const std::string& name) {
   MemorySource source(name, text, included);
   return Reading(source, options).run();
+}
+
+std::uint64_t hash_with_parameters(const ReadResult& deck) {
+  std::uint64_t hash = deck.text_hash;
+  for (const SetParameter& parameter : deck.parameters)
+    if (parameter.is_preset) hash = fnv1a(hash, fmt::format("{}={}\n", parameter.name, parameter.value));
+  return hash;
 }
 
 int error_count(const std::vector<Diagnostic>& diagnostics) {

@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "deck/format/diagnostic.hpp"
+#include "deck/format/parameters.hpp"
 #include "deck/format/read_options.hpp"
 #include "deck/format/recorded_source.hpp"
 #include "model/model.hpp"
@@ -59,6 +60,7 @@ struct ReadResult {
   std::vector<Diagnostic> diagnostics;           ///< sorted by file and line
   std::vector<std::filesystem::path> files;      ///< all files read, the deck itself first
   std::uint64_t text_hash = 0;                   ///< FNV-1a over all text, in the order it was read
+  std::vector<SetParameter> parameters;          ///< that hold in the whole deck, by name
   std::vector<IgnoredKeyword> ignored_keywords;  ///< in order of first occurrence
   std::string unit_system;                       ///< guess, such as "t, mm, s"; empty if there is none
   std::vector<RecordedText> texts;               ///< of all files, if asked for
@@ -79,6 +81,10 @@ ReadResult read_recorded_deck(const std::vector<RecordedText>& texts, const Read
 ReadResult read_deck_text(std::string_view text, const ReadOptions& options = {},
                           const std::map<std::string, std::string>& included = {},
                           const std::string& name = "deck.k");
+
+/// The text and the parameters that the command line sets: equal for equal decks. Equal to the hash of the
+/// text where it sets none.
+std::uint64_t hash_with_parameters(const ReadResult& deck);
 
 /// How many errors the diagnostics stand for.
 int error_count(const std::vector<Diagnostic>& diagnostics);

@@ -21,12 +21,15 @@ void declare_block(const std::string& name, Entity entity, ElementBlock& block, 
   list.add(name + "_hourglass_energy", "energy", Entity::Run, 1, std::span(&block.hourglass_energy, 1));
   list.add(name + "_eroded_energy", "energy", Entity::Run, 1, std::span(&block.eroded_energy, 1));
   list.add(name + "_eroded", "-", Entity::Run, 1, std::span(&block.eroded, 1));
+  list.keep_list(name + "_scaled_mass", "by item", entity, 2, block.scaled);
 }
 
 void keep_body(RigidBody& body, StateList& list) {
   const auto keep = [&](const char* name, const char* unit, auto& value) {
     list.keep(std::string("body_") + name, unit, Entity::RigidBody, value);
   };
+  keep("mass", "mass", body.mass);
+  keep("principal_inertia", "mass*length^2", body.principal_inertia);
   keep("acceleration", "length/time^2", body.acceleration);
   keep("kinetic_energy", "energy", body.kinetic_energy);
   keep("reaction", "force", body.reaction);

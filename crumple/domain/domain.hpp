@@ -66,7 +66,8 @@ struct Clock {
   double way = std::numeric_limits<double>::infinity();
   double element_limit = 0;  ///< smallest stable element step at time n, without TSSFAC [time]
   double rigid_limit =
-      1e30;  ///< step of the rigid elements where no others set one, else without limit [time]
+      1e30;              ///< step of the rigid elements where no others set one, else without limit [time]
+  double kept_step = 0;  ///< elements get mass where their stable step is below it; 0: none do [time]
   ControllingElement controlling;
 };
 
@@ -91,6 +92,7 @@ struct Domain {
   Clock clock;
   EnergyLedger energy;
   double added_mass = 0;               ///< by mass scaling [mass]
+  std::vector<double> chunk_steps;     ///< shortest stable step of each chunk, where mass is scaled [time]
   std::vector<PartShare> part_shares;  ///< by part; empty unless a load, a damping or a mass asks for parts
   std::vector<ContactReport> contacts;
   std::vector<TransducerReport> transducers;

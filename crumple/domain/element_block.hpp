@@ -21,6 +21,12 @@ struct StateItem {
   Index count = 0;
 };
 
+/// Of an element whose mass may grow with its stable step.
+struct ScaledMass {
+  double mass = 0;     ///< of all its nodes together, scaled [mass]
+  double inertia = 0;  ///< rotary, likewise [mass * length^2]
+};
+
 /// What blocks of all kinds of elements have. Elements are held in groups of `lanes`; the last group is
 /// filled with copies of the last element whose `active` state is zero and whose forces go to a slot nobody
 /// reads.
@@ -43,7 +49,9 @@ struct ElementBlock {
   double eroded_energy = 0;                ///< part of both that elements had when they failed [energy]
   Index eroded = 0;                        ///< elements that have failed
   std::optional<model::ErosionCriteria> erosion;  ///< its item "erosion" is [point][failed, strain, impulse]
-  bool rigid = false;                             ///< its elements have mass and a surface, but no forces
+  /// By place in the block, where mass is scaled during the run (elements/mass_scaling.hpp), else empty.
+  std::vector<ScaledMass> scaled;
+  bool rigid = false;  ///< its elements have mass and a surface, but no forces
 
   Index groups() const { return (elements + lanes - 1) / lanes; }
 

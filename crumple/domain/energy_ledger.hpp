@@ -33,15 +33,15 @@ struct EnergyLedger {
   /// Internal, hourglass, contact, friction and eroded energy [energy].
   double absorbed() const { return internal + hourglass + contact + friction + eroded; }
   /// |unbalanced energy| over the largest energy absorbed so far, or now if that is more: bodies that rebound
-  /// have given it back [-]. Zero if the imbalance is within the round-off of the largest energy, where
-  /// nothing may have been absorbed.
+  /// have given it back [-]. Where next to nothing has been absorbed, as at the first cycles or by rigid
+  /// bodies alone, over a millionth of the largest energy.
   double error(double largest_absorbed = 0) const {
-    constexpr double round_off = 1e-12;
+    constexpr double least_share = 1e-6;
     const double largest =
         std::fmax(std::fabs(kinetic), std::fmax(std::fabs(initial_total), std::fabs(external_work)));
-    const double unbalanced = std::fabs(imbalance());
-    const double reference = std::fmax(std::fabs(absorbed()), largest_absorbed);
-    return reference == 0 || unbalanced <= round_off * largest ? 0.0 : unbalanced / reference;
+    const double reference =
+        std::fmax(least_share * largest, std::fmax(std::fabs(absorbed()), largest_absorbed));
+    return reference == 0 ? 0.0 : std::fabs(imbalance()) / reference;
   }
 };
 

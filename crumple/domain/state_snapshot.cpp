@@ -14,6 +14,11 @@ void fill(const StateArray& to, const std::vector<std::byte>& bytes) {
   std::copy_n(bytes.begin(), std::min(place.size(), bytes.size()), place.begin());
 }
 
+/// A list that has its length by the model keeps it.
+bool may_take(const StateArray& to, std::size_t bytes) {
+  return to.bytes.size() == bytes || (to.resize && to.bytes.empty());
+}
+
 }  // namespace
 
 void StateSnapshot::take(const StateList& list) {
@@ -42,7 +47,7 @@ void StateSnapshot::put_back(const StateList& list) const {
 void StateSnapshot::put_back_known(const StateList& list) const {
   for (const StateArray& to : list.arrays())
     for (const Array& from : arrays_)
-      if (from.name == to.name && (to.resize || from.bytes.size() == to.bytes.size())) fill(to, from.bytes);
+      if (from.name == to.name && may_take(to, from.bytes.size())) fill(to, from.bytes);
 }
 
 }  // namespace crumple::domain

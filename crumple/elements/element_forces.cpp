@@ -139,6 +139,7 @@ void add_element_forces(Domain& domain, EnergyTrace* trace) {
     block.eroded_energy += sums[c].eroded_internal + sums[c].eroded_hourglass;
     block.eroded += sums[c].eroded;
     domain.clock.element_limit = std::min(domain.clock.element_limit, sums[c].shortest_step);
+    if (domain.clock.kept_step > 0) domain.chunk_steps[c] = sums[c].shortest_step;
   }
 }
 

@@ -18,6 +18,12 @@ double mass_factor(double mass_scaling_step, double step) {
   return mass_scaling_step < 0 && ratio < 1 ? 1 : ratio * ratio;
 }
 
+bool scales_mass(const model::Model& model, const domain::Domain& domain, const domain::ElementBlock& block) {
+  const model::Part& part = model.parts[block.part];
+  return domain.clock.kept_step > 0 && !block.rigid && part.material != no_index &&
+         materials::has_stiffness(model.materials[part.material].law);
+}
+
 void require(bool holds, const model::Part& part, const std::string& what) {
   if (!holds) throw Error("Part " + std::to_string(part.id) + ": " + what + ".");
 }
@@ -101,6 +107,9 @@ void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) 
 
 void prepare_elements(const model::Model& model, domain::Domain& domain) {
   if (asks_for_parts(model)) domain.part_shares.resize(model.parts.size());
+  if (model.control.mass_scaling_step < 0 && !model.control.scales_mass_once)
+    domain.clock.kept_step = -model.control.mass_scaling_step;
+  if (domain.clock.kept_step > 0) domain.chunk_steps.assign(domain.assembly.chunks().size(), 0.0);
   prepare_shells(model, domain);
   prepare_solids(model, domain);
   prepare_beams(model, domain);

@@ -19,6 +19,9 @@ void add_mass(domain::Domain& domain, Index part, Index node, double mass);
 /// Factor on the mass that DT2MS asks for, given the stable step without it.
 double mass_factor(double mass_scaling_step, double step);
 
+/// Whether elements of a block get mass during the run where their step falls (elements/mass_scaling.hpp).
+bool scales_mass(const model::Model& model, const domain::Domain& domain, const domain::ElementBlock& block);
+
 /// Throws Error naming the part unless the condition holds.
 void require(bool holds, const model::Part& part, const std::string& what);
 

@@ -225,6 +225,8 @@ void prepare_element(const model::Model& model, domain::Domain& domain, BeamBloc
     domain.nodes.inertia[end] += factor * nodal.inertia;
   }
   domain.added_mass += 2 * (factor - 1) * nodal.mass;
+  if (scales_mass(model, domain, block))
+    block.scaled.push_back({2 * factor * nodal.mass, 2 * factor * nodal.inertia});
 }
 
 }  // namespace

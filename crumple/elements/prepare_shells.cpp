@@ -218,6 +218,7 @@ void prepare_shells(const model::Model& model, domain::Domain& domain) {
   domain::NodeFields& nodes = domain.nodes;
   for (ShellBlock& block : domain.shells) {
     const ShellConstants<double> constants = prepare_block(model, domain, block);
+    const bool scales = scales_mass(model, domain, block);
     for (Index place = 0; place < block.groups() * lanes; ++place) {
       const ShellMass shell = prepare_element(model, domain, block, constants, place);
       if (place >= block.elements) continue;
@@ -229,6 +230,7 @@ void prepare_shells(const model::Model& model, domain::Domain& domain) {
         if (!block.rigid) nodes.inertia[node[k]] += share[k] * shell.mass * shell.inertia;
       }
       domain.added_mass += shell.added;
+      if (scales) block.scaled.push_back({shell.mass, shell.mass * shell.inertia});
     }
   }
 }

@@ -151,12 +151,14 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
 void prepare_solids(const model::Model& model, domain::Domain& domain) {
   for (SolidBlock& block : domain.solids) {
     const SolidConstants<double> constants = prepare_block(model, domain, block);
+    const bool scales = scales_mass(model, domain, block);
     for (Index place = 0; place < block.groups() * lanes; ++place) {
       const SolidMass solid = prepare_element(model, domain, block, constants, place);
       if (place >= block.elements) continue;
       for (Index corner = 0; corner < block.corners; ++corner)
         add_mass(domain, block.part, block.node_of(place, corner), solid.mass / block.corners);
       domain.added_mass += solid.added;
+      if (scales) block.scaled.push_back({solid.mass, 0});
     }
   }
 }

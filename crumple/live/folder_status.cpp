@@ -16,7 +16,7 @@ RunStatus folder_status(const std::filesystem::path& folder) {
     const report::ResultFolder results = report::open_results(folder);
     status.state = RunState::Running;
     status.frames = static_cast<int>(results.frames.size());
-    status.time = std::stod(results.frames.back().time);
+    status.time = results.frames.back().time;
     if (!results.has_record) return status;
     const auto record = nlohmann::json::parse(report::read_file(results.folder / "run.json"));
     status.end_time = record.at("end_time");

@@ -17,16 +17,17 @@ struct Answer {
 
 /// An HTTP server for the browsers of this machine, in threads of its own. It listens at 127.0.0.1 alone,
 /// answers GET alone, and refuses requests that name another host: with those, a page of the network whose
-/// name was made to mean this machine could read along (DNS rebinding). It knows no files.
+/// name was made to mean this machine could read along (DNS rebinding). It knows no files. Clients cannot
+/// hold it up: requests, connections and times are bounded.
 class HttpServer {
  public:
   /// Answers a path such as "/status". Called by several threads at a time; must not throw.
   using Handler = std::function<Answer(const std::string& path)>;
 
-  /// Listens from here on. Port 0 takes any free one. Throws Error if the port is taken, or if the program
-  /// was built without HTTP.
+  /// Listens from here on. Port 0 takes any free one. Throws Error if the port is taken.
   HttpServer(int port, Handler handler);
-  /// Stops listening, and returns when the last answer is out.
+  /// Stops listening, and returns when the last answer is out, after a second in any case and when the
+  /// handler has returned.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;

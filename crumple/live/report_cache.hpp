@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -18,8 +19,9 @@ class ReportCache {
   ReportCache(std::filesystem::path folder, const std::filesystem::path& template_file);
 
   /// The page of the frames so far, of which there must be one; read by the calling thread. Callers at the
-  /// same time wait for one another. Throws Error.
-  std::shared_ptr<const std::string> page(const RunStatus& status);
+  /// same time wait for one another. Given up, with an Error, soon after `ending` has become true. Throws
+  /// Error.
+  std::shared_ptr<const std::string> page(const RunStatus& status, const std::atomic<bool>& ending);
 
  private:
   std::filesystem::path folder_;

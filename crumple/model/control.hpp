@@ -22,9 +22,10 @@ struct Control {
   double step_scale = 0.9;       ///< TSSFAC
   Index step_curve = no_index;   ///< LCTM, in Model::curves: no step is longer [time] at a time
   double mass_scaling_step = 0;  ///< DT2MS [time]; negative adds mass only where needed; 0 is off
-  HourglassControl hourglass;    ///< for parts without their own
-  double bulk_quadratic = 1.5;   ///< Q1 of *CONTROL_BULK_VISCOSITY [-]
-  double bulk_linear = 0.06;     ///< Q2 [-]
+  bool scales_mass_once = false;         ///< MS1ST: only at the start
+  HourglassControl hourglass;            ///< for parts without their own
+  double bulk_quadratic = 1.5;           ///< Q1 of *CONTROL_BULK_VISCOSITY [-]
+  double bulk_linear = 0.06;             ///< Q2 [-]
   bool thickness_change = false;         ///< ISTUPD: shells become thinner as they stretch
   double contact_stiffness_scale = 0.1;  ///< SLSFAC
   bool report_distorted_shells = false;  ///< NFAIL1, NFAIL4: those with a negative Jacobian at the end

@@ -2,12 +2,12 @@
 #include "output/earlier_results.hpp"
 
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "files/input_file.hpp"
+#include "output/files/own_file.hpp"
 #include "output/lsdyna/binout.hpp"
 #include "output/lsdyna/text_file.hpp"
 
@@ -31,10 +31,7 @@ constexpr std::array<std::string_view, 15> shared_names{"glstat",  "matsum", "rw
 constexpr std::string_view binout_name = "binout0000";
 
 bool mentions(const std::filesystem::path& path, std::string_view mark) {
-  std::ifstream file(path, std::ios::binary);
-  std::string start(2048, '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start.find(mark) != std::string::npos;
+  return read_start(path, 2048).find(mark) != std::string::npos;
 }
 
 }  // namespace
@@ -46,6 +43,7 @@ void remove_ending(const std::filesystem::path& folder) {
 
 void remove_earlier_results(const std::filesystem::path& folder) {
   std::error_code ignored;
+  remove_unfinished_files(folder);
   for (const std::string_view name : names) std::filesystem::remove(folder / name, ignored);
   for (const std::string_view name : shared_names)
     if (mentions(folder / name, program_mark)) std::filesystem::remove(folder / name, ignored);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/recorder.hpp"
 
+#include "output/files/own_file.hpp"
 #include "output/files/set_aside.hpp"
 #include "output/initial_overlaps.hpp"
 
@@ -61,6 +62,7 @@ void Recorder::declare(domain::StateList& list) {
 
 std::vector<std::string> Recorder::resume(const domain::Clock& clock) {
   std::vector<std::string> notes;
+  remove_unfinished_files(folder_);
   series_.resume();
   if (d3plot_ && !d3plot_->is_whole())
     for (std::string& note : set_family_aside(folder_)) notes.push_back(std::move(note));

@@ -2,6 +2,7 @@
 #include "output/run_record.hpp"
 
 #include <fmt/core.h>
+#include <zlib.h>
 
 #include <nlohmann/json.hpp>
 
@@ -153,6 +154,32 @@ Json energy_trace_of(const View& view) {
       {"parts", list_of(report.parts)}, {"contacts", list_of(report.contacts)}, {"worst_elements", worst}};
 }
 
+/// As numbers where they can be read back as they are.
+Json parameters_of(const std::vector<RunParameter>& parameters) {
+  Json json = Json::object();
+  for (const RunParameter& parameter : parameters) {
+    Json value = Json::parse(parameter.value, nullptr, false);
+    if (!value.is_number()) value = parameter.value;
+    json[parameter.name] = {{"value", std::move(value)},
+                            {"source", parameter.by_command_line ? "command line" : "deck"}};
+  }
+  return json;
+}
+
+Json versions_of(const RunRecord& record) {
+#if defined(__clang__)
+  const std::string compiler = "Clang " __clang_version__;
+#else
+  const std::string compiler = "GCC " __VERSION__;
+#endif
+  return {{"crumple", record.version},
+          {"compiler", compiler},
+          {"fmt", FMT_VERSION},
+          {"zlib", ZLIB_VERSION},
+          {"json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                               NLOHMANN_JSON_VERSION_PATCH)}};
+}
+
 Json checks_of(const std::vector<Check>& checks) {
   Json list = Json::array();
   for (const Check& check : checks) {
@@ -190,44 +217,50 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
   const domain::Domain& domain = view.domain;
   Json files = Json::array();
   for (const auto& file : record.files) files.push_back(file.generic_string());
-  const Json json = {{"version", record.version},
-                     {"deck", record.deck},
-                     {"deck_hash", fmt::format("{:016x}", record.deck_hash)},
-                     {"perturbation", record.perturbation},
-                     {"seed", record.seed},
-                     {"title", view.model.title},
-                     {"units", record.units},
-                     {"termination", record.termination},
-                     {"reason", record.reason},
-                     {"end_time", domain.clock.time},
-                     {"cycles", domain.clock.cycle},
-                     {"nodes", domain.nodes.count()},
-                     {"elements",
-                      {{"shells", domain::element_count(domain.shells)},
-                       {"solids", domain::element_count(domain.solids)},
-                       {"beams", domain::element_count(domain.beams)},
-                       {"discretes", domain::element_count(domain.discretes)}}},
-                     {"threads", domain.execution.threads},
-                     {"precision", domain.execution.precision == Precision::Mixed ? "mixed" : "double"},
-                     {"isa", std::string(isa_name(domain.execution.isa))},
-                     {"search", view.model.search.method},
-                     {"wall_seconds", record.wall_seconds},
-                     {"loop_seconds", record.loop_seconds},
-                     {"ns_per_element_cycle", nanoseconds_per_element_cycle(domain, record.loop_seconds)},
-                     {"peak_memory_bytes", record.peak_memory_bytes},
-                     {"energy", energy_of(domain.energy)},
-                     {"energy_trace", energy_trace_of(view)},
-                     {"added_mass", domain.added_mass},
-                     {"state_hash", fmt::format("{:016x}", record.state_hash)},
-                     {"timings", timings_of(domain.times)},
-                     {"contact", contacts_of(domain.contacts)},
-                     {"ties", ties_of(domain.ties)},
-                     {"parts", parts_of(view.model)},
-                     {"plane_walls", plane_walls_of(view.model)},
-                     {"checks", checks_of(record.checks)},
-                     {"warnings", record.warnings},
-                     {"left_out", left_out_list(record.left_out)},
-                     {"files", files}};
+  const Json json = {
+      {"version", record.version},
+      {"deck", record.deck},
+      {"deck_hash", fmt::format("{:016x}", record.deck_hash)},
+      {"deck_hash_with_parameters", fmt::format("{:016x}", record.deck_hash_with_parameters)},
+      {"parameters", parameters_of(record.parameters)},
+      {"command", record.command},
+      {"options", record.options.empty() ? Json() : Json::parse(record.options, nullptr, false)},
+      {"versions", versions_of(record)},
+      {"perturbation", record.perturbation},
+      {"seed", record.seed},
+      {"title", view.model.title},
+      {"units", record.units},
+      {"termination", record.termination},
+      {"reason", record.reason},
+      {"end_time", domain.clock.time},
+      {"cycles", domain.clock.cycle},
+      {"nodes", domain.nodes.count()},
+      {"elements",
+       {{"shells", domain::element_count(domain.shells)},
+        {"solids", domain::element_count(domain.solids)},
+        {"beams", domain::element_count(domain.beams)},
+        {"discretes", domain::element_count(domain.discretes)}}},
+      {"threads", domain.execution.threads},
+      {"precision", domain.execution.precision == Precision::Mixed ? "mixed" : "double"},
+      {"isa", std::string(isa_name(domain.execution.isa))},
+      {"search", view.model.search.method},
+      {"wall_seconds", record.wall_seconds},
+      {"loop_seconds", record.loop_seconds},
+      {"ns_per_element_cycle", nanoseconds_per_element_cycle(domain, record.loop_seconds)},
+      {"peak_memory_bytes", record.peak_memory_bytes},
+      {"energy", energy_of(domain.energy)},
+      {"energy_trace", energy_trace_of(view)},
+      {"added_mass", domain.added_mass},
+      {"state_hash", fmt::format("{:016x}", record.state_hash)},
+      {"timings", timings_of(domain.times)},
+      {"contact", contacts_of(domain.contacts)},
+      {"ties", ties_of(domain.ties)},
+      {"parts", parts_of(view.model)},
+      {"plane_walls", plane_walls_of(view.model)},
+      {"checks", checks_of(record.checks)},
+      {"warnings", record.warnings},
+      {"left_out", left_out_list(record.left_out)},
+      {"files", files}};
   // Titles come from decks in any encoding: bytes that are no UTF-8 must not stop the record.
   write_atomically(folder / "run.json",
                    json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -29,11 +29,22 @@ struct LeftOut {
   std::string place;  ///< the first, as "deck.k:12"
 };
 
+/// A parameter of the deck with the value that was taken.
+struct RunParameter {
+  std::string name;
+  std::string value;
+  bool by_command_line = false;
+};
+
 /// What `run.json` says beside what the model and the domain know.
 struct RunRecord {
   std::string version;
   std::string deck;
   std::uint64_t deck_hash = 0;
+  std::uint64_t deck_hash_with_parameters = 0;  ///< and those that the command line set
+  std::vector<std::string> command;             ///< arguments of the program
+  std::string options;                          ///< JSON of whoever owns the run; empty if there is none
+  std::vector<RunParameter> parameters;
   double perturbation = 0;  ///< largest random move of a node over the diagonal of the model [-]
   std::uint64_t seed = 0;   ///< of these moves
   std::string units;        ///< guess, such as "kg, mm, ms"; empty if there is none

@@ -59,7 +59,7 @@ class Payload {
         throw Error(fmt::format("{} is not JSON.", (results_.folder / "run.json").string()));
     }
     Json times = Json::array();
-    for (const FrameFiles& frame : results_.frames) times.push_back(std::stod(frame.time));
+    for (const FrameFiles& frame : results_.frames) times.push_back(frame.time);
     meta_["times"] = times;
     meta_["model"] = {{"nodes", survey_.all_nodes}, {"cells", survey_.all_cells}};
   }
@@ -149,7 +149,7 @@ class Payload {
 
   /// Nodes of failed elements stay where these were last seen.
   void add_positions(const VtuReader& frame, std::size_t number, std::vector<FieldWriter>& axes) {
-    const std::vector<float> positions = frame.reals(Section::Points, "position");
+    const std::vector<float> positions = frame.reals(Section::Points, "position", 3);
     seen_.resize(3);
     std::string bytes;
     for (int axis = 0; axis < 3; ++axis) {
@@ -177,7 +177,7 @@ class Payload {
     const auto connectivity = first.integers(Section::Cells, "connectivity");
     const auto offsets = first.integers(Section::Cells, "offsets");
     const auto ids = first.integers(Section::CellData, "wall");
-    const std::vector<float> points = first.reals(Section::Points, "position");
+    const std::vector<float> points = first.reals(Section::Points, "position", 3);
     Json faces = Json::array();
     std::map<std::int64_t, std::int64_t> first_point;  // of each wall
     std::int64_t start = 0;
@@ -192,7 +192,7 @@ class Payload {
     }
     Json motion = Json::object();
     for (const FrameFiles& files : results_.frames) {
-      const std::vector<float> now = VtuReader(files.walls).reals(Section::Points, "position");
+      const std::vector<float> now = VtuReader(files.walls).reals(Section::Points, "position", 3);
       if (now.size() != points.size()) throw Error(fmt::format("{} has other points.", files.walls.string()));
       for (const auto& [id, point] : first_point)
         for (std::int64_t i = 3 * point; i < 3 * point + 3; ++i)

@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
@@ -16,6 +20,8 @@
 namespace crumple::report {
 
 namespace {
+
+constexpr std::size_t longest_echo = 200;  ///< of a tag in a message
 
 std::vector<std::filesystem::path> files_ending_in(const std::filesystem::path& folder,
                                                    std::string_view ending) {
@@ -79,19 +85,40 @@ std::optional<std::string> attribute(std::string_view tag, const std::string& na
   return plain_text(tag.substr(start, tag.find('"', start) - start));
 }
 
+/// Empty if it is no finite number.
+std::optional<double> time_of(const std::optional<std::string>& text) {
+  double value = 0;
+  if (!text) return std::nullopt;
+  const char* const end = text->data() + text->size();
+  const auto [read, fault] = std::from_chars(text->data(), end, value);
+  if (fault != std::errc() || read != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Whether a file lies in the folder of the collection or below: one from somebody else must not lead to
+/// others.
+bool stays_inside(const std::filesystem::path& file) {
+  return !file.empty() && file.is_relative() && std::find(file.begin(), file.end(), "..") == file.end();
+}
+
 std::vector<FrameFiles> frames_of(const std::filesystem::path& collection) {
   const std::string text = read_file(collection);
   std::vector<FrameFiles> frames;
+  std::set<std::string> files;
   constexpr std::string_view key = "<DataSet";
-  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
-    const std::string_view tag = std::string_view(text).substr(at, text.find('>', at) - at);
-    const auto time = attribute(tag, "timestep");
+  // From the end of each tag, so that the time is linear in the length.
+  std::size_t end = 0;
+  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, end)) {
+    end = std::min(text.find('>', at), text.size());
+    const std::string_view tag = std::string_view(text).substr(at, end - at);
+    const auto time = time_of(attribute(tag, "timestep"));
     const auto part = attribute(tag, "part");
     const auto file = attribute(tag, "file");
     const bool walls = part == "1";
-    if (!time || !file || (walls && (frames.empty() || frames.back().time != *time)))
-      throw Error(
-          fmt::format("{} cannot be read: <{}> is not understood.", collection.string(), tag.substr(1)));
+    if (!time || !file || !stays_inside(*file) || !files.insert(*file).second ||
+        (walls && (frames.empty() || frames.back().time < *time || frames.back().time > *time)))
+      throw Error(fmt::format("{} cannot be read: <{}> is not understood.", collection.string(),
+                              tag.substr(1, longest_echo)));
     const std::filesystem::path path = collection.parent_path() / *file;
     if (walls)
       frames.back().walls = path;

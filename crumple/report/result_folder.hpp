@@ -9,7 +9,7 @@ namespace crumple::report {
 
 /// Files of one moment of a run.
 struct FrameFiles {
-  std::string time;             ///< as the collection has it
+  double time = 0;              ///< as the collection has it [time]
   std::filesystem::path grid;   ///< the model
   std::filesystem::path walls;  ///< rigid walls that have a shape; empty if there are none
 };

@@ -78,7 +78,7 @@ std::vector<Index> node_deaths(const Surface& surface, const std::vector<Index>&
 }
 
 void add_frame(const VtuReader& frame, Index number, RunSurvey& survey) {
-  const std::vector<float> positions = frame.reals(Section::Points, "position");
+  const std::vector<float> positions = frame.reals(Section::Points, "position", 3);
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<float> values = coordinates(positions, survey.surface, axis);
     for (std::size_t node = 0; node < values.size(); ++node)
@@ -104,7 +104,7 @@ std::vector<float> coordinates(const std::vector<float>& positions, const Surfac
 std::vector<float> field_values(const VtuReader& frame, const RunSurvey& survey, const Field& field) {
   const std::vector<Index>& places = field.by_node ? survey.surface.nodes : survey.surface.cells;
   const std::vector<float> all =
-      frame.reals(field.by_node ? Section::PointData : Section::CellData, field.name);
+      frame.reals(field.by_node ? Section::PointData : Section::CellData, field.name, field.by_node ? 3 : 1);
   std::vector<float> values(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto place = static_cast<std::size_t>(places[i]);

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "files/input_file.hpp"
 #include "report/text_file.hpp"
 
 namespace crumple::report {
@@ -82,10 +82,7 @@ std::string scatter_run_name(int number) {
 bool is_scatter_folder(const std::filesystem::path& folder) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(folder / scatter_run_name(0), ignored)) return false;
-  std::ifstream file(folder / bands_file, std::ios::binary);
-  std::string start(bands_header.size(), '\0');
-  file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return file.good() && start == bands_header;
+  return read_start(folder / bands_file, bands_header.size()) == bands_header;
 }
 
 std::optional<double> perturbation_of(const std::filesystem::path& folder) {

@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -36,6 +37,10 @@ std::optional<Number> parse(std::optional<std::string_view> text) {
   return value;
 }
 
+constexpr std::size_t most_arrays = 1000;
+constexpr int most_components = 9;
+constexpr std::uint64_t most_corners = 8;  ///< of a cell
+
 std::size_t bytes_of(std::string_view type) {
   if (type == "UInt8") return 1;
   if (type == "Int32" || type == "Float32") return 4;
@@ -61,6 +66,17 @@ VtuReader::VtuReader(const std::filesystem::path& file) : file_(file), text_(rea
   data_ = text.substr(start + 1);
   read_head(text.substr(0, appended));
   if (!has_piece_) refuse("it has no piece with a number of points and cells");
+  check_counts();
+}
+
+/// Points and cells that cannot be in so short a file would only take memory.
+void VtuReader::check_counts() const {
+  constexpr std::uint64_t most_packed = 1032;  // of zlib: its technical details, "Maximum compression factor"
+  const std::uint64_t most_bytes = most_packed * data_.size();
+  const auto points = static_cast<std::uint64_t>(points_);
+  const auto cells = static_cast<std::uint64_t>(cells_);
+  if (3 * sizeof(float) * points > most_bytes || cells > most_bytes)
+    refuse("it is too short for its points and cells");
 }
 
 void VtuReader::refuse(std::string_view reason) const {
@@ -68,8 +84,10 @@ void VtuReader::refuse(std::string_view reason) const {
 }
 
 void VtuReader::read_head(std::string_view head) {
-  for (std::size_t at = head.find('<'); at != std::string_view::npos; at = head.find('<', at + 1)) {
-    const std::size_t end = head.find('>', at);
+  // From the end of each tag, so that the time is linear in the length whatever it holds.
+  std::size_t end = 0;
+  for (std::size_t at = head.find('<'); at != std::string_view::npos; at = head.find('<', end)) {
+    end = head.find('>', at);
     if (end == std::string_view::npos) refuse("a tag does not end");
     const std::string_view behind = head.substr(end + 1);
     read_tag(head.substr(at + 1, end - at - 1), behind.substr(0, behind.find('<')));
@@ -94,7 +112,7 @@ void VtuReader::read_tag(std::string_view tag, std::string_view behind) {
     has_piece_ = true;
   } else if (name == "DataArray" && is("Name", "TimeValue")) {
     const auto time = parse<double>(behind);
-    if (!time) refuse("its time is not a number");
+    if (!time || !std::isfinite(*time)) refuse("its time is not a number");
     time_ = *time;
   } else if (name == "DataArray") {
     add_array(tag);
@@ -113,8 +131,9 @@ void VtuReader::add_array(std::string_view tag) {
   const auto name = attribute(tag, "Name");
   const auto components = parse<int>(attribute(tag, "NumberOfComponents"));
   const auto offset = parse<std::uint64_t>(attribute(tag, "offset"));
+  if (arrays_.size() == most_arrays) refuse("it has too many arrays");
   if (!in_section_ || !type || !name || !components || !offset || *components < 1 ||
-      attribute(tag, "format") != "appended" || bytes_of(*type) == 0)
+      *components > most_components || attribute(tag, "format") != "appended" || bytes_of(*type) == 0)
     refuse(fmt::format("the array <{}> is not understood", tag));
   arrays_.push_back({section_, std::string(*name), std::string(*type), *components, *offset});
 }
@@ -138,6 +157,15 @@ std::uint64_t VtuReader::number(std::uint64_t at) const {
   return value;
 }
 
+std::uint64_t VtuReader::most_values(const Array& array) const {
+  if (array.section == Section::PointData || array.section == Section::Points)
+    return static_cast<std::uint64_t>(points_) * array.components;
+  const auto cells = static_cast<std::uint64_t>(cells_);
+  if (array.section == Section::CellData) return cells * array.components;
+  // The two ends of a wall that is a cylinder are polygons of all of its points.
+  return cells * most_corners + 2 * static_cast<std::uint64_t>(points_);
+}
+
 std::string VtuReader::unpacked(const Array& array) const {
   const std::uint64_t blocks = number(array.offset);
   const std::uint64_t block_size = number(array.offset + 8);
@@ -146,6 +174,9 @@ std::string VtuReader::unpacked(const Array& array) const {
   constexpr std::uint64_t largest_block = 1U << 30U;
   if (blocks > data_.size() / 8 || block_size > largest_block || last_size > block_size)
     refuse(fmt::format("the array {} has a wrong header", array.name));
+  const std::uint64_t whole_blocks = blocks > 0 && last_size > 0 ? blocks - 1 : blocks;
+  if (block_size > 0 && whole_blocks * block_size + last_size > most_values(array) * bytes_of(array.type))
+    refuse(fmt::format("the array {} has more numbers than points or cells", array.name));
   std::uint64_t at = array.offset + 24 + 8 * blocks;
   std::string result;
   for (std::uint64_t block = 0; block < blocks; ++block) {
@@ -167,16 +198,18 @@ std::string VtuReader::unpacked(const Array& array) const {
 }
 
 void VtuReader::check_count(const Array& array, std::size_t count) const {
-  if (array.section == Section::Cells) return;
-  const bool by_point = array.section != Section::CellData;
+  if (array.section == Section::Cells && array.name == "connectivity") return;
+  const bool by_point = array.section == Section::PointData || array.section == Section::Points;
   const auto tuples = static_cast<std::size_t>(by_point ? points_ : cells_);
   if (count != tuples * array.components)
     refuse(fmt::format("the array {} has {} numbers for {} {}", array.name, count, tuples,
                        by_point ? "points" : "cells"));
 }
 
-std::vector<float> VtuReader::reals(Section section, std::string_view name) const {
+std::vector<float> VtuReader::reals(Section section, std::string_view name, int components) const {
   const Array& array = get(section, name);
+  if (array.components != components)
+    refuse(fmt::format("the array {} has {} components, expected {}", name, array.components, components));
   if (array.type != "Float32") refuse(fmt::format("the array {} is not of Float32", name));
   std::vector<float> values = copied<float, float>(unpacked(array));
   check_count(array, values.size());
@@ -185,6 +218,7 @@ std::vector<float> VtuReader::reals(Section section, std::string_view name) cons
 
 std::vector<std::int64_t> VtuReader::integers(Section section, std::string_view name) const {
   const Array& array = get(section, name);
+  if (array.components != 1) refuse(fmt::format("the array {} has more than one component", name));
   const std::string bytes = unpacked(array);
   std::vector<std::int64_t> values;
   if (array.type == "UInt8")
@@ -196,6 +230,10 @@ std::vector<std::int64_t> VtuReader::integers(Section section, std::string_view 
   else
     refuse(fmt::format("the array {} is not of integers", name));
   check_count(array, values.size());
+  if (section == Section::Cells && name == "connectivity")
+    for (const std::int64_t point : values)
+      if (point < 0 || point >= points_)
+        refuse(fmt::format("a cell has the point {}, which does not exist", point));
   return values;
 }
 

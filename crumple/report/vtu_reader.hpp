@@ -13,7 +13,9 @@
 namespace crumple::report {
 
 /// Reads the `.vtu` files that a run writes: one piece, appended raw data, zlib, 64-bit headers, the byte
-/// order of this machine. Anything else is refused with an Error that names the file and what is wrong.
+/// order of this machine. Anything else is refused with an Error that names the file and what is wrong. Files
+/// may come from anybody: every array is checked against what is asked of it, and none takes more memory than
+/// the points and cells of the file need, which in turn its length bounds.
 class VtuReader {
  public:
   enum class Section { PointData, CellData, Points, Cells };
@@ -35,10 +37,11 @@ class VtuReader {
 
   /// Null if there is none of that name.
   const Array* find(Section section, std::string_view name) const;
-  /// An array of 32-bit reals. Throws Error if it is missing, of another type, or has not one tuple per point
-  /// or cell.
-  std::vector<float> reals(Section section, std::string_view name) const;
-  /// An array of Int32, Int64 or UInt8. Throws Error as above.
+  /// An array of 32-bit reals, all finite or not. Throws Error if it is missing, of another type, has another
+  /// number of components, or has not one tuple per point or cell.
+  std::vector<float> reals(Section section, std::string_view name, int components) const;
+  /// An array of Int32, Int64 or UInt8 of one component. Throws Error as above. Of the topology, types and
+  /// offsets have one number per cell, and the nodes of a connectivity exist.
   std::vector<std::int64_t> integers(Section section, std::string_view name) const;
 
  private:
@@ -47,7 +50,9 @@ class VtuReader {
   void add_array(std::string_view tag);
   const Array& get(Section section, std::string_view name) const;
   std::uint64_t number(std::uint64_t at) const;
+  std::uint64_t most_values(const Array& array) const;
   std::string unpacked(const Array& array) const;
+  void check_counts() const;
   void check_count(const Array& array, std::size_t count) const;
   [[noreturn]] void refuse(std::string_view reason) const;
 

@@ -129,6 +129,7 @@ class Simulation {
 
  private:
   void compute_forces();
+  void scale_masses();
   void add_contact_forces();
   void choose_step();
   void close_gaps(double interval);

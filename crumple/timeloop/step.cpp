@@ -10,6 +10,7 @@
 
 #include "base/stopwatch.hpp"
 #include "elements/elements.hpp"
+#include "elements/mass_scaling.hpp"
 #include "timeloop/guards.hpp"
 #include "timeloop/motion.hpp"
 #include "timeloop/simulation.hpp"
@@ -90,6 +91,7 @@ void Simulation::compute_forces() {
     const StageTimer timer(domain_.times.elements);
     sections_.measure(domain_);
     elements::add_element_forces(domain_, energy_trace_ ? &*energy_trace_ : nullptr);
+    scale_masses();
   }
   add_contact_forces();
   for (std::size_t i = 0; i < transducers_.size(); ++i)
@@ -105,6 +107,20 @@ void Simulation::compute_forces() {
   follower_loads_.add_forces(domain_);
   inertia_fields_.add_forces(domain_);
   mass_damping_.add_forces(domain_);
+}
+
+/// What tied nodes weigh is carried by others: the work that brings new mass to their speed is the
+/// difference.
+void Simulation::scale_masses() {
+  const bool needed = domain_.clock.kept_step > 0 && domain_.clock.element_limit < domain_.clock.kept_step;
+  if (!needed) return;
+  tied_nodes_.remember(domain_);
+  const constraints::KineticChange before = tied_nodes_.carried_energy(domain_);
+  elements::keep_step(domain_);
+  tied_nodes_.share_masses(domain_);
+  const constraints::KineticChange after = tied_nodes_.carried_energy(domain_);
+  domain_.energy.external_work +=
+      (after.translational - before.translational) + (after.rotational - before.rotational);
 }
 
 /// In three stages: how stiff a contact may be depends on what the others do to its nodes.

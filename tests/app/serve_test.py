@@ -25,15 +25,6 @@ DECK = os.path.abspath("examples/04_square_tube/square_tube.k")
 END = "3"
 
 
-def has_server():
-    """A program that was built without cpp-httplib says so."""
-    with tempfile.TemporaryDirectory() as folder, socket.create_server(("127.0.0.1", 0)) as taken:
-        port = str(taken.getsockname()[1])
-        told = subprocess.run([PROGRAM, "report", folder, "--serve", port], env=environment(pathlib.Path(folder)),
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
-    return "cpp-httplib" not in told.stderr
-
-
 def environment(folder):
     (folder / "report.html").write_text("<body><!-- crumple-data --></body>")
     (folder / "live.html").write_text("<body>the page around</body>")
@@ -46,6 +37,7 @@ class Serve(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.root, True)
         self.environment = environment(self.root)
         self.port = 0
+        self.token = ""
 
     def start(self, *arguments):
         """Starts the program and waits for its port."""
@@ -59,18 +51,19 @@ class Serve(unittest.TestCase):
         while "Live page" not in line:
             line = process.stdout.readline()
             self.assertNotEqual(line, "", "no address was printed")
-        found = re.fullmatch(r"Live page: http://127\.0\.0\.1:(\d+)/\n", line)
+        found = re.fullmatch(r"Live page: http://127\.0\.0\.1:(\d+)(|/[0-9a-f]{32})/\n", line)
         self.assertTrue(found, line)
         self.port = int(found[1])
+        self.token = found[2]
         return process
 
     def start_run(self, *more):
         return self.start("run", DECK, "-q", "-o", self.root / "out", "--end", END, "--precision", "mixed", *more)
 
-    def get(self, path, method="GET", headers=None):
+    def get(self, path, method="GET", headers=None, token=None):
         connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=30)
         try:
-            connection.request(method, path, headers=headers or {})
+            connection.request(method, (self.token if token is None else token) + path, headers=headers or {})
             answer = connection.getresponse()
             return answer.status, answer.getheader("Content-Type"), answer.read().decode()
         finally:
@@ -182,12 +175,102 @@ class Serve(unittest.TestCase):
         self.wait_for(lambda status: status["frames"] > 0)
         for _ in range(20):
             with socket.create_connection(("127.0.0.1", self.port)) as caller:
-                caller.sendall(b"GET /report HTTP/1.1\r\nHost: localhost\r\n\r\n")
+                caller.sendall(f"GET {self.token}/report HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
         self.assertEqual(process.wait(timeout=60), 0)
 
-    def test_folder_is_shown_until_interrupt(self):
+    def start_folder(self, *more):
         subprocess.run([PROGRAM, "run", DECK, "-q", "-o", self.root / "out", "--end", "0.5"], check=True, stdout=subprocess.DEVNULL)
-        process = self.start("report", self.root / "out", "--serve", 0)
+        return self.start("report", self.root / "out", "--serve", 0, *more)
+
+    def test_who_does_not_know_the_token_gets_nothing(self):
+        self.start_folder()
+        self.assertEqual(len(self.token), 33)
+        wrong = "/" + ("0" if self.token[1] != "0" else "1") + self.token[2:]
+        for token in ("", "/", "/0", wrong, self.token[:-1], self.token + "0", self.token.upper() + "x"):
+            for path in ("/", "/status", "/report", "status"):
+                code, _, text = self.get(path, token=token)
+                self.assertIn(code, (400, 403), token + path)
+                self.assertNotIn("page around", text)
+        self.assertEqual(self.get("/")[0], 200)
+        self.assertEqual(self.get("/../status")[0], 404)
+
+    def test_without_a_token_if_asked_for(self):
+        self.start_folder("--no-token")
+        self.assertEqual(self.token, "")
+        self.assertEqual(self.get("/status")[0], 200)
+
+    def raw(self, sent, timeout=10):
+        """What comes for some bytes, until the connection is closed."""
+        with socket.create_connection(("127.0.0.1", self.port), timeout=timeout) as caller:
+            caller.sendall(sent)
+            answer = b""
+            while True:
+                piece = caller.recv(65536)
+                if not piece:
+                    return answer
+                answer += piece
+
+    def test_requests_that_are_none_are_refused(self):
+        self.start_folder()
+        for sent in (b"\r\n\r\n", b"GET\r\n\r\n", b"GET / HTTP/2\r\n\r\n", b"GET  HTTP/1.1\r\n\r\n", b"\x16\x03\x01\n\n",
+                     b"GET http://other/ HTTP/1.1\r\nHost: localhost\r\n\r\n", b"get / HTTP/1.1\r\n\r\n"):
+            self.assertIn(b" 400 ", self.raw(sent).split(b"\r\n")[0], sent)
+        self.assertIn(b" 431 ", self.raw(b"GET / HTTP/1.1\r\nX: " + b"x" * 9000).split(b"\r\n")[0])
+        two = b"GET / HTTP/1.1\r\nHost: localhost\r\nhost: localhost\r\n\r\n"
+        self.assertIn(b" 403 ", self.raw(two).split(b"\r\n")[0])
+        self.assertEqual(self.get("/status")[0], 200)
+
+    def test_clients_that_say_nothing_hold_up_nobody(self):
+        self.start_folder()
+        silent = [socket.create_connection(("127.0.0.1", self.port)) for _ in range(200)]
+        try:
+            started = time.monotonic()
+            self.assertEqual(self.get("/status")[0], 200)
+            self.assertLess(time.monotonic() - started, 1)
+        finally:
+            for caller in silent:
+                caller.close()
+
+    def test_a_request_that_drips_is_given_up(self):
+        self.start_folder()
+        started = time.monotonic()
+        with socket.create_connection(("127.0.0.1", self.port)) as caller, self.assertRaises(OSError):
+            while time.monotonic() - started < 20:
+                caller.sendall(b"G")
+                time.sleep(0.2)
+        self.assertLess(time.monotonic() - started, 8)
+
+    def test_ends_within_two_seconds_whatever_clients_do(self):
+        process = self.start_folder()
+        request = f"GET {self.token}/report HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()
+        callers = []
+        for sent in (b"", b"GET / HT", request, request):
+            callers.append(socket.create_connection(("127.0.0.1", self.port)))
+            callers[-1].sendall(sent)
+        time.sleep(0.3)
+        started = time.monotonic()
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=10), 0)
+        self.assertLess(time.monotonic() - started, 2)
+        for caller in callers:
+            caller.close()
+
+    def test_a_run_ends_within_two_seconds_of_a_signal_although_pages_are_open(self):
+        process = self.start_run("--serve", 0)
+        self.wait_for(lambda status: status["frames"] > 0)
+        process.send_signal(signal.SIGTERM)
+        started = time.monotonic()
+        while process.poll() is None and time.monotonic() - started < 10:
+            try:
+                self.get("/status")
+            except OSError:
+                pass
+            time.sleep(0.01)
+        self.assertEqual(process.poll(), 143)
+        self.assertLess(time.monotonic() - started, 2)
+
+    def test_folder_is_shown_until_interrupt(self):
+        process = self.start_folder()
         status = self.status()
         record = json.loads((self.root / "out" / "run.json").read_text())
         self.assertEqual((status["state"], status["termination"], status["time"]), ("ended", "normal", record["end_time"]))
@@ -197,7 +280,4 @@ class Serve(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not has_server():
-        print("This program was built without cpp-httplib.")
-        sys.exit(77)
     unittest.main(verbosity=2)

@@ -56,7 +56,7 @@ class LivePageTest : public ::testing::Test {
 
   void SetUp() override {
     try {
-      page_ = std::make_unique<LivePage>(files_, 0, [this] { return board_.read(); });
+      page_ = std::make_unique<LivePage>(files_, 0, "", [this] { return board_.read(); });
     } catch (const Error& fault) {
       GTEST_SKIP() << fault.what();
     }
@@ -175,12 +175,32 @@ TEST_F(LivePageTest, ServesWhileTheRunWrites) {
 
 TEST_F(LivePageTest, WaitsForNobodyButReaders) {
   const Stopwatch watch;
-  page_->wait_for_readers();
+  page_->wait_for_readers(false);
   EXPECT_LT(watch.seconds(), 1);
   get("/status");
   const Stopwatch after;
-  page_->wait_for_readers();
+  page_->wait_for_readers(false);
   EXPECT_GT(after.seconds(), 1);
+}
+
+TEST_F(LivePageTest, WaitsNotLongInHaste) {
+  get("/status");
+  const Stopwatch watch;
+  page_->wait_for_readers(true);
+  EXPECT_LT(watch.seconds(), 1.5);
+}
+
+TEST_F(LivePageTest, AnswersOnlyBehindItsToken) {
+  page_.reset();
+  const std::string token = random_token();
+  EXPECT_EQ(token.size(), 32U);
+  EXPECT_NE(token, random_token());
+  page_ = std::make_unique<LivePage>(files_, 0, token, [this] { return board_.read(); });
+  EXPECT_TRUE(page_->address().ends_with("/" + token + "/"));
+  EXPECT_EQ(get("/" + token + "/").content, "the page around");
+  EXPECT_EQ(get("/" + token + "/nothing").status, 404);
+  for (const std::string& path : {std::string("/"), std::string("/status"), "/" + token, "/x" + token + "/"})
+    EXPECT_EQ(get(path).status, 403) << path;
 }
 
 TEST_F(LivePageTest, StopsWithoutAnyRequest) {
@@ -190,7 +210,7 @@ TEST_F(LivePageTest, StopsWithoutAnyRequest) {
 TEST_F(LivePageTest, DoesNotShareItsPort) {
   const std::string address = page_->address();
   const int port = std::stoi(address.substr(address.rfind(':') + 1));
-  EXPECT_THROW(LivePage(files_, port, [] { return RunStatus{}; }), Error);
+  EXPECT_THROW(LivePage(files_, port, "", [] { return RunStatus{}; }), Error);
 }
 
 }  // namespace

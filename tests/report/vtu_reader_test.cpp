@@ -50,7 +50,7 @@ class VtuReaderTest : public ::testing::Test {
   std::string complaint(const std::string& text, const std::string& array = "") const {
     try {
       const VtuReader reader = read(text);
-      if (!array.empty()) reader.reals(Section::Points, array);
+      if (!array.empty()) reader.reals(Section::Points, array, 3);
     } catch (const Error& fault) {
       return fault.what();
     }
@@ -69,10 +69,10 @@ TEST_F(VtuReaderTest, ReadsWhatTheWriterWrote) {
   EXPECT_EQ(reader.time(), 0.125);
   EXPECT_EQ(reader.points(), 3);
   EXPECT_EQ(reader.cells(), 1);
-  EXPECT_EQ(reader.reals(Section::Points, "position"), (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 2, 0}));
+  EXPECT_EQ(reader.reals(Section::Points, "position", 3), (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 2, 0}));
   EXPECT_EQ(reader.integers(Section::PointData, "node_id"), (std::vector<std::int64_t>{7, 5000000000, -1}));
   EXPECT_EQ(reader.integers(Section::Cells, "types"), (std::vector<std::int64_t>{5}));
-  EXPECT_EQ(reader.reals(Section::CellData, "plastic_strain"), (std::vector<float>{0.25F}));
+  EXPECT_EQ(reader.reals(Section::CellData, "plastic_strain", 1), (std::vector<float>{0.25F}));
   EXPECT_NE(reader.find(Section::CellData, "plastic_strain"), nullptr);
   EXPECT_EQ(reader.find(Section::PointData, "plastic_strain"), nullptr);
 }
@@ -85,7 +85,7 @@ TEST_F(VtuReaderTest, ReadsArraysOfSeveralBlocks) {
   output::VtuGrid grid;
   grid.points = 100000;
   grid.positions = {&position};
-  EXPECT_EQ(read(output::vtu_text(grid)).reals(Section::Points, "position"), values);
+  EXPECT_EQ(read(output::vtu_text(grid)).reals(Section::Points, "position", 3), values);
 }
 
 TEST_F(VtuReaderTest, RefusesFilesThatAreNotOurs) {

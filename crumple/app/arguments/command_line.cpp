@@ -49,7 +49,7 @@ constexpr const char* examples = R"(Examples:
   crumple check deck.k                      what is read, ignored, wrong; masses and time steps
   crumple report deck.out                   deck.out/report.html: animation, curves, tables
   crumple report deck.out --png             and pictures of it
-  crumple run deck.k --serve 8000           the same while it runs, at http://127.0.0.1:8000/
+  crumple run deck.k --serve 8000           the same while it runs, in a browser
   crumple scatter deck.k --runs 8           the scatter band of perturbed runs
   crumple compare ref.out deck.out          how far two results are apart, curve by curve
   crumple keywords MAT_024                  cards and fields of a keyword
@@ -117,6 +117,14 @@ CLI::Validator port_number() {
   return CLI::Range(0, 65535).description("PORT");
 }
 
+void add_token_option(CLI::App& command, bool& token) {
+  command
+      .add_flag_callback(
+          "--no-token", [&token] { token = false; },
+          "Leave the token out of the address of --serve: all users of this machine can read along")
+      ->needs("--serve");
+}
+
 /// Options of both commands.
 void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
   command.add_option("deck", options.deck, "LS-DYNA keyword deck");
@@ -129,7 +137,8 @@ void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
               options.parameters.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
             }
           },
-          "NAME=NUMBER: value of a parameter (&NAME), before that of *PARAMETER; may be repeated")
+          "NAME=NUMBER: value of a parameter (&NAME) that the deck uses, before that of *PARAMETER; may be\n"
+          "repeated")
       ->allow_extra_args(false)
       ->check(parameter_setting());
   command.add_flag("--allow-unsupported", options.allow_unsupported,
@@ -190,9 +199,10 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_flag("--report", options.report, "Write report.html, a page that shows the result, at the end");
   run.add_option(
          "--serve", options.serve,
-         "Show the run while it goes on: a page at http://127.0.0.1:PORT/, for browsers of this machine\n"
-         "alone; 0 takes any free port, and prints it")
+         "Show the run while it goes on: a page for browsers of this machine alone, at an address with a\n"
+         "random token, which is printed; port 0 takes any free one")
       ->check(port_number());
+  add_token_option(run, options.token);
   run.add_flag("-q,--quiet", options.quiet, "Print warnings, errors and the kind of termination only");
 }
 
@@ -273,12 +283,14 @@ void add_report_options(CLI::App& report, ReportOptions& options) {
   report.add_option("--height", pictures.height, "Height of the pictures in pixels [750]")
       ->check(CLI::Range(200, 8000));
   report
-      .add_option("--serve", options.serve,
-                  "Write no file but show the folder, to which a run may still be adding, at\n"
-                  "http://127.0.0.1:PORT/ until Ctrl-C; 0 takes any free port, and prints it")
+      .add_option(
+          "--serve", options.serve,
+          "Write no file but show the folder, to which a run may still be adding, until Ctrl-C, at an\n"
+          "address with a random token, which is printed; port 0 takes any free one")
       ->check(port_number())
       ->excludes("--output")
       ->excludes("--png");
+  add_token_option(report, options.token);
   report.add_flag("-q,--quiet", options.quiet, "Print errors only");
 }
 
@@ -366,6 +378,7 @@ CommandLine parse_command_line(const std::vector<std::string>& arguments) {
     return line;
   }
   line.options.automatic_contact = automatic_contact;
+  line.options.command = arguments;
   if (scatter->parsed()) line.options.perturbation = scatter_perturbation;
   line.command = run->parsed()        ? Command::Run
                  : check->parsed()    ? Command::Check

@@ -42,17 +42,19 @@ struct Options {
   bool allow_unsupported = false;
   bool allow_negative_contact_energy = false;
   bool quiet = false;
-  bool json = false;               ///< of `crumple check`: the answer for programs
-  bool report = false;             ///< write a report at the end of the run
-  std::optional<int> serve;        ///< port of a live page; 0 is any free one
-  bool d3plot = false;             ///< write d3plot files beside ParaView's
-  int trace_energy = 0;            ///< follow the energy balance by groups of so many elements; 0: not
-  bool move_apart = false;         ///< move nodes that overlap at the start
-  long verify_search = 0;          ///< cycles between comparisons with brute force; 0 is never
-  double perturbation = 0;         ///< of the coordinates, relative to the model's size [-]
-  std::uint64_t seed = 1;          ///< of the perturbation
-  int scatter_runs = 8;            ///< of `crumple scatter`, with the unperturbed one
-  std::vector<std::string> notes;  ///< on arguments that were accepted without effect
+  bool json = false;                 ///< of `crumple check`: the answer for programs
+  bool report = false;               ///< write a report at the end of the run
+  std::optional<int> serve;          ///< port of a live page; 0 is any free one
+  bool token = true;                 ///< its address has a random token
+  bool d3plot = false;               ///< write d3plot files beside ParaView's
+  int trace_energy = 0;              ///< follow the energy balance by groups of so many elements; 0: not
+  bool move_apart = false;           ///< move nodes that overlap at the start
+  long verify_search = 0;            ///< cycles between comparisons with brute force; 0 is never
+  double perturbation = 0;           ///< of the coordinates, relative to the model's size [-]
+  std::uint64_t seed = 1;            ///< of the perturbation
+  int scatter_runs = 8;              ///< of `crumple scatter`, with the unperturbed one
+  std::vector<std::string> command;  ///< the arguments as they were given
+  std::vector<std::string> notes;    ///< on arguments that were accepted without effect
 };
 
 enum class Command { Run, Check, Scatter, Bench, Report, Compare, Keywords, Help, Mistake };
@@ -74,6 +76,7 @@ struct ReportOptions {
   std::filesystem::path file;           ///< to write; empty is report.html in the folder
   std::filesystem::path template_file;  ///< empty looks for the one that was built
   std::optional<int> serve;             ///< port of a live page, instead of a file; 0 is any free one
+  bool token = true;                    ///< its address has a random token
   PictureOptions pictures;
   bool quiet = false;
 };

@@ -60,6 +60,14 @@ nlohmann::json json_of(const deck::Diagnostic& diagnostic) {
           {"count", diagnostic.count}};
 }
 
+nlohmann::json parameters_of(const deck::ReadResult& deck) {
+  nlohmann::json json = nlohmann::json::object();
+  for (const deck::SetParameter& parameter : deck.parameters)
+    json[parameter.name] = {{"value", parameter.value},
+                            {"source", parameter.is_preset ? "command line" : "deck"}};
+  return json;
+}
+
 /// What is left out, by reason, and how many cards that are in all.
 void add_left_out_lists(const deck::ReadResult& deck, nlohmann::json& json) {
   using Reason = output::LeftOutReason;
@@ -100,6 +108,9 @@ ExitCode check_for_programs(const Options& options, const Console& console) {
   json["fault"] = fault;
   json["files"] = nlohmann::json::array();
   for (const auto& file : deck.files) json["files"].push_back(file.string());
+  json["parameters"] = parameters_of(deck);
+  json["deck_hash"] = fmt::format("{:016x}", deck.text_hash);
+  json["deck_hash_with_parameters"] = fmt::format("{:016x}", deck::hash_with_parameters(deck));
   add_left_out_lists(deck, json);
   json["messages"] = nlohmann::json::array();
   for (const deck::Diagnostic& diagnostic : deck.diagnostics) json["messages"].push_back(json_of(diagnostic));

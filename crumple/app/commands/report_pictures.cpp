@@ -15,6 +15,8 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "output/files/atomic_file.hpp"
+#include "report/text_file.hpp"
 
 namespace crumple::app {
 
@@ -124,8 +126,10 @@ std::vector<std::filesystem::path> draw_pictures(const std::filesystem::path& re
   for (const std::string& frame : options.frames) {
     const std::filesystem::path picture = std::filesystem::absolute(
         report.parent_path() / fmt::format("{}_{}.png", report.stem().string(), pictures.size() + 1));
+    // Not where it shall lie: the browser would follow a link there.
+    const std::filesystem::path drawn = profile.path() / "picture.png";
     std::error_code ignored;
-    std::filesystem::remove(picture, ignored);
+    std::filesystem::remove(drawn, ignored);
     std::vector<std::string> words = {browser,
                                       "--headless",
                                       "--use-angle=swiftshader",
@@ -136,14 +140,15 @@ std::vector<std::filesystem::path> draw_pictures(const std::filesystem::path& re
                                       "--virtual-time-budget=10000",
                                       fmt::format("--window-size={},{}", options.width, options.height),
                                       "--user-data-dir=" + profile.path().string(),
-                                      "--screenshot=" + picture.string()};
+                                      "--screenshot=" + drawn.string()};
     // Containers give /dev/shm little room.
     words.emplace_back("--disable-dev-shm-usage");
     // Chromium refuses its sandbox to root.
     if (geteuid() == 0) words.emplace_back("--no-sandbox");
     words.push_back(picture_address(report, options, frame));
-    if (!run_quietly(words) || !std::filesystem::is_regular_file(picture))
+    if (!run_quietly(words) || !std::filesystem::is_regular_file(drawn))
       throw Error(fmt::format("{} did not draw {}.", browser, picture.string()));
+    output::write_atomically(picture, report::read_file(drawn));
     pictures.push_back(report.parent_path() / picture.filename());
   }
   return pictures;

@@ -80,7 +80,8 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
   std::unique_ptr<live::LivePage> page;
   if (options.serve) {
     page = open_live_page(
-        result_folder(options), {}, *options.serve, [&board] { return board.read(); }, console);
+        result_folder(options), {}, {*options.serve, options.token}, [&board] { return board.read(); },
+        console);
     if (!page) return end_with(ExitCode::Usage, console);
   }
   if (options.move_apart) move_overlaps_apart(options, *deck.model, console);
@@ -92,7 +93,7 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
   if (page) {
     // Where nothing could be run, the board does not know yet.
     if (board.read().state != live::RunState::Ended) board.end("error");
-    page->wait_for_readers();
+    page->wait_for_readers(code == ExitCode::Interrupt || code == ExitCode::Terminate);
   }
   return code;
 }

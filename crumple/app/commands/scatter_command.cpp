@@ -8,8 +8,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <fstream>
+#include <cstdint>
 #include <ostream>
+#include <streambuf>
 #include <vector>
 
 #include "app/commands/report_command.hpp"
@@ -21,6 +22,7 @@
 #include "compare/open_results.hpp"
 #include "compare/scatter_bands.hpp"
 #include "output/files/atomic_file.hpp"
+#include "output/files/own_file.hpp"
 #include "output/files/write_error.hpp"
 #include "report/scatter_folder.hpp"
 #include "report/text_file.hpp"
@@ -84,6 +86,29 @@ Options options_of_run(const Options& options, int number, const std::filesystem
   return one;
 }
 
+/// A new file to print to.
+class LogStream : private std::streambuf {
+ public:
+  explicit LogStream(const std::filesystem::path& path)
+      : file_(output::OwnFile::create(path)), stream_(static_cast<std::streambuf*>(this)) {}
+  std::ostream& out() { return stream_; }
+
+ private:
+  std::streamsize xsputn(const char* text, std::streamsize bytes) override {
+    file_.write_at(bytes_, {text, static_cast<std::size_t>(bytes)});
+    bytes_ += static_cast<std::uint64_t>(bytes);
+    return bytes;
+  }
+  int_type overflow(int_type letter) override {
+    const char text = traits_type::to_char_type(letter);
+    return xsputn(&text, 1) == 1 ? letter : traits_type::eof();
+  }
+
+  output::OwnFile file_;
+  std::uint64_t bytes_ = 0;
+  std::ostream stream_;
+};
+
 /// In a process group of its own, so that Ctrl-C reaches it through its parent alone, once.
 pid_t start_run(const Options& one) {
   const pid_t process = fork();
@@ -92,9 +117,11 @@ pid_t start_run(const Options& one) {
   std::filesystem::path log = one.folder;
   log += ".log";
   int code = static_cast<int>(ExitCode::Output);
-  {
-    std::ofstream text(log);
-    if (text) code = static_cast<int>(run_deck(one, {text, text, false}));
+  try {
+    LogStream log_stream(log);
+    code = static_cast<int>(run_deck(one, {log_stream.out(), log_stream.out(), false}));
+  } catch (const output::WriteError&) {
+    // Its parent prints the exit code.
   }
   _exit(code);
 }

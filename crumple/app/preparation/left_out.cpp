@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/preparation/left_out.hpp"
 
-#include <algorithm>
+#include <map>
 #include <ostream>
+#include <utility>
 
 #include "app/console/print.hpp"
 #include "base/counted.hpp"
@@ -13,32 +14,38 @@ namespace {
 
 using output::LeftOut;
 
-void add_left_out(std::vector<LeftOut>& list, LeftOut item) {
-  const auto known = std::find_if(list.begin(), list.end(), [&](const LeftOut& other) {
-    return other.name == item.name && other.reason == item.reason;
-  });
-  if (known == list.end())
-    list.push_back(std::move(item));
-  else
-    known->count += item.count;
-}
+class LeftOutList {
+ public:
+  void add(LeftOut item) {
+    const auto [known, is_new] = index_.try_emplace({item.name, item.reason}, list.size());
+    if (is_new)
+      list.push_back(std::move(item));
+    else
+      list[known->second].count += item.count;
+  }
+
+  std::vector<LeftOut> list;
+
+ private:
+  std::map<std::pair<std::string, output::LeftOutReason>, std::size_t> index_;
+};
 
 }  // namespace
 
 std::vector<LeftOut> left_out_of(const deck::ReadResult& deck) {
-  std::vector<LeftOut> list;
+  LeftOutList all;
   for (const deck::Diagnostic& diagnostic : deck.diagnostics) {
     if (diagnostic.missing.empty()) continue;
     const auto reason = diagnostic.severity == deck::Severity::Error ? output::LeftOutReason::NotSupported
                                                                      : output::LeftOutReason::OnRequest;
-    add_left_out(list, {diagnostic.missing, reason, diagnostic.count,
-                        fmt::format("{}:{}", diagnostic.file, diagnostic.line)});
+    all.add({diagnostic.missing, reason, diagnostic.count,
+             fmt::format("{}:{}", diagnostic.file, diagnostic.line)});
   }
   for (const deck::IgnoredKeyword& keyword : deck.ignored_keywords)
     if (keyword.why == deck::Omission::Harmless)
-      add_left_out(list, {keyword.keyword, output::LeftOutReason::WithoutEffect, keyword.count,
-                          fmt::format("{}:{}", keyword.file, keyword.line)});
-  return list;
+      all.add({keyword.keyword, output::LeftOutReason::WithoutEffect, keyword.count,
+               fmt::format("{}:{}", keyword.file, keyword.line)});
+  return std::move(all.list);
 }
 
 void print_left_out(std::ostream& out, const std::vector<LeftOut>& list) {

@@ -22,18 +22,20 @@ live::RunStatus live_status(const domain::Domain& domain, const Progress& progre
   status.time = domain.clock.time;
   status.end_time = progress.end_time;
   status.frames = frames;
-  if (progress.cycle_seconds > 0) status.seconds_to_go = seconds_to_go(domain, progress);
+  if (progress.seconds_to_go >= 0) status.seconds_to_go = progress.seconds_to_go;
   status.nanoseconds_per_element_cycle = output::nanoseconds_per_element_cycle(domain, progress.seconds);
   return status;
 }
 
 std::unique_ptr<live::LivePage> open_live_page(const std::filesystem::path& folder,
-                                               const std::filesystem::path& template_file, int port,
+                                               const std::filesystem::path& template_file,
+                                               const LiveAddress& address,
                                                live::LivePage::StatusSource status, const Console& console) {
   try {
+    const std::string token = address.token ? live::random_token() : std::string();
     const live::LiveFiles files{folder, template_file.empty() ? report::find_template() : template_file,
                                 live::find_live_template()};
-    auto page = std::make_unique<live::LivePage>(files, port, std::move(status));
+    auto page = std::make_unique<live::LivePage>(files, address.port, token, std::move(status));
     // Also when quiet: nobody knows port 0 otherwise.
     print(console.out, "Live page: {}\n", page->address());
     console.out.flush();
@@ -53,7 +55,8 @@ ExitCode serve_results(const ReportOptions& options, const Console& console) {
   }
   const StopSignals signals;
   const auto status = [&options] { return live::folder_status(options.folder); };
-  const auto page = open_live_page(options.folder, options.template_file, *options.serve, status, console);
+  const auto page =
+      open_live_page(options.folder, options.template_file, {*options.serve, options.token}, status, console);
   if (!page) return ExitCode::Usage;
   while (signals.received() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
   return ExitCode::Normal;

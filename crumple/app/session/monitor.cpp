@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/session/monitor.hpp"
 
+#include <cmath>
 #include <ostream>
 
 #include "app/console/print.hpp"
@@ -14,36 +15,21 @@ constexpr int lines_per_run = 20;
 constexpr double seconds_between_lines = 10;
 constexpr double seconds_between_bars = 0.2;
 constexpr double seconds_between_words = 0.2;
-/// The speed is averaged over this long: shorter would flicker, longer would lag.
-constexpr double speed_window = 2;
 
 }  // namespace
 
 Monitor::Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet,
                  double earlier_seconds)
-    : simulation_(simulation),
-      console_(console),
-      quiet_(quiet),
-      earlier_seconds_(earlier_seconds),
-      speed_cycle_(simulation.domain().clock.cycle) {
+    : simulation_(simulation), console_(console), quiet_(quiet), earlier_seconds_(earlier_seconds) {
   if (!quiet_) print(console_.out, "\n{}\n", status_header());
-}
-
-void Monitor::update_speed() {
-  const long cycles = simulation_.domain().clock.cycle - speed_cycle_;
-  const double elapsed = since_start_.seconds() - speed_seconds_;
-  if (cycles > 0 && (elapsed > speed_window || cycle_seconds_ == 0)) {
-    cycle_seconds_ = elapsed / static_cast<double>(cycles);
-    speed_cycle_ += cycles;
-    speed_seconds_ += elapsed;
-  }
 }
 
 Progress Monitor::progress() const {
   Progress progress;
   progress.end_time = simulation_.model().control.end_time;
   progress.next_step = simulation_.next_step();
-  progress.cycle_seconds = cycle_seconds_;
+  const model::Control& control = simulation_.model().control;
+  progress.seconds_to_go = speed_.seconds_to(control.end_time, control.end_cycle);
   progress.seconds = seconds();
   progress.controlling = elements::controlling_element(simulation_.model(), simulation_.domain());
   return progress;
@@ -67,8 +53,9 @@ void Monitor::print_last_line() {
 
 void Monitor::observe() {
   if (quiet_ && !listener_) return;
-  update_speed();
   const double now = since_start_.seconds();
+  const domain::Clock& clock = simulation_.domain().clock;
+  speed_.observe(now, clock.time, clock.cycle);
   if (!quiet_) print_due(now);
   if (listener_ && now >= next_word_seconds_) {
     listener_(progress());
@@ -81,7 +68,9 @@ void Monitor::print_due(double now) {
   if (time >= next_line_time_ || now >= next_line_seconds_) {
     print_line();
     const double interval = simulation_.model().control.end_time / lines_per_run;
-    while (next_line_time_ <= time && interval > 0) next_line_time_ += interval;
+    // Counted and not stepped: a run may be taken up long after the end time that it has now.
+    if (interval > 0 && next_line_time_ <= time)
+      next_line_time_ = (std::floor(time / interval) + 1) * interval;
     next_line_seconds_ = now + seconds_between_lines;
   }
   if (console_.terminal && now >= next_bar_seconds_) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/console/console.hpp"
+#include "app/session/run_speed.hpp"
 #include "app/session/status_line.hpp"
 #include "base/stopwatch.hpp"
 #include "timeloop/simulation.hpp"
@@ -37,7 +38,6 @@ class Monitor {
   double seconds() const { return earlier_seconds_ + since_start_.seconds(); }
 
  private:
-  void update_speed();
   void print_due(double now);
 
   const timeloop::Simulation& simulation_;
@@ -52,9 +52,7 @@ class Monitor {
   double next_bar_seconds_ = 0;   ///< wall time [s]
   double next_word_seconds_ = 0;  ///< to the listener, wall time [s]
   long line_cycle_ = -1;          ///< of the last line
-  long speed_cycle_ = 0;          ///< since when the speed is taken
-  double speed_seconds_ = 0;
-  double cycle_seconds_ = 0;  ///< wall time per cycle, of late [s]
+  RunSpeed speed_;
 };
 
 }  // namespace crumple::app

@@ -8,6 +8,7 @@
 
 #include "app/session/restart_writer.hpp"
 #include "base/error.hpp"
+#include "output/files/own_file.hpp"
 
 namespace crumple::app {
 
@@ -125,6 +126,12 @@ bool changes_end_time(const std::filesystem::path& changes) {
 
 }  // namespace
 
+std::string options_text(const Options& options) {
+  Json json = json_of(options);
+  json.erase("parameters");
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 output::RestartRecord make_restart_record(const RestartSettings& settings) {
   output::RestartRecord record;
   record.version = program_version();
@@ -147,6 +154,7 @@ Restart read_restart(const std::filesystem::path& place) {
 
 void set_restart_files_aside(const std::filesystem::path& results, const Restart& restart) {
   std::error_code ignored;
+  output::remove_unfinished_files(results / restart_folder);
   for (const std::filesystem::path& path : restart_files(results / restart_folder)) {
     std::filesystem::path other = path;
     try {
@@ -168,8 +176,10 @@ Options continued_options(const Options& asked, const Restart& restart) {
   options.quiet = asked.quiet;
   options.report = asked.report;
   options.serve = asked.serve;
+  options.token = asked.token;
   options.verify_search = asked.verify_search;
   options.notes = asked.notes;
+  options.command = asked.command;
   options.allow_negative_contact_energy |= asked.allow_negative_contact_energy;
   options.d3plot = options.d3plot || asked.d3plot;
   if (asked.threads) options.threads = asked.threads;

@@ -26,6 +26,9 @@ struct Restart {
   std::string note;  ///< to the user; empty if there is nothing to say
 };
 
+/// The options that a run depends on, as JSON, without the parameters of the deck.
+std::string options_text(const Options& options);
+
 /// The part of a restart file that is read back by read_restart(), with copies of all texts.
 output::RestartRecord make_restart_record(const RestartSettings& settings);
 

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "output/files/atomic_file.hpp"
+#include "output/files/own_file.hpp"
 #include "output/files/write_error.hpp"
 
 namespace crumple::app {
@@ -88,7 +89,7 @@ void RestartWriter::write_newest(const domain::Clock& clock, const RestartSource
 
 void RestartWriter::write_file(const std::filesystem::path& path, const domain::Clock& clock,
                                const RestartSource& source) const {
-  output::make_folder(folder_);
+  output::make_subfolder(folder_);
   output::RestartRecord record = make_restart_record(source.settings);
   record.time = clock.time;
   record.cycle = clock.cycle;
@@ -98,7 +99,11 @@ void RestartWriter::write_file(const std::filesystem::path& path, const domain::
 /// Moves the newest file and those before it one place on; the oldest goes.
 void RestartWriter::keep_earlier() const {
   std::error_code ignored;
-  for (int age = std::max(1, deck_.running_files); age > 0; --age) {
+  // Up to the first number that is free: the deck may ask for any count of files.
+  int last = 1;
+  while (last < deck_.running_files && std::filesystem::exists(folder_ / earlier_restart(last), ignored))
+    ++last;
+  for (int age = last; age > 0; --age) {
     const std::filesystem::path from = age == 1 ? newest() : folder_ / earlier_restart(age - 1);
     if (std::filesystem::exists(from, ignored))
       std::filesystem::rename(from, folder_ / earlier_restart(age), ignored);
@@ -123,9 +128,10 @@ void remove_restart_files(const std::filesystem::path& results) {
   std::error_code ignored;
   const std::filesystem::path folder = results / restart_folder;
   if (!std::filesystem::is_directory(std::filesystem::symlink_status(folder, ignored))) return;
+  output::remove_unfinished_files(folder);
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     std::string name = entry.path().filename().string();
-    for (const std::string_view ending : {".tmp", damaged_ending, abandoned_ending})
+    for (const std::string_view ending : {damaged_ending, abandoned_ending})
       if (name.ends_with(ending)) name.resize(name.size() - ending.size());
     if (is_our_name(name)) std::filesystem::remove(entry.path(), ignored);
   }

@@ -18,9 +18,11 @@
 #include "elements/elements.hpp"
 #include "output/earlier_results.hpp"
 #include "output/files/atomic_file.hpp"
+#include "output/files/folder_lock.hpp"
 #include "output/files/set_aside.hpp"
 #include "output/files/write_error.hpp"
 #include "output/run_record.hpp"
+#include "timeloop/fitting_state.hpp"
 
 namespace crumple::app {
 
@@ -83,6 +85,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   // Other instruction sets round otherwise.
   restart_settings_.options.isa = std::string(isa_name(domain.execution.isa));
   output::make_folder(folder_);
+  lock_ = std::make_unique<output::FolderLock>(folder_);
   open_files(restart);
   restart_writer_ = std::make_unique<RestartWriter>(folder_ / restart_folder, deck.model->output.restart,
                                                     options.restart_every, domain.clock);
@@ -103,6 +106,7 @@ void RunSession::begin() {
 }
 
 void RunSession::take_up(const Restart& restart) {
+  timeloop::require_fitting_state(restart.content.simulation, simulation_.state(), simulation_.domain());
   restart.content.simulation.put_back(simulation_.state());
   simulation_.resume();
   restart.content.files.put_back_known(own_state());
@@ -117,6 +121,7 @@ void RunSession::open_files(const Restart* restart) {
   const bool goes_on = restart != nullptr && lies_in(restart->file, folder_ / restart_folder);
   output::ExtraFiles extra{.d3plot = options_.d3plot};
   if (goes_on) extra.opening = output::Opening::Continued;
+  output::require_no_link(folder_ / restart_folder);
   // Whoever finds run.json knows that it belongs to the results beside it.
   if (goes_on) {
     output::remove_ending(folder_);
@@ -271,6 +276,11 @@ void RunSession::write_record(const Ending& ending) {
   record.version = program_version();
   record.deck = restart_settings_.options.deck.string();
   record.deck_hash = deck_.text_hash;
+  record.deck_hash_with_parameters = deck::hash_with_parameters(deck_);
+  record.command = options_.command;
+  record.options = options_text(restart_settings_.options);
+  for (const deck::SetParameter& parameter : deck_.parameters)
+    record.parameters.push_back({parameter.name, parameter.value, parameter.is_preset});
   record.perturbation = restart_settings_.options.perturbation;
   record.seed = restart_settings_.options.seed;
   record.units = deck::guess_units(simulation_.model());

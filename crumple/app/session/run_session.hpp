@@ -20,6 +20,7 @@
 #include "deck/reader.hpp"
 #include "live/run_status.hpp"
 #include "output/checks.hpp"
+#include "output/files/folder_lock.hpp"
 #include "output/recorder.hpp"
 #include "timeloop/simulation.hpp"
 
@@ -76,6 +77,7 @@ class RunSession {
   live::StatusBoard* board_;
   std::filesystem::path folder_;
   timeloop::Simulation simulation_;
+  std::unique_ptr<output::FolderLock> lock_;  ///< longer than all that writes into the folder
   std::unique_ptr<output::Recorder> recorder_;
   std::unique_ptr<Monitor> monitor_;
   StopSignals signals_;

@@ -19,12 +19,6 @@ std::string format_duration(double seconds) {
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-double seconds_to_go(const domain::Domain& domain, const Progress& progress) {
-  if (!(progress.next_step > 0)) return 0;
-  const double cycles = std::max(0.0, progress.end_time - domain.clock.time) / progress.next_step;
-  return cycles * progress.cycle_seconds;
-}
-
 std::string status_header() {
   return fmt::format("{:>8} {:>10} {:>9}  {:<16} {:>10} {:>10} {:>9} {:>9} {:>7} {:>6} {:>7}\n{:-<115}",
                      "cycle", "time", "step", "controlled by", "kinetic", "internal", "hourglass", "contact",
@@ -40,7 +34,7 @@ std::string status_line(const domain::Domain& domain, const Progress& progress) 
       domain.clock.cycle, domain.clock.time, progress.next_step, controlling, energy.kinetic, energy.internal,
       energy.hourglass, energy.contact, energy.ratio(),
       output::nanoseconds_per_element_cycle(domain, progress.seconds),
-      format_duration(seconds_to_go(domain, progress)));
+      format_duration(progress.seconds_to_go));
 }
 
 std::string progress_bar(const domain::Domain& domain, const Progress& progress) {
@@ -50,7 +44,7 @@ std::string progress_bar(const domain::Domain& domain, const Progress& progress)
   const int filled = static_cast<int>(done * width);
   return fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  cycle {}  time {:.3e}  {} to go", "", filled, "",
                      width - filled, 100 * done, domain.clock.cycle, domain.clock.time,
-                     format_duration(seconds_to_go(domain, progress)));
+                     format_duration(progress.seconds_to_go));
 }
 
 }  // namespace crumple::app

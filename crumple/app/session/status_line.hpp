@@ -9,10 +9,10 @@ namespace crumple::app {
 
 /// How far a run is, beside what the domain tells.
 struct Progress {
-  double end_time = 0;       ///< [time]
-  double next_step = 0;      ///< [time]
-  double cycle_seconds = 0;  ///< wall time per cycle, of late [s]
-  double seconds = 0;        ///< wall time of the cycles so far [s]
+  double end_time = 0;        ///< [time]
+  double next_step = 0;       ///< [time]
+  double seconds_to_go = -1;  ///< wall time to the end; negative if it is not known yet [s]
+  double seconds = 0;         ///< wall time of the cycles so far [s]
   domain::ControllingElement controlling;
 };
 
@@ -23,9 +23,7 @@ std::string status_line(const domain::Domain& domain, const Progress& progress);
 /// A bar of at most 79 characters for a terminal.
 std::string progress_bar(const domain::Domain& domain, const Progress& progress);
 
-/// Time to go, as the present step and speed promise [s].
-double seconds_to_go(const domain::Domain& domain, const Progress& progress);
-/// "0.4 s", "12 s", "3:05", "1:02:45".
+/// "0.4 s", "12 s", "3:05", "1:02:45"; "?" for what is negative or no number.
 std::string format_duration(double seconds);
 
 }  // namespace crumple::app

@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <sstream>
 #include <system_error>
+
+#include "files/input_file.hpp"
 
 namespace crumple::app {
 
 namespace {
 
 constexpr double seconds_between_looks = 0.5;
+constexpr std::size_t most_bytes = 64;  ///< of the file: its first word counts
 
 }  // namespace
 
@@ -40,10 +42,9 @@ std::optional<Switch> SwitchFile::look() {
     const std::filesystem::path path = folder / "d3kil";
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) continue;
-    std::ostringstream content;
-    content << std::ifstream(path).rdbuf();
+    const std::string content = read_start(path, most_bytes);
     std::filesystem::remove(path, ignored);
-    return parse_switch(content.str());
+    return parse_switch(content);
   }
   return std::nullopt;
 }

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "contact/search/search_calls.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -196,6 +197,7 @@ void EdgeSearch::declare(domain::StateList& list) {
 void EdgeSearch::resume(const Kinematics& motion) {
   if (!ready_) return;
   watch_ends();
+  require_saved(searched_position_.size() == 3 * watched_.size(), "edges of the last search");
   const std::vector<Vec3> then = positions_at_search(motion.position, watched_, searched_position_);
   collect(then);
   Kinematics at_search = motion;

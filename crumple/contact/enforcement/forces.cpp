@@ -11,6 +11,7 @@
 #include "base/prefetch.hpp"
 #include "contact/enforcement/penalty.hpp"
 #include "contact/enforcement/raised_point.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -426,6 +427,14 @@ void Forces::declare(domain::StateList& list) {
   list.add("contact_normal_force", "force", domain::Entity::Contact, 3, std::span(previous_normal_));
   list.add("contact_friction_force", "force", domain::Entity::Contact, 3, std::span(previous_friction_));
   list.keep_list("contact_active_places", "-", domain::Entity::Contact, 1, previous_active_);
+}
+
+void Forces::resume() const {
+  const auto fits = [this](Index place) { return is_one_of(place, surface_->nodes.size()); };
+  require_all_saved(previous_active_, fits, "active nodes");
+  const auto unordered = [](Index a, Index b) { return a >= b; };
+  require_saved(std::ranges::adjacent_find(previous_active_, unordered) == previous_active_.end(),
+                "active nodes");
 }
 
 }  // namespace crumple::contact

@@ -70,6 +70,8 @@ class Forces {
 
   /// Declares the nodal forces of the last call.
   void declare(domain::StateList& list);
+  /// To be called once after a restart has filled what was declared. Throws Error if it does not fit.
+  void resume() const;
 
  private:
   void share_step(double share);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "contact/surface/saved_state.hpp"
+
 namespace crumple::contact {
 
 void RaggedNodes::follow() {
@@ -43,6 +45,11 @@ double RaggedNodes::lost_energy(std::span<const RememberedPair> remembered,
 
 void RaggedNodes::declare(domain::StateList& list) {
   list.keep_list("contact_ragged", "-", domain::Entity::Contact, 1, marked_);
+}
+
+void RaggedNodes::resume() {
+  require_saved(marked_.empty() || marked_.size() == surface_->nodes.size(), "nodes at eroded segments");
+  active_before_ = surface_->active;
 }
 
 }  // namespace crumple::contact

@@ -28,8 +28,9 @@ class RaggedNodes {
   bool has(const RememberedPair& pair) const;
 
   void declare(domain::StateList& list);
-  /// To be called once after a restart, when the surface has followed the erosion.
-  void resume() { active_before_ = surface_->active; }
+  /// To be called once after a restart, when the surface has followed the erosion. Throws Error if what was
+  /// declared does not fit.
+  void resume();
 
  private:
   const Surface* surface_;

@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "contact/search/search_calls.hpp"
 #include "contact/surface/inside_outside.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -35,12 +36,6 @@ Vec3 point_of(const SegmentShape& shape, const std::array<double, 4>& weight) {
 
 bool before(const RememberedPinballs& pair, Index first, Index second) {
   return pair.first != first ? pair.first < first : pair.second < second;
-}
-
-/// What a given territory expansion leaves beyond the largest contact distance, as in EdgeSearch.
-double margin_of(const Surface& surface, const model::SearchSettings& settings) {
-  const double given = settings.expansion - 2 * surface.largest_half_thickness;
-  return given > 0 ? given : tolerances::margin_over_edge * surface.mean_edge;
 }
 
 void refuse_what_has_no_balls(const Surface& surface, const model::SearchSettings& settings) {
@@ -75,7 +70,8 @@ PinballContact::PinballContact(const Surface& surface, const model::SearchSettin
   expansion_ = pinballs_.radius;
 }
 
-void PinballContact::update(const Kinematics& motion, bool surface_changed) {
+double PinballContact::update(const domain::Domain& /*domain*/, const Kinematics& motion,
+                              bool surface_changed, bool /*start*/) {
   try {
     if (searches_ > 0) {
       motion_.update(view(motion.position));
@@ -85,6 +81,7 @@ void PinballContact::update(const Kinematics& motion, bool surface_changed) {
   } catch (const cellsearch::Error& error) {
     rethrow(error, *surface_);
   }
+  return 0;
 }
 
 /// Finds the candidates for these positions, all due for a look, and counts the motion from there.
@@ -197,7 +194,8 @@ void PinballContact::carry_on(const Configuration& x, const RememberedPinballs& 
   pair.penalty = memory.penalty;
 }
 
-void PinballContact::find(const Kinematics& motion, bool tracking) {
+double PinballContact::find(const domain::Domain& /*domain*/, const Kinematics& motion, bool start,
+                            domain::ContactReport& /*report*/) {
   const Index rows = pairs_.rows();
   parts_.resize(static_cast<std::size_t>(pieces(rows, piece)));
   parallel_for(pieces(rows, piece), motion.threads, [&](Index part) {
@@ -209,53 +207,57 @@ void PinballContact::find(const Kinematics& motion, bool tracking) {
         PinballPair pair;
         pair.first = first;
         pair.second = pairs_.second[at];
-        const double gap = examine(motion, tracking, pair);
+        const double gap = examine(motion, start, pair);
         if (gap > 0) slack_[at] = travel_.length_to_meet(gap);
         if (pair.overlap.depth > 0) found.push_back(pair);
       }
   });
   present_.clear();
   for (const auto& found : parts_) present_.insert(present_.end(), found.begin(), found.end());
+  return 0;
 }
 
-void PinballContact::append_touches(std::vector<Touch>& touches) const {
-  for (const PinballPair& pair : present_) {
-    Touch touch;
-    const auto add = [&](Index segment, const std::array<double, 4>& weight, double sign) {
-      const Index* nodes = surface_->segment(segment);
-      const bool triangle = surface_->is_triangle(segment);
-      for (int k = 0; k < (triangle ? 3 : 4); ++k)
-        touch.add(surface_->place[nodes[k]], sign * (triangle && k == 2 ? weight[2] + weight[3] : weight[k]));
-    };
-    add(pair.first, pair.overlap.first, 1);
-    add(pair.second, pair.overlap.second, -1);
-    touch.normal = normalised(pair.overlap.away);
-    touch.penetration = pair.overlap.depth - pair.offset;
-    touch.reach = contact_distance(pair.first, pair.second) - pair.offset;
-    touch.stiffness = std::min(surface_->stiffness[pair.first], surface_->stiffness[pair.second]);
-    touch.area = std::min(surface_->area[pair.first], surface_->area[pair.second]);
-    touch.height = {ball_height(*surface_, pinballs_, pair.first),
-                    ball_height(*surface_, pinballs_, pair.second)};
-    touch.slip = pair.slip;
-    touch.friction = pair.friction;
-    touch.penalty = pair.penalty;
-    touch.has_potential = true;
-    touches.push_back(touch);
-  }
+Touch PinballContact::touch_of(const PinballPair& pair) const {
+  Touch touch;
+  const auto add = [&](Index segment, const std::array<double, 4>& weight, double sign) {
+    const Index* nodes = surface_->segment(segment);
+    const bool triangle = surface_->is_triangle(segment);
+    for (int k = 0; k < (triangle ? 3 : 4); ++k)
+      touch.add(surface_->place[nodes[k]], sign * (triangle && k == 2 ? weight[2] + weight[3] : weight[k]));
+  };
+  add(pair.first, pair.overlap.first, 1);
+  add(pair.second, pair.overlap.second, -1);
+  touch.normal = normalised(pair.overlap.away);
+  touch.penetration = pair.overlap.depth - pair.offset;
+  touch.reach = contact_distance(pair.first, pair.second) - pair.offset;
+  touch.stiffness = std::min(surface_->stiffness[pair.first], surface_->stiffness[pair.second]);
+  touch.area = std::min(surface_->area[pair.first], surface_->area[pair.second]);
+  touch.height = {ball_height(*surface_, pinballs_, pair.first),
+                  ball_height(*surface_, pinballs_, pair.second)};
+  touch.slip = pair.slip;
+  touch.friction = pair.friction;
+  touch.penalty = pair.penalty;
+  touch.has_potential = true;
+  return touch;
 }
 
+void PinballContact::fill(const Kinematics& /*motion*/, std::span<Touch> touches) const {
+  std::ranges::transform(present_, touches.begin(), [&](const PinballPair& pair) { return touch_of(pair); });
+}
+
+/// Id of the node of the first segment that is nearest to the contact.
 UserId PinballContact::node_id(const PinballPair& pair) const {
   const auto& weight = pair.overlap.first;
   const auto nearest = std::max_element(weight.begin(), weight.end()) - weight.begin();
   return surface_->node_id[surface_->place[surface_->segment(pair.first)[nearest]]];
 }
 
-void PinballContact::remember(const Kinematics& motion, std::span<const Touch> touches,
-                              std::vector<Penetration>& penetrations) {
+void PinballContact::remember(const Kinematics& motion, std::span<const Touch> touches, TouchNotes& notes) {
   const Configuration x = now(motion);
   remembered_.clear();
   for (std::size_t i = 0; i < present_.size(); ++i) {
     const PinballPair& pair = present_[i];
+    notes.stored_energy += touches[i].stored_energy();
     RememberedPinballs memory;
     memory.first = pair.first;
     memory.second = pair.second;
@@ -270,12 +272,24 @@ void PinballContact::remember(const Kinematics& motion, std::span<const Touch> t
     memory.penalty = touches[i].penalty;
     remembered_.push_back(memory);
     if (touches[i].penetration > 0)
-      penetrations.push_back({touches[i].penetration, contact_distance(pair.first, pair.second),
-                              node_id(pair), surface_->segment_id[pair.second]});
+      notes.penetrations.push_back({touches[i].penetration, contact_distance(pair.first, pair.second),
+                                    node_id(pair), surface_->segment_id[pair.second]});
   }
 }
 
-void PinballContact::verify(const Kinematics& motion) const {
+void PinballContact::append_initial_overlaps(std::vector<domain::InitialOverlap>& overlaps) const {
+  for (const PinballPair& pair : present_)
+    if (pair.initial_overlap > 0)
+      overlaps.push_back({node_id(pair), surface_->segment_id[pair.second], pair.initial_overlap});
+}
+
+void PinballContact::report(domain::ContactReport& report, ContactStatistics& /*statistics*/) const {
+  report.searches += searches_;
+  report.candidates += candidates_;
+  report.search.expansion = 2 * surface_->largest_half_thickness + margin_;
+}
+
+void PinballContact::verify(const Kinematics& motion) {
   const Configuration x = now(motion);
   const Index count = surface_->segments();
   std::vector<PinballShape> shapes;
@@ -296,17 +310,27 @@ void PinballContact::verify(const Kinematics& motion) const {
     }
 }
 
-void PinballContact::declare(domain::StateList& list) {
+void PinballContact::declare_search(domain::StateList& list) {
   searched_position_.assign(motion_.reference().begin(), motion_.reference().end());
   list.add_list("contact_searched_segment_position", "length", domain::Entity::Contact, 3,
                 searched_position_);
+}
+
+void PinballContact::declare_pairs(domain::StateList& list) {
   list.add_list("contact_pinball_pairs", "by item", domain::Entity::Contact, 1, remembered_);
   list.keep("contact_pinball_searches", "-", domain::Entity::Contact, searches_);
   list.keep("contact_pinball_candidates", "-", domain::Entity::Contact, candidates_);
 }
 
-void PinballContact::resume(const Kinematics& motion) {
+void PinballContact::resume(const domain::Domain& /*domain*/, const Kinematics& motion) {
+  const auto fits = [this](const RememberedPinballs& pair) {
+    const std::size_t segments = surface_->segment_id.size();
+    return is_one_of(pair.first, segments) && is_one_of(pair.second, segments) && pair.first < pair.second;
+  };
+  require_all_saved(remembered_, fits, "pairs of pinballs");
+  require_saved(searches_ >= 0, "counts of searches");
   if (searches_ == 0) return;
+  require_saved(searched_position_.size() == 3 * surface_->nodes.size(), "positions at the last search");
   collect(positions_at_search(motion.position, surface_->nodes, searched_position_));
   travel_.start(motion.position, surface_->nodes);
 }

@@ -21,9 +21,9 @@
 // for comparison and where edges, corners and sides give trouble. The force has a potential and needs no
 // limit by passivity.
 //
-// Order of calls in a step, as for edges: update(), find(), append_touches(), remember() once the forces are
-// known. The candidates, pairs of segments, come from cellsearch and hold until two nodes have moved by the
-// margin; the skin distances of pairs work as those of nodes (search/travel.hpp).
+// The order of calls is that of every detector (search/detector.hpp). The candidates, pairs of segments, come
+// from cellsearch and hold until two nodes have moved by the margin; the skin distances of pairs work as
+// those of nodes (search/travel.hpp).
 
 #include <array>
 #include <cstdint>
@@ -36,6 +36,7 @@
 #include "contact/enforcement/penalty.hpp"
 #include "contact/enforcement/touch.hpp"
 #include "contact/pinball/pinballs.hpp"
+#include "contact/search/detector.hpp"
 #include "contact/search/travel.hpp"
 #include "contact/surface/kinematics.hpp"
 #include "contact/surface/statistics.hpp"
@@ -74,39 +75,28 @@ struct PinballPair {
 /// Contact of segments with segments by their pinballs, instead of nodes with segments: the global search for
 /// pairs of segments, and the deepest overlap of each pair. It tells no sides apart: what has gone through by
 /// more than half is pushed out on the far side.
-class PinballContact {
+class PinballContact final : public Detector {
  public:
   /// Throws Error for a contact that pinballs cannot serve: one with nodes alone or with orientation, or
   /// with cells over part of the model.
   PinballContact(const Surface& surface, const model::SearchSettings& settings, const Kinematics& start);
 
-  /// Searches anew if the candidates may no longer be complete or if the surface has changed. Throws
-  /// NumericalError if a coordinate is not a finite number.
-  void update(const Kinematics& motion, bool surface_changed);
-  /// Finds the contacts at time n, pairs ascending. With `tracking` each is allowed the overlap that it has.
-  void find(const Kinematics& motion, bool tracking);
-  void find_nothing() { present_.clear(); }
-  /// Appends the contacts that were found, in order.
-  void append_touches(std::vector<Touch>& touches) const;
-  /// Keeps what the next step needs. `touches` are those appended, after the forces; adds what has a force to
-  /// `penetrations`.
-  void remember(const Kinematics& motion, std::span<const Touch> touches,
-                std::vector<Penetration>& penetrations);
-  /// Every pair of segments whose balls overlap must be a candidate: throws Error naming the first that is
-  /// not. Looks at all pairs, O(N^2).
-  void verify(const Kinematics& motion) const;
-
-  std::span<const PinballPair> present() const { return present_; }
-  /// Id of the node of the first segment that is nearest to the contact.
-  UserId node_id(const PinballPair& pair) const;
-  long searches() const { return searches_; }
-  long candidates() const { return candidates_; }
-
-  /// Declares what is remembered, and the positions at the last search.
-  void declare(domain::StateList& list);
-  /// To be called once after a restart has filled what was declared: finds the candidates of the last search
-  /// again.
-  void resume(const Kinematics& motion);
+  std::string method() const override { return "pinballs"; }
+  double update(const domain::Domain& domain, const Kinematics& motion, bool surface_changed,
+                bool start) override;
+  double find(const domain::Domain& domain, const Kinematics& motion, bool start,
+              domain::ContactReport& report) override;
+  void find_nothing() override { present_.clear(); }
+  Index count() const override { return static_cast<Index>(present_.size()); }
+  void fill(const Kinematics& motion, std::span<Touch> touches) const override;
+  void remember(const Kinematics& motion, std::span<const Touch> touches, TouchNotes& notes) override;
+  void append_initial_overlaps(std::vector<domain::InitialOverlap>& overlaps) const override;
+  /// Every pair of segments whose balls overlap must be a candidate.
+  void verify(const Kinematics& motion) override;
+  void report(domain::ContactReport& report, ContactStatistics& statistics) const override;
+  void declare_search(domain::StateList& list) override;
+  void declare_pairs(domain::StateList& list) override;
+  void resume(const domain::Domain& domain, const Kinematics& motion) override;
 
  private:
   void search(const Kinematics& motion);
@@ -118,6 +108,8 @@ class PinballContact {
   const RememberedPinballs* memory_of(Index first, Index second) const;
   double examine(const Kinematics& motion, bool tracking, PinballPair& pair) const;
   void carry_on(const Configuration& x, const RememberedPinballs& memory, PinballPair& pair) const;
+  Touch touch_of(const PinballPair& pair) const;
+  UserId node_id(const PinballPair& pair) const;
 
   const Surface* surface_;
   Pinballs pinballs_;

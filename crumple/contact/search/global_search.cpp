@@ -14,6 +14,7 @@
 #include "base/stopwatch.hpp"
 #include "contact/search/search_calls.hpp"
 #include "contact/surface/crossing.hpp"
+#include "contact/surface/saved_state.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -83,20 +84,11 @@ GlobalSearch::GlobalSearch(const Surface& surface, const model::SearchSettings& 
       search_(settings_of(settings, threads)),
       motion_(0, 0, threads),
       travel_(0, threads) {
-  const double largest_distance = 2 * surface.largest_half_thickness;
-  if (settings.expansion > 0) {
-    if (settings.expansion <= largest_distance)
-      throw Error("The territory expansion of the contact search is " + std::to_string(settings.expansion) +
-                  ", but it must exceed the largest contact distance, " + std::to_string(largest_distance) +
-                  ".");
-    statistics_.margin = settings.expansion - largest_distance;
-  } else {
-    statistics_.margin = tolerances::margin_over_edge * surface.mean_edge;
-  }
+  statistics_.margin = margin_of(surface, settings);
   // The node's half thickness and the margin are common to all territories, the other half is the segment's.
   common_expansion_ = surface.largest_half_thickness + statistics_.margin;
   segment_expansion_ = surface.half_thickness;
-  statistics_.expansion = largest_distance + statistics_.margin;
+  statistics_.expansion = 2 * surface.largest_half_thickness + statistics_.margin;
   searched_segment_.assign(surface.segment_id.size(), 1);
   std::uint8_t sides = 0;
   for (const std::uint8_t touching : surface.touched_by) {
@@ -361,7 +353,16 @@ void GlobalSearch::declare(domain::StateList& list) {
 }
 
 void GlobalSearch::resume(const Kinematics& motion) {
+  const auto fits = [this](const Pair& pair) {
+    return is_one_of(pair.node, surface_->nodes.size()) &&
+           is_one_of(pair.segment, surface_->segment_id.size());
+  };
+  require_all_saved(kept_, fits, "pairs of the last search");
+  const auto unordered = [](const Pair& a, const Pair& b) { return a.node > b.node; };
+  require_saved(std::ranges::adjacent_find(kept_, unordered) == kept_.end(), "pairs of the last search");
+  require_saved(statistics_.searches >= 0 && std::isfinite(statistics_.margin), "figures of the last search");
   if (statistics_.searches == 0) return;
+  require_saved(searched_position_.size() == 3 * surface_->nodes.size(), "positions at the last search");
   // Those of another time, when other segments may have failed.
   earlier_first_.clear();
   collect(positions_at_search(motion.position, surface_->nodes, searched_position_));

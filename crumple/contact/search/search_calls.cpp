@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 
@@ -18,6 +19,16 @@ std::vector<Vec3> positions_at_search(std::span<const Vec3> position, std::span<
   for (std::size_t i = 0; i < nodes.size() && 3 * i + 2 < searched.size(); ++i)
     found[nodes[i]] = {searched[3 * i], searched[3 * i + 1], searched[3 * i + 2]};
   return found;
+}
+
+double margin_of(const Surface& surface, const model::SearchSettings& settings) {
+  if (settings.expansion <= 0) return tolerances::margin_over_edge * surface.mean_edge;
+  const double largest_distance = 2 * surface.largest_half_thickness;
+  if (settings.expansion <= largest_distance)
+    throw Error("The territory expansion of the contact search is " + std::to_string(settings.expansion) +
+                ", but it must exceed the largest contact distance, " + std::to_string(largest_distance) +
+                ".");
+  return settings.expansion - largest_distance;
 }
 
 void rethrow(const cellsearch::Error& error, const Surface& surface) {

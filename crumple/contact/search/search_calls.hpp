@@ -9,6 +9,7 @@
 
 #include "contact/surface/surface.hpp"
 #include "math/vec3.hpp"
+#include "model/model.hpp"
 
 namespace crumple::contact {
 
@@ -19,6 +20,10 @@ cellsearch::Positions view(std::span<const Vec3> values);
 /// each in the order of `nodes` [length].
 std::vector<Vec3> positions_at_search(std::span<const Vec3> position, std::span<const Index> nodes,
                                       std::span<const double> searched);
+
+/// What the expansion of territories leaves beyond the largest contact distance: that of the settings, or a
+/// share of the mean edge. Throws Error for an expansion that does not exceed the contact distance [length].
+double margin_of(const Surface& surface, const model::SearchSettings& settings);
 
 /// What an error of cellsearch means to the user of a contact: NumericalError, with the user's number of the
 /// node, for a position that is no number any more, else Error with cellsearch's own words.

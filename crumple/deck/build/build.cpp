@@ -56,6 +56,11 @@ const ItemWords& words(Item item) {
 
 }  // namespace
 
+Build::Build(const RawDeck& raw, Report& to) : deck(raw), report(to) {
+  for (const UnsupportedDefinition& definition : raw.unsupported)
+    unsupported_.emplace(definition.id, &definition);
+}
+
 void Build::enter(Item item, const Reference& reference, std::size_t index) {
   Entries& entries = entries_[static_cast<std::size_t>(item)];
   const Index here = static_cast<Index>(index);
@@ -78,11 +83,12 @@ Index Build::find_quietly(Item item, UserId id) const {
 
 const UnsupportedDefinition* Build::unsupported_definition(Item item, UserId id) const {
   const ItemWords& word = words(item);
-  for (const UnsupportedDefinition& definition : deck.unsupported) {
-    const std::string_view keyword = definition.where.keyword;
+  const auto [first, last] = unsupported_.equal_range(id);
+  for (auto entry = first; entry != last; ++entry) {
+    const std::string_view keyword = entry->second->where.keyword;
     const bool fits = keyword.starts_with(word.family) ||
                       (!word.second_family.empty() && keyword.starts_with(word.second_family));
-    if (fits && definition.id == id) return &definition;
+    if (fits) return entry->second;
   }
   return nullptr;
 }

@@ -83,7 +83,7 @@ struct Reference {
 /// The model under construction, with the ids of what it already has. The deck and the report outlive it.
 class Build {
  public:
-  Build(const RawDeck& raw, Report& to) : deck(raw), report(to) {}
+  Build(const RawDeck& raw, Report& to);
 
   const RawDeck& deck;
   Report& report;
@@ -123,6 +123,7 @@ class Build {
 
   Entries entries_[static_cast<std::size_t>(Item::Count)];
   IdTable dropped_parts_;
+  std::multimap<UserId, const UnsupportedDefinition*> unsupported_;  ///< of each id in the deck's order
 };
 
 // build_properties.cpp

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "deck/format/cards.hpp"
+#include "deck/format/edit_distance.hpp"
 #include "deck/format/expression.hpp"
 #include "deck/format/numbers.hpp"
 
@@ -49,7 +50,7 @@ bool Parameters::is_reference(std::string_view text) {
 
 std::optional<std::string> Parameters::substitute(std::string_view reference) const {
   const std::string_view name = trimmed(without_sign(reference).substr(1));
-  const Value* found = find(upper_case(name));
+  const Value* found = use(name);
   if (found == nullptr) return std::nullopt;
   const std::string& text = found->text;
   if (!reference.starts_with('-')) return text;
@@ -68,6 +69,56 @@ const Parameters::Value* Parameters::find(std::string_view name) const {
     if (const auto found = scope->find(name); found != scope->end()) return &found->second;
   const auto found = values_.find(name);
   return found == values_.end() ? nullptr : &found->second;
+}
+
+const Parameters::Value* Parameters::use(std::string_view name) const {
+  std::string upper = upper_case(name);
+  const Value* found = find(upper);
+  if (found != nullptr)
+    found->is_used = true;
+  else if (is_name(upper))
+    names_.insert(std::move(upper));
+  return found;
+}
+
+void Parameters::note_references(std::string_view text) {
+  for (std::size_t at = text.find('&'); at != std::string_view::npos; at = text.find('&', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < text.size() && is_name(text.substr(at + 1, end - at))) ++end;
+    if (end > at + 1) use(text.substr(at + 1, end - at - 1));
+  }
+}
+
+void Parameters::report_unused_presets(Report& report) const {
+  for (const auto& [name, value] : values_) {
+    if (!value.is_preset || value.is_used) continue;
+    if (value.is_in_the_deck) {
+      report.error(
+          {{}, 0, 0, 0}, "preset",
+          fmt::format("parameter {} of the command line has no effect: the deck sets it, but never uses "
+                      "&{}",
+                      name, name));
+      continue;
+    }
+    std::string_view nearest;
+    std::size_t least = 1 + (name.size() + 1) / 2;
+    for (const std::string& other : names_)
+      if (const std::size_t distance = edit_distance(name, other); distance < least) {
+        least = distance;
+        nearest = other;
+      }
+    std::string advice = names_.empty() ? "it has no parameters" : "it has others";
+    if (!nearest.empty()) advice = fmt::format("did you mean {}?", nearest);
+    report.error({{}, 0, 0, 0}, "preset",
+                 fmt::format("parameter {} of the command line is not in the deck; {}", name, advice));
+  }
+}
+
+std::vector<SetParameter> Parameters::all() const {
+  std::vector<SetParameter> list;
+  list.reserve(values_.size());
+  for (const auto& [name, value] : values_) list.push_back({name, value.text, value.is_preset});
+  return list;
 }
 
 bool Parameters::preset(std::string_view name, std::string_view value) {
@@ -179,7 +230,7 @@ void Parameters::define(std::string_view name_and_type, std::string_view text, b
 void Parameters::define_by(const std::string& expression, const Name& name, const Where& where,
                            Report& report) {
   const Evaluated result = evaluate(expression, [&](std::string_view other) -> std::optional<Number> {
-    const Value* found = find(other);
+    const Value* found = use(other);
     if (found == nullptr) return std::nullopt;
     return Number{parse_real(found->text).value_or(0), found->is_whole};
   });
@@ -201,8 +252,10 @@ void Parameters::define_by(const std::string& expression, const Name& name, cons
 }
 
 void Parameters::enter(const Name& name, const std::string& text, const Where& where, Report& report) {
+  names_.insert(name.name);
   const auto preset = values_.find(name.name);
   if (preset != values_.end() && preset->second.is_preset) {
+    preset->second.is_in_the_deck = true;
     if (preset->second.text != text)
       report.warning(where, "preset",
                      fmt::format("parameter {} is \"{}\" by the command line, not \"{}\"", name.name,

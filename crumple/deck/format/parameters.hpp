@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,13 @@
 namespace crumple::deck {
 
 class Cards;
+
+/// A parameter with the value that counts.
+struct SetParameter {
+  std::string name;
+  std::string value;
+  bool is_preset = false;  ///< by the command line
+};
 
 /// The values that *PARAMETER and its kin give names to. Names are not case-sensitive. A local one is known
 /// in its file and in those that it includes, where it hides a global one of the same name.
@@ -28,6 +36,13 @@ class Parameters {
   /// warning. False if the name or the number is none.
   bool preset(std::string_view name, std::string_view value);
 
+  /// Remembers that a text which is not read has references, so that its presets count as used.
+  void note_references(std::string_view text);
+  /// Presets that the deck did not use: an error each, with the nearest name that the deck has.
+  void report_unused_presets(Report& report) const;
+  /// Those that hold in the whole deck, by name, upper case.
+  std::vector<SetParameter> all() const;
+
   /// Reads a block of this name. Faults go to the cards' report.
   void read(std::string_view keyword, Cards& cards);
 
@@ -43,6 +58,8 @@ class Parameters {
     Where where;
     bool is_whole = false;  ///< of type I
     bool is_preset = false;
+    mutable bool is_used = false;  ///< a reference to it was read
+    bool is_in_the_deck = false;   ///< a preset that the deck sets, too
   };
 
   using Values = std::map<std::string, Value, std::less<>>;
@@ -62,6 +79,8 @@ class Parameters {
   void read_expressions(Cards& cards, bool is_local);
   void read_duplication(Cards& cards);
   const Value* find(std::string_view name) const;
+  /// The same in any case, for a reference.
+  const Value* use(std::string_view name) const;
 
   static std::optional<Name> name_of(std::string_view name_and_type, const Where& where, Report& report);
   void enter(const Name& name, const std::string& text, const Where& where, Report& report);
@@ -72,6 +91,7 @@ class Parameters {
   Values values_;
   std::vector<Values> locals_;  ///< of the files that are open, the deck first
   Duplicate duplicate_ = Duplicate::Refuse;
+  mutable std::set<std::string, std::less<>> names_;  ///< that the deck sets or refers to
   std::optional<Where> duplication_;  ///< the first *PARAMETER_DUPLICATION, which alone counts
 };
 

@@ -9,6 +9,18 @@ namespace crumple::deck {
 
 namespace {
 
+/// Longest message, and longest text of the deck in it [bytes].
+constexpr std::size_t longest_message = 1000;
+constexpr std::size_t longest_read = 100;
+
+std::string shortened(std::string text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  // Not within a letter of several bytes.
+  while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xc0U) == 0x80U) --longest;
+  text.resize(longest);
+  return text + "...";
+}
+
 std::string prefix(const Where& where, std::string_view field) {
   std::string text(where.keyword);
   if (where.card > 0) text += fmt::format(" card {}", where.card);
@@ -28,11 +40,25 @@ std::string Report::place(const Where& where) const {
   return fmt::format("{}:{}", file_name(where.file), where.line);
 }
 
+Report::Kind& Report::kind_of(Severity severity, std::string key) {
+  const auto known = kinds_.find(key);
+  if (known != kinds_.end()) return known->second;
+  int& kinds = kinds_of_severity_[static_cast<int>(severity)];
+  if (kinds < most_kinds) {
+    ++kinds;
+    return kinds_[std::move(key)];
+  }
+  Kind& rest = kinds_[fmt::format("|{}|", static_cast<int>(severity))];
+  rest.is_rest = true;
+  return rest;
+}
+
 void Report::add_entry(Severity severity, const Where& where, std::string_view kind, Diagnostic diagnostic) {
   if (severity == Severity::Error) ++errors_;
-  Kind& counted = kinds_[fmt::format("{}|{}|{}", where.keyword, static_cast<int>(severity), kind)];
+  Kind& counted = kind_of(severity, fmt::format("{}|{}|{}", where.keyword, static_cast<int>(severity), kind));
   counted.last = where;
   if (++counted.count > shown_per_kind) return;
+  diagnostic.message = shortened(std::move(diagnostic.message), longest_message);
   diagnostic.severity = severity;
   diagnostic.file = file_name(where.file);
   diagnostic.line = where.line;
@@ -66,13 +92,16 @@ void Report::add_field(Severity severity, const Where& where, const FieldFault& 
   Where bare = where;
   bare.keyword = {};
   bare.card = 0;
-  const std::string found = fault.read.empty() ? "is blank" : fmt::format("read \"{}\"", fault.read);
+  const std::string found =
+      fault.read.empty() ? "is blank" : fmt::format("read \"{}\"", shortened(fault.read, longest_read));
   std::string message = prefix(where, fault.field) + found + ", expected " + fault.expected;
   if (!fault.hint.empty()) message += "; " + fault.hint;
   std::string kind =
       fault.cause.empty() ? fmt::format("{}|{}|{}", where.keyword, fault.field, fault.kind) : fault.cause;
   // Each code that is not supported is something else that is missing; a parameter's name is one of the deck.
-  const std::string code = fault.is_code && fault.read.find('&') == std::string::npos ? " " + fault.read : "";
+  const std::string code = fault.is_code && fault.read.find('&') == std::string::npos
+                               ? " " + shortened(fault.read, longest_read)
+                               : "";
   kind += code;
   Diagnostic diagnostic;
   diagnostic.message = std::move(message);
@@ -107,8 +136,8 @@ std::vector<Diagnostic> Report::sorted() const {
     if (!is_many) continue;
     Entry rest = entry;
     rest.diagnostic.count = kind.count - 1;
-    rest.diagnostic.message =
-        fmt::format("and {} more of this kind, last at {}", kind.count - 1, place(kind.last));
+    rest.diagnostic.message = fmt::format("and {} more {}, last at {}", kind.count - 1,
+                                          kind.is_rest ? "of other kinds" : "of this kind", place(kind.last));
     all.push_back(std::move(rest));
   }
   std::stable_sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) {

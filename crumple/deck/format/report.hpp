@@ -31,10 +31,13 @@ struct FieldFault {
 };
 
 /// Collects everything that is to be said about a deck. Of a kind of fault that occurs more often than
-/// `shown_per_kind` times the first one is shown, and how many there are.
+/// `shown_per_kind` times the first one is shown, and how many there are. Of errors, and likewise of
+/// warnings, `most_kinds` kinds are told apart; what goes beyond that is counted and not kept, and texts of
+/// the deck are cut in messages, so that no deck makes this larger than some megabytes.
 class Report {
  public:
   static constexpr int shown_per_kind = 4;
+  static constexpr int most_kinds = 1000;
 
   explicit Report(bool allow_unsupported) : allow_unsupported_(allow_unsupported) {}
 
@@ -68,6 +71,7 @@ class Report {
   struct Kind {
     int count = 0;
     Where last;
+    bool is_rest = false;  ///< of all kinds beyond those that are told apart
   };
   struct Entry {
     Where where;
@@ -76,11 +80,13 @@ class Report {
     bool is_first;  ///< of its kind
   };
 
+  Kind& kind_of(Severity severity, std::string key);
   void add_entry(Severity severity, const Where& where, std::string_view kind, Diagnostic diagnostic);
   void add_field(Severity severity, const Where& where, const FieldFault& fault, bool is_missing = false);
 
   bool allow_unsupported_;
   int errors_ = 0;
+  int kinds_of_severity_[3] = {};
   std::vector<std::string> files_;
   std::vector<Entry> entries_;
   std::map<std::string, Kind, std::less<>> kinds_;

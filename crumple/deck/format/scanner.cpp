@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "deck/format/numbers.hpp"
+#include "files/input_file.hpp"
 
 namespace crumple::deck {
 
@@ -13,14 +14,8 @@ namespace {
 
 constexpr std::size_t max_depth = 64;
 constexpr int max_includes = 10000;
-
-std::uint64_t fnv1a(std::uint64_t hash, std::string_view text) {
-  for (const char c : text) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 1099511628211ULL;
-  }
-  return hash;
-}
+constexpr std::size_t longest_keyword = 200;  ///< LS-DYNA's have 80 letters at most
+constexpr std::size_t longest_echo = 40;      ///< of a line in a message
 
 /// The text behind `$crumple`, or nothing if the comment is another one.
 std::optional<std::string_view> crumple_setting(std::string_view comment) {
@@ -33,6 +28,14 @@ std::optional<std::string_view> crumple_setting(std::string_view comment) {
 }
 
 }  // namespace
+
+std::uint64_t fnv1a(std::uint64_t hash, std::string_view text) {
+  for (const char c : text) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 1099511628211ULL;
+  }
+  return hash;
+}
 
 void Scanner::read_deck() {
   static const Placement unmoved;
@@ -57,6 +60,15 @@ void Scanner::read_file(LoadedText loaded, const Where& from, const Placement* p
   }
   if (open_.size() >= max_depth || ++includes_ > max_includes) {
     report_->error(from, "too many", "too many files are included, or too deep; is there a mistake?");
+    return;
+  }
+  bytes_ += loaded.text->size();
+  if (bytes_ > most_input_bytes()) {
+    report_->error(
+        from, "too large",
+        fmt::format("the deck with all files that it includes has more than {}, which memory does not "
+                    "hold; \"{}\" is not read",
+                    size_text(most_input_bytes()), loaded.name));
     return;
   }
   OpenFile file{std::move(loaded), 0, placement};
@@ -123,7 +135,7 @@ void Scanner::read_lines(std::string_view text, OpenFile& file) {
     } else if (!trimmed(line).empty()) {
       report_->error(where, "before",
                      fmt::format("read \"{}\" before any keyword, expected a line that starts with *",
-                                 line.substr(0, 40)));
+                                 line.substr(0, longest_echo)));
     }
   }
   if (block_ && block_->name == "END") block_.reset();
@@ -133,7 +145,10 @@ void Scanner::read_lines(std::string_view text, OpenFile& file) {
 void Scanner::start_block(std::string_view line, const Where& where, const Placement* placement) {
   Block block;
   const std::size_t blank = line.find_first_of(" \t(,");
-  std::string name = upper_case(trimmed(line.substr(1, blank == std::string_view::npos ? blank : blank - 1)));
+  std::string_view written = trimmed(line.substr(1, blank == std::string_view::npos ? blank : blank - 1));
+  const bool is_too_long = written.size() > longest_keyword;
+  if (is_too_long) written = written.substr(0, longest_echo);
+  std::string name = upper_case(written) + (is_too_long ? "..." : "");
   std::string_view rest = blank == std::string_view::npos ? std::string_view() : trimmed(line.substr(blank));
   block.where = where;
   block.format = format_;
@@ -151,7 +166,8 @@ void Scanner::start_block(std::string_view line, const Where& where, const Place
   if (name == "KEYWORD")
     read_keyword_options(rest, block.where);
   else if (!rest.empty() && rest.front() != '(' && rest.front() != '$')
-    report_->warning(block.where, "rest", fmt::format("\"{}\" behind the keyword is not read", rest));
+    report_->warning(block.where, "rest",
+                     fmt::format("\"{}\" behind the keyword is not read", rest.substr(0, longest_echo)));
   block_ = std::move(block);
 }
 
@@ -164,8 +180,9 @@ void Scanner::finish_block(OpenFile& file) {
       if (!trimmed(line.text).empty()) {
         Where where = block.where;
         where.line = line.number;
-        report_->error(where, "data",
-                       fmt::format("read \"{}\", expected another keyword", line.text.substr(0, 40)));
+        report_->error(
+            where, "data",
+            fmt::format("read \"{}\", expected another keyword", line.text.substr(0, longest_echo)));
         break;
       }
   } else if (block.name == "INCLUDE") {

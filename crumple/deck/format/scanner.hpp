@@ -90,8 +90,12 @@ class Scanner {
   ColumnFormat format_ = ColumnFormat::Standard;
   std::optional<Block> block_;
   int includes_ = 0;
+  std::uint64_t bytes_ = 0;  ///< of all files
   std::uint64_t hash_ = 14695981039346656037ULL;
 };
+
+/// Goes on with a hash, FNV-1a of 64 bits.
+std::uint64_t fnv1a(std::uint64_t hash, std::string_view text);
 
 /// Appends a line of a file's or folder's name. True if it goes on in the next line, behind " +".
 bool append_name(std::string& name, std::string_view text);

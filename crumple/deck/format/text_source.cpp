@@ -4,9 +4,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <system_error>
+#include <utility>
+
+#include "files/input_file.hpp"
 
 namespace crumple::deck {
 
@@ -19,25 +20,9 @@ LoadedText load(const std::filesystem::path& path) {
   std::error_code fault;
   const std::filesystem::path canonical = std::filesystem::weakly_canonical(path, fault);
   loaded.identity = fault ? loaded.name : canonical.generic_string();
-  const std::filesystem::file_status status = std::filesystem::status(path, fault);
-  if (!std::filesystem::exists(status)) {
-    loaded.fault = "there is no such file";
-    return loaded;
-  }
-  if (std::filesystem::is_directory(status)) {
-    loaded.fault = "this is a folder, expected a file";
-    return loaded;
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    loaded.fault = "the file cannot be opened; check its permissions";
-    return loaded;
-  }
-  loaded.text.emplace(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  if (stream.bad()) {
-    loaded.text.reset();
-    loaded.fault = "the file cannot be read to its end";
-  }
+  InputFile input = read_input_file(path);
+  loaded.fault = std::move(input.fault);
+  if (loaded.fault.empty()) loaded.text = std::move(input.text);
   return loaded;
 }
 

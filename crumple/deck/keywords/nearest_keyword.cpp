@@ -5,9 +5,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
-#include <vector>
 
+#include "deck/format/edit_distance.hpp"
 #include "deck/keywords/keywords.hpp"
 
 namespace crumple::deck {
@@ -197,22 +196,6 @@ constexpr Substitute substitutes[] = {
     {"ELEMENT_SPH", "", "there are no particles"},
     {"SECTION_", "SECTION_SHELL", "its shells are of uniform material and thickness through the section"},
 };
-
-/// Letters to insert, remove or replace to make one text of another.
-std::size_t edit_distance(std::string_view one, std::string_view other) {
-  std::vector<std::size_t> row(other.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < other.size(); ++j) {
-      const std::size_t replaced = diagonal + (one[i] == other[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
 
 /// MAT_024 and MAT_S02 are numbers: the next one is another law.
 bool is_numbered(std::string_view name) {

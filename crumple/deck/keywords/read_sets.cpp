@@ -136,9 +136,8 @@ RawSet begin_set(Cards& cards, bool& good) {
 
 /// Adds a set to those of its kind, or its members to the one that it continues.
 void end_set(RawSet&& set, std::vector<RawSet>& sets) {
-  const auto first = std::find_if(sets.begin(), sets.end(), [&](const RawSet& other) {
-    return set.collects && other.collects && other.id == set.id;
-  });
+  const auto is_same = [&](const RawSet& other) { return other.collects && other.id == set.id; };
+  const auto first = set.collects ? std::find_if(sets.begin(), sets.end(), is_same) : sets.end();
   if (first == sets.end())
     sets.push_back(std::move(set));
   else

@@ -5,19 +5,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "output/files/atomic_file.hpp"
-#include "output/files/write_error.hpp"
+#include "output/files/own_file.hpp"
 
 namespace crumple::output {
 
@@ -35,14 +31,9 @@ int number_of(const std::string& name) {
   return number ? std::atoi(digits.c_str()) : -1;
 }
 
-bool write_at(std::FILE* file, std::size_t word, std::string_view bytes) {
-  return std::fseek(file, static_cast<long>(word * sizeof(std::uint32_t)), SEEK_SET) == 0 &&
-         std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
+void write_at(OwnFile& file, std::size_t word, std::string_view bytes) {
+  file.write_at(word * sizeof(std::uint32_t), bytes);
 }
-
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 }  // namespace
 
@@ -75,7 +66,7 @@ bool D3plotFamily::is_whole() const {
   std::error_code fault;
   if (files_ == 0 || !std::filesystem::exists(first_file(), fault)) return false;
   const std::uintmax_t bytes = std::filesystem::file_size(last_file(), fault);
-  return !fault && bytes > words_ * sizeof(std::uint32_t);
+  return !fault && bytes / sizeof(std::uint32_t) > words_;
 }
 
 void D3plotFamily::resume() {
@@ -87,9 +78,8 @@ void D3plotFamily::resume() {
   remove_files_after(files_);
   D3plotWords mark;
   mark.end_mark();
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(last_file().c_str(), "r+b"));
-  if (!file || !write_at(file.get(), words_, mark.bytes()))
-    throw WriteError(fmt::format("Cannot write {}: {}.", last_file().string(), std::strerror(errno)));
+  OwnFile file = OwnFile::open(last_file());
+  write_at(file, words_, mark.bytes());
 }
 
 std::filesystem::path D3plotFamily::last_file() const {
@@ -114,13 +104,11 @@ void D3plotFamily::add_state(D3plotWords state) {
 /// All but the first word goes behind the end mark, then that word takes the mark's place: until then readers
 /// see the file end where it did.
 void D3plotFamily::append(const D3plotWords& state) const {
-  const std::filesystem::path path = last_file();
-  // Opened anew each time, so that a file that is no longer there is noticed.
-  const std::unique_ptr<std::FILE, Close> file(std::fopen(path.c_str(), "r+b"));
+  // Opened again each time, so that a file that is no longer there is noticed.
+  OwnFile file = OwnFile::open(last_file());
   constexpr std::size_t first = sizeof(std::uint32_t);
-  if (!file || !write_at(file.get(), words_ + 1, state.bytes().substr(first)) ||
-      !write_at(file.get(), words_, state.bytes().substr(0, first)))
-    throw WriteError(fmt::format("Cannot write {}: {}.", path.string(), std::strerror(errno)));
+  write_at(file, words_ + 1, state.bytes().substr(first));
+  write_at(file, words_, state.bytes().substr(0, first));
 }
 
 }  // namespace crumple::output

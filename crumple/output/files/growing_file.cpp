@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/files/growing_file.hpp"
 
-#include <fmt/core.h>
-
-#include <cerrno>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -13,14 +9,7 @@
 namespace crumple::output {
 
 GrowingFile::GrowingFile(std::filesystem::path path, Opening opening) : path_(std::move(path)) {
-  if (opening == Opening::New) open("wb");
-}
-
-void GrowingFile::open(const char* mode) {
-  file_.reset(std::fopen(path_.c_str(), mode));
-  if (!file_) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
-  // Each piece is one write: nothing is left over for later if it fails.
-  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+  if (opening == Opening::New) file_ = OwnFile::create(path_);
 }
 
 void GrowingFile::declare(domain::StateList& list) {
@@ -32,25 +21,23 @@ void GrowingFile::resume() {
   const std::uintmax_t there = std::filesystem::file_size(path_, fault);
   if (fault || there < bytes_ || bytes_ == 0) {
     bytes_ = 0;
-    open("wb");
+    file_ = OwnFile::create(path_);
     return;
   }
-  std::filesystem::resize_file(path_, bytes_, fault);
-  if (fault) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), fault.message()));
-  open("ab");
+  file_ = OwnFile::open(path_);
+  file_.truncate(bytes_);
 }
 
 void GrowingFile::append(std::string_view piece) {
-  const bool good = std::fwrite(piece.data(), 1, piece.size(), file_.get()) == piece.size();
-  const int reason = errno;
-  if (good) {
-    bytes_ += piece.size();
-    return;
+  file_.require_name();
+  try {
+    file_.write_at(bytes_, piece);
+  } catch (const WriteError&) {
+    // Half a piece would be read as a whole one.
+    file_.truncate(bytes_);
+    throw;
   }
-  // Half a piece would be read as a whole one.
-  std::error_code ignored;
-  std::filesystem::resize_file(path_, bytes_, ignored);
-  throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(reason)));
+  bytes_ += piece.size();
 }
 
 }  // namespace crumple::output

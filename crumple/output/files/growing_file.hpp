@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string_view>
 
 #include "domain/state_list.hpp"
+#include "output/files/own_file.hpp"
 
 namespace crumple::output {
 
@@ -26,21 +25,16 @@ class GrowingFile {
   /// file that is not there begins anew. Throws WriteError.
   void resume();
 
-  /// Hands a piece to the operating system, so that it outlives the program. Throws WriteError; then the file
-  /// is what it was.
+  /// Hands a piece to the operating system, so that it outlives the program. Throws WriteError, also if the
+  /// file has been removed meanwhile; then the file is what it was.
   void append(std::string_view piece);
 
   bool empty() const { return bytes_ == 0; }
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  void open(const char* mode);
-
   std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Closer> file_;
+  OwnFile file_;
   std::uint64_t bytes_ = 0;  ///< in the file
 };
 

@@ -5,13 +5,9 @@
 // files, and 8 bytes of checksum over all before them. Numbers are those of the processor.
 #include "output/files/restart_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <system_error>
@@ -19,7 +15,8 @@
 
 #include "base/error.hpp"
 #include "base/state_hash.hpp"
-#include "output/files/write_error.hpp"
+#include "files/input_file.hpp"
+#include "output/files/own_file.hpp"
 
 namespace crumple::output {
 
@@ -39,54 +36,26 @@ struct Preamble {
 };
 static_assert(sizeof(Preamble) == 24);
 
-/// A file that is being written beside its place.
-class NewFile {
+/// A file with a checksum over all that goes into it.
+class SummedFile {
  public:
-  explicit NewFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_) {
-    temporary_ += ".tmp";
-    file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file_ < 0) fail();
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-  ~NewFile() {
-    if (file_ >= 0) ::close(file_);
-    if (!in_place_) ::unlink(temporary_.c_str());
-  }
+  explicit SummedFile(const std::filesystem::path& path) : file_(path) {}
 
   void write(std::span<const std::byte> bytes) {
     hash_.add(bytes);
-    write_all(bytes);
+    file_.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
-
   /// The checksum, then the rename.
   void finish() {
     const std::uint64_t sum = hash_.value();
-    write_all(std::as_bytes(std::span(&sum, 1)));
+    file_.write({reinterpret_cast<const char*>(&sum), sizeof sum});
     // The results that the file counts on must not be older than itself after a loss of power.
-    if (::syncfs(file_) != 0) fail();
-    if (::close(std::exchange(file_, -1)) != 0) fail();
-    if (::rename(temporary_.c_str(), path_.c_str()) != 0) fail();
-    in_place_ = true;
+    file_.synchronize();
+    file_.put_in_place();
   }
 
  private:
-  void write_all(std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(file_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written <= 0) fail();
-      bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-  }
-  [[noreturn]] void fail() const {
-    throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
-  }
-
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;
-  int file_ = -1;
-  bool in_place_ = false;
+  NewFile file_;
   StateHash hash_;
 };
 
@@ -128,13 +97,9 @@ class Pieces {
 std::string read_whole(const std::filesystem::path& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw Error("There is no restart file " + path.string() + ".");
-  const std::uintmax_t bytes = std::filesystem::file_size(path, ignored);
-  if (ignored) throw Error(path.string() + " is no restart file of crumple.");
-  std::ifstream stream(path, std::ios::binary);
-  std::string text(bytes, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(bytes));
-  if (!stream) throw Error(path.string() + " cannot be read.");
-  return text;
+  InputFile input = read_input_file(path);
+  if (!input.fault.empty()) throw Error(path.string() + " cannot be read: " + input.fault + ".");
+  return std::move(input.text);
 }
 
 Preamble checked_preamble(std::string_view bytes, const std::string& name) {
@@ -166,7 +131,7 @@ void write_restart_file(const std::filesystem::path& path, const RestartRecord& 
   Preamble preamble;
   mark.copy(preamble.name, mark.size());
   preamble.header_bytes = header.size();
-  NewFile file(path);
+  SummedFile file(path);
   file.write(std::as_bytes(std::span(&preamble, 1)));
   file.write(std::as_bytes(std::span(header)));
   for (const std::string& text : record.texts) file.write(std::as_bytes(std::span(text)));

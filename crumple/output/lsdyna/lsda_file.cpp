@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/lsdyna/lsda_file.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cstring>
 #include <limits>
 #include <system_error>
 #include <utility>
-
-#include "output/files/write_error.hpp"
 
 namespace crumple::output {
 
@@ -67,19 +62,12 @@ LsdaFile::LsdaFile(std::filesystem::path path, Opening opening) : path_(std::mov
   if (opening == Opening::New) begin();
 }
 
-void LsdaFile::open(const char* mode) {
-  file_.reset(std::fopen(path_.c_str(), mode));
-  if (!file_) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
-  // Each part is one write: nothing is left over for later if it fails.
-  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
-}
-
 void LsdaFile::begin() {
-  open("wb");
+  file_ = OwnFile::create(path_);
   std::string start = header();
   put_head(start, head_bytes + link_bytes, Command::FirstTable);
   put(start, std::uint64_t{0});
-  write_at(0, start);
+  file_.write_at(0, start);
   length_ = start.size();
 }
 
@@ -90,15 +78,14 @@ void LsdaFile::declare(domain::StateList& list) {
 bool LsdaFile::resume() {
   std::error_code fault;
   const std::uint64_t there = std::filesystem::file_size(path_, fault);
-  if (fault || there < length_ || length_ == 0) {
+  if (fault || there < length_ || length_ < header().size() + head_bytes + link_bytes) {
     begin();
     return false;
   }
-  std::filesystem::resize_file(path_, length_, fault);
-  if (fault) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), fault.message()));
-  open("r+b");
+  file_ = OwnFile::open(path_);
+  file_.truncate(length_);
   // A link to the next table ends every flush, and the start of the file.
-  write_at(length_ - link_bytes, std::string(link_bytes, '\0'));
+  file_.write_at(length_ - link_bytes, std::string(link_bytes, '\0'));
   return true;
 }
 
@@ -172,15 +159,10 @@ void LsdaFile::flush() {
   entries_.clear();
   // A file that goes on from here without this one's memory says where it is.
   recorded_folder_.clear();
-  write_at(length_, added);
-  write_at(length_ - link_bytes, link);
+  file_.require_name();
+  file_.write_at(length_, added);
+  file_.write_at(length_ - link_bytes, link);
   length_ += added.size();
-}
-
-void LsdaFile::write_at(std::uint64_t place, std::string_view bytes) {
-  const bool good = std::fseek(file_.get(), static_cast<long>(place), SEEK_SET) == 0 &&
-                    std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
-  if (!good) throw WriteError(fmt::format("Cannot write {}: {}.", path_.string(), std::strerror(errno)));
 }
 
 }  // namespace crumple::output

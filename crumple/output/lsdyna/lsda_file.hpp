@@ -2,15 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "output/files/csv_file.hpp"
+#include "output/files/own_file.hpp"
 
 namespace crumple::output {
 
@@ -39,15 +38,13 @@ class LsdaFile {
   void add(std::string_view name, double value) { add(name, std::span<const double>(&value, 1)); }
   void add(std::string_view name, std::int64_t value) { add(name, std::span<const std::int64_t>(&value, 1)); }
 
-  /// Makes what was added a part of the file that outlives the program. Throws WriteError.
+  /// Makes what was added a part of the file that outlives the program. Throws WriteError, also if the
+  /// file has been removed meanwhile.
   void flush();
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   /// A line of the table: where an array is.
   struct Entry {
     std::string folder;
@@ -56,14 +53,12 @@ class LsdaFile {
     std::uint64_t record = 0;  ///< place of its record in the file [bytes]
     std::uint64_t values = 0;
   };
-  void open(const char* mode);
   void begin();
   void add_record(std::string_view name, std::uint8_t type, std::uint64_t values, std::string_view bytes);
   std::string table() const;
-  void write_at(std::uint64_t place, std::string_view bytes);
 
   std::filesystem::path path_;
-  std::unique_ptr<std::FILE, Closer> file_;
+  OwnFile file_;
   std::uint64_t length_ = 0;  ///< after the last flush [bytes]
   std::string records_;       ///< not in the file yet
   std::vector<Entry> entries_;

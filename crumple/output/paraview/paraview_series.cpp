@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "output/files/atomic_file.hpp"
+#include "output/files/own_file.hpp"
 #include "output/results/line_results.hpp"
 #include "output/results/shell_results.hpp"
 #include "output/results/solid_results.hpp"
@@ -99,7 +100,7 @@ std::string as_attribute(const std::string& text) {
 ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view,
                                Opening opening)
     : folder_(std::move(folder)), name_(std::move(name)), walls_(view) {
-  make_folder(folder_ / "vtu");
+  make_subfolder(folder_ / "vtu");
   if (opening == Opening::New) remove_earlier_frames();
   place_ = block_places(view.domain.shells, view.model.shells.size());
   solid_place_ = block_places(view.domain.solids, view.model.solids.size());
@@ -128,6 +129,7 @@ void ParaviewSeries::remove_earlier_frames() const {
 
 void ParaviewSeries::remove_frames_from(int first) const {
   std::error_code ignored;
+  remove_unfinished_files(folder_ / "vtu");
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "vtu", ignored)) {
     const std::string file = entry.path().stem().string();
     const std::size_t end = file.find_last_of('_');

@@ -31,7 +31,7 @@ class StatusDomain : public ::testing::Test {
     domain_.energy.kinetic = domain_.energy.initial_total = 5;
     progress_.end_time = 1.2;
     progress_.next_step = 1e-3;
-    progress_.cycle_seconds = 0.1;
+    progress_.seconds_to_go = 90;
     progress_.seconds = 4;
     progress_.controlling = {"shell", 12345678, 99};
   }
@@ -39,12 +39,9 @@ class StatusDomain : public ::testing::Test {
   Progress progress_;
 };
 
-TEST_F(StatusDomain, TimeToGoIsCyclesLeftTimesTheirTime) {
-  EXPECT_DOUBLE_EQ(seconds_to_go(domain_, progress_), 90);
-  domain_.clock.time = 1.3;
-  EXPECT_EQ(seconds_to_go(domain_, progress_), 0);
-  progress_.next_step = 0;
-  EXPECT_EQ(seconds_to_go(domain_, progress_), 0);
+TEST_F(StatusDomain, TimeToGoIsAQuestionMarkUntilItIsKnown) {
+  progress_.seconds_to_go = -1;
+  EXPECT_TRUE(status_line(domain_, progress_).ends_with("       ?"));
 }
 
 TEST_F(StatusDomain, TheLineHoldsWhatTheHeaderNames) {

@@ -315,12 +315,14 @@ TEST(Edges, LinesInFlatSheetsRest) {
   bodies.sheet(3, 3, [](double u, double v) { return Vec3{3.2 * u + 0.7, 3.2 * v + 0.6, 0.08}; });
   const domain::Domain made = bodies.build();
   const contact::Surface surface = contact::build_surface(bodies.model, made, bodies.contact);
-  contact::EdgeContact edges(bodies.model, made, bodies.contact, surface);
-  edges.update(made, contact::present(made), false);
-  edges.find(contact::present(made), true);
+  const std::span<contact::ContactPair> no_nodes;
+  contact::EdgeContact edges(bodies.model, made, bodies.contact, surface, no_nodes);
+  edges.update(made, contact::present(made), false, true);
+  domain::ContactReport report;
+  edges.find(made, contact::present(made), true, report);
   int resting = 0;
   int acting = 0;
-  for (const contact::EdgePair& pair : edges.present()) {
+  for (const contact::EdgePair& pair : edges.pairs()) {
     const bool free = edges.edges().segments_at(pair.key.first).size() == 1 ||
                       edges.edges().segments_at(pair.key.second).size() == 1;
     EXPECT_TRUE(free || pair.share == 0);

@@ -143,13 +143,67 @@ TEST(Parameter, TheCommandLineGoesBeforeTheDeck) {
   SmallDeck deck;
   deck.section = "*PARAMETER\nr    thick       0.5\n*SECTION_SHELL\n         1         2\n    &thick\n";
   ReadOptions options;
-  options.parameters = {{"Thick", "0.75"}, {"unused", "3"}};
+  options.parameters = {{"Thick", "0.75"}};
   const ReadResult result = read_deck_text(deck.text(), options);
   ASSERT_TRUE(result.model.has_value()) << listed(result.diagnostics);
   EXPECT_EQ(result.model->shell_sections[0].thickness[0], 0.75);
   EXPECT_NE(listed(result.diagnostics).find("parameter THICK is \"0.75\" by the command line, not \"0.5\""),
             std::string::npos)
       << listed(result.diagnostics);
+}
+
+/// The errors of a deck of which SECTION uses parameters, with those of the command line.
+std::string errors_with(const std::string& section,
+                        std::vector<std::pair<std::string, std::string>> parameters) {
+  SmallDeck deck;
+  deck.section = section;
+  ReadOptions options;
+  options.parameters = std::move(parameters);
+  const ReadResult result = read_deck_text(deck.text(), options);
+  EXPECT_EQ(result.model.has_value(), error_count(result.diagnostics) == 0);
+  std::string errors;
+  for (const Diagnostic& diagnostic : result.diagnostics)
+    if (diagnostic.severity == Severity::Error) errors += diagnostic.message + "\n";
+  return errors;
+}
+
+TEST(Parameter, OfTheCommandLineMustBeInTheDeck) {
+  const std::string section = "*PARAMETER\nr thick, 0.5, r width, 3\n*SECTION_SHELL\n1,2\n&thick\n";
+  EXPECT_EQ(errors_with(section, {{"thickk", "0.75"}}),
+            "parameter THICKK of the command line is not in the deck; did you mean THICK?\n");
+  EXPECT_EQ(errors_with(section, {{"velocity", "1"}}),
+            "parameter VELOCITY of the command line is not in the deck; it has others\n");
+  EXPECT_EQ(errors_with("*SECTION_SHELL\n1,2\n1.0\n", {{"velocity", "1"}}),
+            "parameter VELOCITY of the command line is not in the deck; it has no parameters\n");
+  // The deck refers to what it does not define, and the command line mistypes it.
+  EXPECT_NE(errors_with("*SECTION_SHELL\n1,2\n&thick\n", {{"thik", "1"}}).find("did you mean THICK?"),
+            std::string::npos);
+}
+
+TEST(Parameter, OfTheCommandLineMustBeUsed) {
+  const std::string section = "*PARAMETER\nr thick, 0.5, r width, 3\n*SECTION_SHELL\n1,2\n&thick\n";
+  EXPECT_EQ(errors_with(section, {{"width", "0.75"}}),
+            "parameter WIDTH of the command line has no effect: the deck sets it, but never uses &WIDTH\n");
+  // By another parameter, in an expression, in what is left out.
+  for (const std::string use :
+       {"*PARAMETER\nr other, -&width\n", "*PARAMETER_EXPRESSION\nr other, 2*width\n"})
+    EXPECT_EQ(errors_with(section + use, {{"width", "0.75"}}), "") << use;
+  EXPECT_EQ(errors_with(section + "*DATABASE_BINARY_D3PART\n&width\n", {{"width", "0.75"}}), "");
+}
+
+TEST(Parameter, HashesTellDecksWithOtherParametersApart) {
+  SmallDeck deck;
+  deck.section = "*SECTION_SHELL\n1,2\n&thick\n";
+  const auto hash = [&](const std::string& value) {
+    ReadOptions options;
+    options.parameters = {{"thick", value}};
+    const ReadResult result = read_deck_text(deck.text(), options);
+    EXPECT_EQ(result.parameters.size(), 1U);
+    EXPECT_NE(hash_with_parameters(result), result.text_hash);
+    return hash_with_parameters(result);
+  };
+  EXPECT_EQ(hash("0.5"), hash("0.5"));
+  EXPECT_NE(hash("0.5"), hash("0.6"));
 }
 
 TEST(Parameter, TheCommandLineIsEnough) {

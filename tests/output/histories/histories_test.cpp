@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/resource.h>
+
 #include <cmath>
+#include <csignal>
 #include <sstream>
 
 #include "output/files/write_error.hpp"
@@ -224,15 +227,24 @@ TEST_F(SampleTest, AModelWithoutWallsContactsAndHistoryNodesHasNoSuchFiles) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / name)) << name;
 }
 
-TEST_F(SampleTest, AFullDeviceIsAnErrorThatNamesTheTable) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-  std::filesystem::create_symlink("/dev/full", folder_ / "t.csv");
+TEST_F(SampleTest, ATableThatCannotGrowIsAnErrorThatNamesItAndKeepsItsRows) {
+  CsvFile table(folder_ / "t.csv", "a,b");
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+  const rlimit small{6, limit.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  std::string told;
   try {
-    CsvFile table(folder_ / "t.csv", "a,b");
-    FAIL() << "nothing was noticed";
+    table.add_row(1, 2);
+    table.flush();
   } catch (const WriteError& fault) {
-    EXPECT_NE(std::string(fault.what()).find("t.csv: No space left"), std::string::npos) << fault.what();
+    told = fault.what();
   }
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(told.find("t.csv: File too large"), std::string::npos) << told;
+  EXPECT_EQ(std::filesystem::file_size(folder_ / "t.csv"), 4U);
 }
 
 }  // namespace

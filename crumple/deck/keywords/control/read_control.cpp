@@ -25,7 +25,7 @@ constexpr Field timestep_card[] = {
     real("DT2MS"),
     reference("LCTM", IdKind::Function),
     harmless("ERODE", {0}, "elements are not deleted by their time step"),
-    only("MS1ST", {0}, "mass is added whenever an element's time step needs it"),
+    only("MS1ST", {0, 1}, "mass is added whenever a time step needs it (0), or at the start alone (1)"),
 };
 
 constexpr Field timestep_card_2[] = {
@@ -136,6 +136,7 @@ void read_control_timestep(Cards& cards, RawDeck& deck) {
                        "it is used, but leaves little of the stable step to contact, friction and damping",
                        "factor on the step"});
   deck.control.mass_scaling_step = card.real("DT2MS");
+  deck.control.scales_mass_once = card.integer("MS1ST") == 1;
   if (card.good("LCTM") && card.integer("LCTM") != 0)
     deck.step_curve = RawStepCurve{card.integer("LCTM"), card.where()};
   if (cards.has_line()) cards.next(timestep_card_2);
