@@ -95,12 +95,11 @@ def figures(folder):
     failed = [check["name"] for check in record["checks"] if not check["pass"]]
     return [("elements (shells / solids / beams)", " / ".join(str(record["elements"].get(k, 0)) for k in ("shells", "solids", "beams"))),
             ("cycles", record["cycles"]),
-            ("B pillars stop after [ms]", f"{times[stop]:.1f}"),
+            ("B pillars stop after [ms]", f"{times[stop]:.1f}" if velocity[stop] >= 0 else f"later than {times[stop]:.1f}"),
             ("dynamic crush: their largest displacement [mm]", f"{-min(way):.0f}"),
-            ("their mean deceleration until then [g]", f"{-velocity[0] / times[stop] / GRAVITY:.1f}"
-             if velocity[stop] >= 0 else "-"),
+            ("their mean deceleration until then [g]", f"{(velocity[stop] - velocity[0]) / times[stop] / GRAVITY:.1f}"),
             ("their largest deceleration, CFC 60 [g]", f"{max(acceleration):.1f} at {times[acceleration.index(max(acceleration))]:.1f} ms"),
-            ("velocity of rebound [m/s]", f"{velocity[-1]:.2f}"),
+            ("their velocity at the end, rebound is positive [m/s]", f"{velocity[-1]:.2f}"),
             ("largest force on the wall, CFC 60 [kN]", f"{max(force):.0f} at {times[force.index(max(force))]:.1f} ms"),
             ("absorbed [kJ]", f"{absorbed / 1000:.1f}"),
             ("hourglass / internal [%]", f"{100 * energy['hourglass'] / energy['internal']:.1f}"),
