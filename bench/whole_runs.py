@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whole runs of the program, timed: the box beam of the paper at 5, 2.5 and 1.25 mm, 25 and 256 tubes of 4000 shells
 that fold with self-contact, a sheet of a million shells, 16 tubes filled with foam under a rigid press, a block of
-solids. Prints one line per run: time per element and cycle, in all and by stage, from run.json.
+solids, a small car in three sizes. Prints one line per run: time per element and cycle, in all and by stage, from run.json.
 
     bench/whole_runs.py build/release/crumple                        the quick ones, minutes
     bench/whole_runs.py build/release/crumple --all -t 2             every one, long
@@ -10,6 +10,7 @@ solids. Prints one line per run: time per element and cycle, in all and by stage
 """
 
 import argparse
+import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -19,6 +20,7 @@ sys.path.insert(0, str(HERE.parent / "examples" / "support"))
 from runs import run, write_deck  # noqa: E402
 
 BOX_BEAM = HERE.parent / "examples" / "01_box_beam" / "make_box_beam.py"
+CAR = HERE.parent / "examples" / "05_car" / "make_car.py"  # writes a folder, car.k in it
 STAGES = ("elements", "contact_search", "contact_local", "contact_forces", "constraints", "integrate", "output")
 
 # Name: (generator and its arguments, takes --cycles, part of the quick set).
@@ -31,7 +33,16 @@ RUNS = {
     "sheet 1M": ([HERE / "make_decks.py", "sheet"], True, True),
     "filled 137k": ([HERE / "make_decks.py", "filled"], True, True),
     "block 8k": ([HERE / "make_decks.py", "block"], True, True),
+    "car 20k": ([CAR, "--size", "20k"], True, True),
+    "car 100k": ([CAR, "--size", "100k"], True, False),
+    "car 400k": ([CAR, "--size", "400k"], True, False),
 }
+
+
+def write_car(folder, options):
+    """The deck of the car in a folder."""
+    subprocess.run([sys.executable, str(CAR), *map(str, options), "-o", str(folder)], check=True, stdout=subprocess.DEVNULL)
+    return folder / "car.k"
 
 
 def elements(record):
@@ -49,7 +60,7 @@ def add_options(parser):
     parser.add_argument("program", help="the crumple program")
     parser.add_argument("--all", action="store_true", help="the long runs, too")
     parser.add_argument("--only", help="runs whose name holds this")
-    parser.add_argument("--cycles", type=int, default=200, help="of tubes, sheet and blocks (default 200; 0 is all)")
+    parser.add_argument("--cycles", type=int, default=200, help="of tubes, sheet, blocks and cars (default 200; 0 is all)")
     parser.add_argument("--precision", choices=("mixed", "double"), help="(default both)")
     parser.add_argument("-t", "--threads", default="1")
 
@@ -64,7 +75,10 @@ def results(arguments):
                 continue
             deck = Path(folder) / (name.replace(" ", "_") + ".k")
             limit = ["--cycles", arguments.cycles] if limited and arguments.cycles else []
-            write_deck(deck, generator[0], [*generator[1:], *limit])
+            if generator[0] == CAR:
+                deck = write_car(deck.with_suffix(""), [*generator[1:], *limit])
+            else:
+                write_deck(deck, generator[0], [*generator[1:], *limit])
             for precision in [arguments.precision] if arguments.precision else ["mixed", "double"]:
                 options = ["-t", arguments.threads, "--precision", precision]
                 yield name, run(arguments.program, deck, deck.with_suffix(".out"), options, wait_policy=None)

@@ -8,8 +8,9 @@ from pathlib import Path
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  drawing
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane
 from vtkmodules.vtkFiltersCore import vtkThreshold
+from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeneral import vtkReflectionFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -20,6 +21,7 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtk
                                          vtkWindowToImageFilter)
 
 AXES = "xyz"
+MOST_PARTS = 30  # that a bar of colours can name
 VIEWS = {"iso": (-1.0, -1.6, 0.9)}
 # What is at rest is pale, so that shape and mesh can be seen; then blue over green and yellow to dark red.
 PALETTE = [(0.00, "#dfe5ec"), (0.10, "#b5cfe6"), (0.22, "#74b3d8"), (0.36, "#5fc0ab"), (0.50, "#a5d36a"),
@@ -61,6 +63,47 @@ def read_grid(file, mirrors):
         last = reflection
     last.Update()
     return last.GetOutput()
+
+
+def numbers_of(text):
+    """Numbers and ranges: 3,10-20."""
+    found = set()
+    for item in filter(None, text.split(",")):
+        first, _, last = item.partition("-")
+        found.update(range(int(first), int(last or first) + 1))
+    return found
+
+
+def without_parts(grid, numbers):
+    """The grid without the elements of some parts."""
+    array = field_of(grid, "part")[1]
+    kept = [number for number in {int(array.GetValue(i)) for i in range(array.GetNumberOfValues())} if number not in numbers]
+    alive = grid.GetCellData().GetArray("alive")
+    for i in range(array.GetNumberOfValues()):
+        alive.SetValue(i, 1 if int(array.GetValue(i)) in kept else 0)
+    chosen = vtkThreshold()
+    chosen.SetInputData(grid)
+    chosen.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "alive")
+    chosen.SetLowerThreshold(0.5)
+    chosen.SetUpperThreshold(1.5)
+    chosen.Update()
+    return chosen.GetOutput()
+
+
+def behind(grid, axis, place, direction):
+    """What lies behind a plane across an axis, seen from a direction."""
+    plane = vtkPlane()
+    origin, normal = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
+    origin[axis] = place
+    normal[axis] = 1.0 if direction[axis] >= 0 else -1.0
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    cut = vtkExtractGeometry()
+    cut.SetInputData(grid)
+    cut.SetImplicitFunction(plane)
+    cut.ExtractInsideOn()
+    cut.Update()
+    return cut.GetOutput()
 
 
 def axis_and_place(text):
@@ -296,6 +339,10 @@ def draw(collection, arguments):
     chosen = [nearest_frame(frames, time) for time in arguments.time or [frames[-1][0]]]
     mirrors = [axis_and_place(text) for text in arguments.mirror]
     grids = [read_grid(file, mirrors) for _, file in chosen]
+    if arguments.without:
+        grids = [without_parts(grid, numbers_of(arguments.without)) for grid in grids]
+    if arguments.cut:
+        grids = [behind(grid, *axis_and_place(arguments.cut), direction_of(arguments.view)) for grid in grids]
     bounds = union([grid.GetBounds() for grid in grids])
     low, high = (map(float, arguments.range.split(",")) if arguments.range else value_range(grids, arguments.field))
     width, height = (int(number) for number in arguments.size.split("x"))
@@ -309,7 +356,8 @@ def draw(collection, arguments):
             renderer.AddActor(wall_actor(bounds, *axis_and_place(arguments.wall)))
         if walls := shaped_walls_actor(file):
             renderer.AddActor(walls)
-        renderer.AddActor2D(colour_bar(table, height, parts))
+        if not parts or table.GetNumberOfTableValues() <= MOST_PARTS:
+            renderer.AddActor2D(colour_bar(table, height, parts))
         title = TITLES.get(arguments.field, arguments.field.replace("_", " "))
         renderer.AddActor2D(label(title, 0.024 * height, (0.985 * width, 0.825 * height), to_the_left=True))
         renderer.AddActor2D(label(f"t = {time:.4g}", 0.028 * height, (0.03 * height, 0.03 * height)))
