@@ -84,10 +84,11 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   const int law = materials::solid_material_kind(material.law);
   require(kind.kind >= 0, part, "its formulation of solids is not computed by any kind in the registry");
   require(law >= 0, part, "its material cannot be used with solids");
-  const ElasticConstants elastic = materials::elastic_constants(material);
+  ElasticConstants elastic = materials::elastic_constants(material);
   const model::EquationOfState* const equation = model::equation_of_state_of(model, part);
   require_equation_of_state(part, material, equation != nullptr);
   const materials::SolidStart start = materials::solid_start(material, equation);
+  elastic.youngs_modulus *= start.stiffness_share;
   SolidConstants<double> constants;
   constants.formulation = kind.kind;
   constants.points = kind.points;
@@ -102,6 +103,10 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
       control.bulk_quadratic > 0 ? control.bulk_quadratic : model.control.bulk_quadratic;
   constants.bulk_linear = std::max(control.bulk_linear > 0 ? control.bulk_linear : model.control.bulk_linear,
                                    start.linear_viscosity);
+  if (start.own_viscosity) {
+    constants.bulk_quadratic = 0;
+    constants.bulk_linear = start.linear_viscosity;
+  }
   set_hourglass(control, elastic, constants);
   set_interior(part, constants);
   if (block.formulation != model::SolidFormulation::OnePointHexahedron) constants.exact_volume = true;
@@ -137,14 +142,20 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
     throw Error(
         "Solid " + std::to_string(solid.id) +
         " has no positive volume: its nodes are not numbered as they should be, or it is inside out.");
-  const double factor =
-      block.rigid ? 1 : mass_factor(model.control.mass_scaling_step, size.length / constants.wave_speed);
+  const model::Part& part = model.parts[block.part];
+  const model::ConstitutiveLaw& law = model.materials[part.material].law;
+  const double step = size.length / constants.wave_speed;
+  const double factor = block.rigid ? 1 : mass_factor(model.control.mass_scaling_step, step);
   const Index own = constants.own;
   block.set_state(place, own + solid_state::reference_volume, size.volume);
   block.set_state(place, own + solid_state::active, place < block.elements ? 1 : 0);
   block.set_state(place, own + solid_state::step_scale, std::sqrt(factor));
   if (constants.present_wave_speed > 0)
     block.set_state(place, constants.present_wave_speed, constants.wave_speed);
+  materials::SolidCorners corners;
+  const std::array<Index, 8> node = block.nodes_of(place);
+  for (std::size_t k = 0; k < 8; ++k) corners[k] = domain.nodes.position[node[k]];
+  materials::prepare_solid_element(law, corners, solid.id, block, constants.history, place);
   const double mass = constants.density * size.volume;
   return {factor * mass, (factor - 1) * mass};
 }

@@ -32,6 +32,7 @@
 #include "materials/laws/composite_damage.hpp"
 #include "materials/laws/crushable_foam.hpp"
 #include "materials/laws/elastic.hpp"
+#include "materials/laws/honeycomb.hpp"
 #include "materials/laws/johnson_cook.hpp"
 #include "materials/laws/low_density_foam.hpp"
 #include "materials/laws/mooney_rivlin.hpp"
@@ -42,8 +43,11 @@
 #include "materials/laws/plastic_kinematic.hpp"
 #include "materials/laws/polynomial_rubber.hpp"
 #include "materials/laws/power_law_plasticity.hpp"
+#include "materials/laws/simplified_rubber.hpp"
+#include "materials/laws/soil_and_foam.hpp"
 #include "materials/laws/strain_limited_plasticity.hpp"
 #include "materials/laws/viscoelastic.hpp"
+#include "materials/laws/viscous_foam.hpp"
 
 namespace crumple::materials {
 
@@ -80,7 +84,11 @@ using SolidLaws = LawList<         //
     LowDensityFoamLaw,             //
     OgdenRubberLaw,                //
     PolynomialRubberLaw,           //
-    ViscoelasticLaw>;
+    ViscoelasticLaw,               //
+    HoneycombLaw,                  //
+    SoilAndFoamLaw,                //
+    ViscousFoamLaw,                //
+    SimplifiedRubberLaw>;
 
 /// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp
 /// says.

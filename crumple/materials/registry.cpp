@@ -146,6 +146,17 @@ Index declare_solid_history(const model::ConstitutiveLaw& law, domain::ElementBl
   return first;
 }
 
+void prepare_solid_element(const model::ConstitutiveLaw& law, const SolidCorners& corners, UserId solid,
+                           domain::ElementBlock& block, Index history, Index place) {
+  with_law(
+      law,
+      [&]<class Law>(Law, int) {
+        if constexpr (requires { Law::prepare_solid_element(law, corners, solid, block, history, place); })
+          Law::prepare_solid_element(law, corners, solid, block, history, place);
+      },
+      SolidLaws{});
+}
+
 std::vector<double> solid_material_constants(const model::Material& material,
                                              const model::EquationOfState* equation) {
   model::Material used = material;
@@ -184,8 +195,13 @@ SolidStart solid_start(const model::Material& material, const model::EquationOfS
         };
         if constexpr (requires { Law::linear_viscosity(material.law); })
           start.linear_viscosity = Law::linear_viscosity(material.law);
+        if constexpr (requires { Law::own_viscosity(material.law); })
+          start.own_viscosity = Law::own_viscosity(material.law);
+        if constexpr (requires { Law::stiffness_share(material.law); })
+          start.stiffness_share = Law::stiffness_share(material.law);
       },
       SolidLaws{});
+  start.wave_speed *= std::sqrt(start.stiffness_share);
   return start;
 }
 

@@ -13,6 +13,8 @@
 // A law of total deformation has no elasticity; it derives from TotalDeformation. Nor has a law whose history
 // is the stress: it has
 //   SolidStress relaxed(history, strain, Turn)       the new stress
+// Nor has a law of rates whose wave speed varies. It has, with the old stress turned already,
+//   TotalStress updated(old, strain, Turn, history)  the new stress and the square of the wave speed
 
 #include "materials/common/history_view.hpp"
 #include "materials/common/solid_material.hpp"
@@ -84,6 +86,10 @@ CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<R
     leave_wave_speed(wave_speed, p, total.wave_square);
   } else if constexpr (requires { law.relaxed(history, strain, turn); }) {
     now = law.relaxed(history, strain, turn);
+  } else if constexpr (requires { law.updated(old, strain, turn, history); }) {
+    const auto updated = law.updated(old, strain, turn, history);
+    now = updated.stress;
+    leave_wave_speed(wave_speed, p, updated.wave_square);
   } else {
     now = law.elasticity.stress(old, strain);
   }

@@ -28,6 +28,10 @@ struct Use {
   LawUse operator()(const OgdenRubber& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const PolynomialRubber& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const Viscoelastic& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const Honeycomb& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const SoilAndFoam& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const ViscousFoam& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const SimplifiedRubber& /*law*/) const { return {false, true, false, false}; }
 };
 
 }  // namespace
@@ -38,6 +42,15 @@ LawUse use_of(const ConstitutiveLaw& law) {
 
 bool has_strain_limits(const PiecewiseLinearPlasticity& law) {
   return law.failure_thinning > 0 || law.failure_major > 0 || law.failed_points > 0 || law.failed_share > 0;
+}
+
+double stiffness_share(const Honeycomb& law) {
+  double largest = 0;
+  for (std::size_t k = 0; k < law.moduli.size(); ++k)
+    largest = std::max(largest, (k < 3 ? 1 : 2) * law.moduli[k]);
+  const double nu = law.poissons_ratio;
+  const double compacted = law.youngs_modulus * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+  return std::min(1.0, largest / compacted);
 }
 
 void set_instantaneous(Viscoelastic& law) {

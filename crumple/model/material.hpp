@@ -225,6 +225,77 @@ struct LowDensityFoam {
   bool engineering_rate = false;     ///< the rate is that of the stretch, else of its logarithm
 };
 
+/// Honeycomb: six uncoupled components in the material axes a, b, c until it is compacted, then elastic and
+/// perfectly plastic (*MAT_HONEYCOMB).
+struct Honeycomb {
+  /// What the material axes follow at time zero.
+  enum class Axes {
+    Nodes,    ///< a from node 1 to 2, b in the plane of nodes 1, 2 and 4
+    Point,    ///< a from `a`, a point, to the middle of the element, c = a x z
+    Vectors,  ///< a along `a`, c = a x `d`
+  };
+  /// Yield stress of a component over the crushed volume 1 - V, on straight lines that go on at both ends.
+  struct Crush {
+    std::vector<double> crush;   ///< 1 - relative volume, ascending
+    std::vector<double> stress;  ///< [stress]
+  };
+
+  double youngs_modulus = 0;          ///< E once compacted [stress]
+  double poissons_ratio = 0;          ///< nu once compacted [-]
+  double yield_stress = 0;            ///< once compacted [stress]
+  double compacted_volume = 0;        ///< relative volume V_f from which on it is compacted [-]
+  std::array<double, 6> moduli{};     ///< uncompacted E_aa, E_bb, E_cc, G_ab, G_bc, G_ca [stress]
+  std::array<Crush, 6> crush{};       ///< of aa, bb, cc, ab, bc, ca
+  std::vector<double> factor_rate{};  ///< norms of the deviatoric strain rate, ascending [1/time]; or empty
+  std::vector<double> rate_factor{};  ///< on the yield stresses before compaction [-]
+  double viscosity = 0.05;            ///< coefficient of the linear bulk viscosity, in the place of Q1 and Q2
+  bool standard_viscosity = false;    ///< Q1 and Q2 instead
+  Axes axes = Axes::Nodes;
+  std::array<double, 3> a{};
+  std::array<double, 3> d{};
+  double failure_tension = 0;  ///< largest logarithmic strain along a, b or c at failure [-]; 0 is none
+  double failure_shear = 0;    ///< largest engineering shear strain between them at failure [-]; 0 is none
+};
+
+/// Largest stiffness of waves in the uncompacted honeycomb over that of confined compression of the compacted
+/// one, at most 1.
+double stiffness_share(const Honeycomb& law);
+
+/// Soil, concrete or foam whose pressure follows from the volume, and whose yield stress from the pressure
+/// (*MAT_SOIL_AND_FOAM).
+struct SoilAndFoam {
+  double youngs_modulus = 0;        ///< of the moduli G and the larger of KUN and the first slope [stress]
+  double poissons_ratio = 0;        ///< the same [-]
+  double shear_modulus = 0;         ///< G [stress]
+  double unloading_modulus = 0;     ///< bulk modulus KUN of unloading [stress]
+  std::array<double, 3> yield{};    ///< a0, a1, a2: half the deviator's square is at most a0 + a1 p + a2 p^2
+  double least_pressure = 0;        ///< PC, not above zero [stress]
+  bool crushes = true;              ///< unloads with KUN; else along the curve
+  std::vector<double> compression;  ///< -ln V, ascending from 0
+  std::vector<double> pressure;     ///< from 0 [stress]; the last slope goes on
+};
+
+/// Foam that stiffens with compression, and a viscosity that does as well (*MAT_VISCOUS_FOAM).
+struct ViscousFoam {
+  double youngs_modulus = 0;      ///< the larger of E1 and E2: for step and contact [stress]
+  double poissons_ratio = 0;      ///< nu [-]
+  double elastic_modulus = 0;     ///< E1 at rest [stress]
+  double elastic_exponent = 0;    ///< n1: the modulus is E1 V^-n1 [-]
+  double viscosity = 0;           ///< V2 [stress time]
+  double viscosity_exponent = 0;  ///< n2: the viscosity is V2 |1 - V|^n2 [-]
+};
+
+/// Rubber or foam by its uniaxial test (*MAT_SIMPLIFIED_RUBBER/FOAM).
+struct SimplifiedRubber {
+  double youngs_modulus = 0;    ///< largest slope of the test's curve, or of the moduli below [stress]
+  double poissons_ratio = 0;    ///< of a foam; of rubber that at rest [-]
+  bool is_foam = false;         ///< compressible with constant Poisson's ratio, else nearly incompressible
+  double bulk_modulus = 0;      ///< KM, of rubber [stress]
+  double damping = 0.1;         ///< MU: least coefficient of the linear bulk viscosity [-]
+  std::vector<double> stretch;  ///< of the test, ascending through 1
+  std::vector<double> stress;   ///< nominal, through 0 at 1 [stress]; the outer slopes go on
+};
+
 /// Nearly incompressible rubber of Ogden (*MAT_OGDEN_RUBBER).
 struct OgdenRubber {
   double youngs_modulus = 0;         ///< E = 2 G (1 + nu) at rest, G = sum of mu alpha / 2 [stress]
@@ -323,7 +394,7 @@ using ConstitutiveLaw =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
                  OrthotropicElastic, CompositeDamage, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo,
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
-                 DiscreteBeamLaw>;
+                 DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

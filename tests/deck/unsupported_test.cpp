@@ -26,7 +26,7 @@ TEST(Unsupported, PartsOfUnsupportedMaterialsAreLeftOutWithTheirShells) {
   SmallDeck deck;
   deck.part = "*PART\nfirst\n1,1,1\nsecond\n2,1,2\n";
   deck.shells = "*ELEMENT_SHELL\n11,1,1,2,3,4\n12,2,2,5,6,3\n";
-  deck.more = "*MAT_SOIL_AND_FOAM\n2,7.83E-6,207,0.3\n";
+  deck.more = "*MAT_WOOD\n2,7.83E-6,207,0.3\n";
   EXPECT_FALSE(read_deck_text(deck.text()).model);
   ReadOptions options;
   options.allow_unsupported = true;

@@ -89,7 +89,8 @@ class MotionDriver : public TileDriver<Real, domain::SolidBlock, solid_component
   using Base = TileDriver<Real, domain::SolidBlock, solid_components>;
 
  public:
-  MotionDriver(const model::Material& material, Isa isa, const model::EquationOfState* equation = nullptr)
+  MotionDriver(const model::Material& material, Isa isa, const model::EquationOfState* equation = nullptr,
+               const SolidCorners& corners = unit_corners())
       : Base(material, 1), update_(solid_material_update<Real>(isa, solid_material_kind(material.law))) {
     this->history_ = declare_solid_history(material.law, this->block_);
     std::vector<double> constants = solid_material_constants(material, equation);
@@ -101,6 +102,8 @@ class MotionDriver : public TileDriver<Real, domain::SolidBlock, solid_component
     }
     this->allocate(constants, 3);
     if (solid_can_fail(material)) this->intact_.assign(tile_lanes, Real(-1));
+    for (Index place = 0; place < tile_lanes; ++place)
+      prepare_solid_element(material.law, corners, 1, this->block_, this->history_, place);
     turn_.assign(9 * tile_lanes, Real(0));
   }
 

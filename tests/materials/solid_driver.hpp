@@ -65,6 +65,11 @@ inline Six rotated(const Six& s, const Matrix& d, double shear = 1) {
   return {out[0][0], out[1][1], out[2][2], out[0][1] / shear, out[1][2] / shear, out[2][0] / shear};
 }
 
+/// Corners of a cube along the axes.
+inline SolidCorners unit_corners() {
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+}
+
 /// One tile of solids with `points` points each, driven by strain increments and rotations.
 template <class Real>
 class SolidDriver : public TileDriver<Real, domain::SolidBlock, solid_components> {
@@ -75,6 +80,8 @@ class SolidDriver : public TileDriver<Real, domain::SolidBlock, solid_components
       : Base(material, points), update_(solid_material_update<Real>(isa, solid_material_kind(material.law))) {
     this->history_ = declare_solid_history(material.law, this->block_);
     this->allocate(solid_material_constants(material), static_cast<std::size_t>(points));
+    for (Index place = 0; place < tile_lanes; ++place)
+      prepare_solid_element(material.law, unit_corners(), 1, this->block_, this->history_, place);
     turn_.assign(static_cast<std::size_t>(points) * 9 * tile_lanes, Real(0));
   }
 

@@ -130,6 +130,12 @@ class Build {
 
 // build_properties.cpp
 void build_properties(Build& build, const ReadOptions& options);
+/// The curve that a field refers to; no_index, with a message, if there is none, or if it is a function of
+/// time.
+Index find_points(Build& build, const Reference& reference);
+// build_foams.cpp
+/// What the curves of a honeycomb, a soil or a foam make of its law.
+void take_foam_curves(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build);
 // check_materials.cpp
 void check_materials(Build& build);
 // check_parts.cpp

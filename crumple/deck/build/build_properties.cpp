@@ -12,6 +12,15 @@
 
 namespace crumple::deck {
 
+Index find_points(Build& build, const Reference& reference) {
+  const Index index = build.find(Item::Curve, reference);
+  if (index == no_index || build.deck.curves[static_cast<std::size_t>(index)].function.empty()) return index;
+  build.report.field_error(reference.where, {reference.field, std::to_string(reference.id),
+                                             "a curve of *DEFINE_CURVE, given by points",
+                                             "*DEFINE_CURVE_FUNCTION is a function of time", "function"});
+  return no_index;
+}
+
 namespace {
 
 /// Plastic strain up to which a hardening table is continued with its last slope, as LS-DYNA continues
@@ -68,16 +77,6 @@ void take_hardening(const model::Curve& curve, const Where& where, std::vector<d
                                curve.id, curve.ordinate[i], curve.abscissa[i]));
       return;
     }
-}
-
-/// The curve that a field refers to, of another variable than time: one of points.
-Index find_points(Build& build, const Reference& reference) {
-  const Index index = build.find(Item::Curve, reference);
-  if (index == no_index || build.deck.curves[static_cast<std::size_t>(index)].function.empty()) return index;
-  build.report.field_error(reference.where, {reference.field, std::to_string(reference.id),
-                                             "a curve of *DEFINE_CURVE, given by points",
-                                             "*DEFINE_CURVE_FUNCTION is a function of time", "function"});
-  return no_index;
 }
 
 /// The model's curve of every value of a table; no_index where it is missing, which has been reported.
@@ -397,6 +396,7 @@ void build_properties(Build& build, const ReadOptions& options) {
       take_crush(raw, *law, build);
     if (auto* law = std::get_if<model::LowDensityFoam>(&model.materials.back().law))
       take_compression(raw, *law, build);
+    take_foam_curves(raw, model.materials.back().law, build);
   }
   build_spring_materials(build);
   take_erosions(build);

@@ -69,7 +69,10 @@ bool is_plastic(const model::ConstitutiveLaw& law) {
          !std::holds_alternative<model::LowDensityFoam>(law) &&
          !std::holds_alternative<model::OgdenRubber>(law) &&
          !std::holds_alternative<model::PolynomialRubber>(law) &&
-         !std::holds_alternative<model::Viscoelastic>(law);
+         !std::holds_alternative<model::Viscoelastic>(law) &&
+         !std::holds_alternative<model::Honeycomb>(law) && !std::holds_alternative<model::SoilAndFoam>(law) &&
+         !std::holds_alternative<model::ViscousFoam>(law) &&
+         !std::holds_alternative<model::SimplifiedRubber>(law);
 }
 
 /// Something has this density and modulus in the system. `any` admits whatever is solid, gels included; else

@@ -100,6 +100,12 @@ void read_mat_ogden_rubber(Cards& cards, RawDeck& deck);
 void read_mat_hyperelastic_rubber(Cards& cards, RawDeck& deck);
 void read_mat_viscoelastic(Cards& cards, RawDeck& deck);
 void read_mat_general_viscoelastic(Cards& cards, RawDeck& deck);
+// read_honeycomb.cpp
+void read_mat_honeycomb(Cards& cards, RawDeck& deck);
+// read_more_foams.cpp
+void read_mat_soil_and_foam(Cards& cards, RawDeck& deck);
+void read_mat_viscous_foam(Cards& cards, RawDeck& deck);
+void read_mat_simplified_rubber(Cards& cards, RawDeck& deck);
 // read_equations_of_state.cpp
 void read_eos_linear_polynomial(Cards& cards, RawDeck& deck);
 void read_eos_gruneisen(Cards& cards, RawDeck& deck);

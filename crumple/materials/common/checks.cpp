@@ -26,6 +26,11 @@ void fail_axis(UserId shell) {
               ": the direction of its material's axis a is normal to the shell; give another vector.");
 }
 
+void fail_solid_axes(UserId solid) {
+  throw Error("Solid " + std::to_string(solid) +
+              ": the directions of its material's axes are parallel, or zero; give other vectors.");
+}
+
 void require_failure_strain(const model::Material& material, double failure_strain) {
   require(failure_strain >= 0, material, "the failure strain must not be negative; zero is no failure");
 }

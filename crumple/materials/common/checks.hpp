@@ -19,6 +19,9 @@ void require_cowper_symonds(const model::Material& material, double rate, double
 /// Throws: the axis that a shell's material is to follow is normal to the shell.
 [[noreturn]] void fail_axis(UserId shell);
 
+/// Throws: the axes that a solid's material is to follow do not span a plane.
+[[noreturn]] void fail_solid_axes(UserId solid);
+
 /// Failure strain above zero, or zero (no failure).
 void require_failure_strain(const model::Material& material, double failure_strain);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "base/isa.hpp"
 #include "domain/element_block.hpp"
 #include "materials/common/shell_material.hpp"
+#include "math/vec3.hpp"
 #include "model/equation_of_state.hpp"
 #include "model/material.hpp"
 
@@ -16,6 +18,9 @@ namespace crumple::materials {
 /// Stress and strain components of a solid in global axes: xx, yy, zz, xy, yz, zx. Shear strains are
 /// engineering ones (twice the tensor's).
 inline constexpr int solid_components = 6;
+
+/// Corners of a solid at time zero, as a list for hexahedra: a tetrahedron repeats its third and fourth.
+using SolidCorners = std::array<math::Vec3, 8>;
 
 /// Largest number of integration points of a solid.
 inline constexpr int max_solid_points = 8;
@@ -63,6 +68,11 @@ Index declare_eos_history(domain::ElementBlock& block);
 std::vector<double> solid_material_constants(const model::Material& material,
                                              const model::EquationOfState* equation = nullptr);
 
+/// Sets what the law keeps for each element, once before the run; `history` is what declare_solid_history
+/// returned. Throws Error naming the solid if its axes do not fit.
+void prepare_solid_element(const model::ConstitutiveLaw& law, const SolidCorners& corners, UserId solid,
+                           domain::ElementBlock& block, Index history, Index place);
+
 /// Those of an equation of state, for SolidMaterialTask::equation_of_state; `history` is the first component
 /// of its items less that of the law's. Throws as before.
 std::vector<double> eos_constants(const model::Material& material, const model::EquationOfState& equation,
@@ -72,8 +82,10 @@ std::vector<double> eos_constants(const model::Material& material, const model::
 struct SolidStart {
   double density = 0;           ///< [mass/volume]
   double wave_speed = 0;        ///< of longitudinal waves [length/time]
-  bool varies = false;          ///< the update tells the wave speed of every step
+  bool varies = false;          ///< the update returns the wave speed of every step
   double linear_viscosity = 0;  ///< least coefficient of the linear bulk viscosity [-]
+  bool own_viscosity = false;   ///< there is no other bulk viscosity than that
+  double stiffness_share = 1;   ///< share of the elastic moduli that resists at time zero [-]
 };
 SolidStart solid_start(const model::Material& material, const model::EquationOfState* equation);
 

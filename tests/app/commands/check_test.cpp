@@ -18,7 +18,7 @@ class Check : public ProgramTest {
 
 constexpr const char* harmless = "*DATABASE_ACEOUT\n0.1\n*DATABASE_NODFOR\n0.1\n*DATABASE_NODFOR\n0.1\n";
 constexpr const char* lacking =
-    "*DAMPING_PART_STIFFNESS\n         0       0.1\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,0,1\n";
+    "*DAMPING_FREQUENCY_RANGE\n         0       0.1\n*CONTROL_TIMESTEP\n0,0.9,0,1e-9\n";
 
 TEST_F(Check, OfCardsWithoutEffectForPrograms) {
   const Result result = run({"check", "--json", deck_with(harmless)});
@@ -42,8 +42,8 @@ TEST_F(Check, OfWhatIsMissingForPrograms) {
   EXPECT_FALSE(json["can_run"]);
   EXPECT_EQ(json["errors"], 2);
   EXPECT_EQ(json["counts"]["missing"], 2);
-  EXPECT_EQ(json["missing"][0]["name"], "*DAMPING_PART_STIFFNESS");
-  EXPECT_EQ(json["missing"][1]["name"], "*CONTROL_TIMESTEP MS1ST");
+  EXPECT_EQ(json["missing"][0]["name"], "*DAMPING_FREQUENCY_RANGE");
+  EXPECT_EQ(json["missing"][1]["name"], "*CONTROL_TIMESTEP TSLIMT");
   EXPECT_EQ(json["messages"].size(), 3U);  // with the note on defaults
   const Result allowed = run({"check", "--json", "--allow-unsupported", deck});
   EXPECT_EQ(allowed.code, ExitCode::Normal);
@@ -56,7 +56,7 @@ TEST_F(Check, HeadingsSeparateRefusedFromHarmless) {
   const std::string deck = deck_with(std::string(harmless) + lacking);
   const Result refused = run({"check", deck});
   EXPECT_EQ(refused.code, ExitCode::Input);
-  const std::size_t first = refused.out.find("Not supported\n  *DAMPING_PART_STIFFNESS (1 time");
+  const std::size_t first = refused.out.find("Not supported\n  *DAMPING_FREQUENCY_RANGE (1 time");
   const std::size_t second =
       refused.out.find("Left out, without effect on the result\n  *DATABASE_ACEOUT (1 time");
   EXPECT_TRUE(first != std::string::npos && second != std::string::npos && first < second) << refused.out;
@@ -64,7 +64,7 @@ TEST_F(Check, HeadingsSeparateRefusedFromHarmless) {
   const Result allowed = run({"check", "--allow-unsupported", deck});
   EXPECT_EQ(allowed.code, ExitCode::Normal);
   EXPECT_NE(
-      allowed.out.find("LEFT OUT ON REQUEST, although it changes the result\n  *DAMPING_PART_STIFFNESS"),
+      allowed.out.find("LEFT OUT ON REQUEST, although it changes the result\n  *DAMPING_FREQUENCY_RANGE"),
       std::string::npos)
       << allowed.out;
 }
@@ -76,7 +76,7 @@ TEST_F(Check, ARunListsWhatWasLeftOut) {
   EXPECT_NE(result.out.rfind("LEFT OUT ON REQUEST"), result.out.find("LEFT OUT ON REQUEST"));
   const nlohmann::json left_out = record(path("out"))["left_out"];
   ASSERT_EQ(left_out.size(), 4U);
-  EXPECT_EQ(left_out[0]["name"], "*DAMPING_PART_STIFFNESS");
+  EXPECT_EQ(left_out[0]["name"], "*DAMPING_FREQUENCY_RANGE");
   EXPECT_EQ(left_out[0]["reason"], "on request");
   EXPECT_EQ(left_out[3]["name"], "*DATABASE_NODFOR");
   EXPECT_EQ(left_out[3]["reason"], "without effect");

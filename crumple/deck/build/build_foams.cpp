@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Curves of honeycomb, soil and foams.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "deck/build/build.hpp"
+
+namespace crumple::deck {
+
+namespace {
+
+const model::Curve* curve_of(Build& build, UserId id, std::string_view field, const Where& where) {
+  if (id == 0) return nullptr;
+  const Index index = find_points(build, {id, field, where});
+  return index == no_index ? nullptr : &build.model.curves[static_cast<std::size_t>(index)];
+}
+
+/// A curve over the relative volume, or over 1 - V: that begins at or below zero.
+model::Honeycomb::Crush crush_of(const model::Curve& curve) {
+  model::Honeycomb::Crush found{curve.abscissa, curve.ordinate};
+  if (!(curve.abscissa.front() > 0)) return found;
+  for (double& volume : found.crush) volume = 1 - volume;
+  std::reverse(found.crush.begin(), found.crush.end());
+  std::reverse(found.stress.begin(), found.stress.end());
+  return found;
+}
+
+void take_crushes(const RawMaterial& raw, model::Honeycomb& law, Build& build) {
+  static constexpr std::string_view names[] = {"LCA", "LCB", "LCC", "LCAB", "LCBC", "LCCA"};
+  for (std::size_t k = 0; k < law.crush.size(); ++k) {
+    // What is missing has been reported with the first that stands for it.
+    const bool again = std::find(raw.more_curves.begin(), raw.more_curves.begin() + static_cast<int>(k),
+                                 raw.more_curves[k]) != raw.more_curves.begin() + static_cast<int>(k);
+    if (again && build.find_quietly(Item::Curve, raw.more_curves[k]) == no_index) continue;
+    const model::Curve* const curve = curve_of(build, raw.more_curves[k], names[k], raw.curve_where);
+    if (curve == nullptr) continue;
+    law.crush[k] = crush_of(*curve);
+    const bool below =
+        std::any_of(curve->ordinate.begin(), curve->ordinate.end(), [](double stress) { return stress < 0; });
+    if (below && !again)
+      build.report.error(raw.curve_where, "crush",
+                         fmt::format("curve {} must give yield stresses that are not below zero, over the "
+                                     "relative volume, or over 1 - V from zero on",
+                                     curve->id));
+  }
+  const model::Curve* const rates = curve_of(build, raw.more_curves[6], "LCSR", raw.curve_where);
+  if (rates == nullptr) return;
+  law.factor_rate = rates->abscissa;
+  law.rate_factor = rates->ordinate;
+  for (const double factor : rates->ordinate)
+    if (!(factor > 0)) {
+      build.report.error(
+          raw.curve_where, "rate",
+          fmt::format("curve {} gives the factor {}, expected factors above zero", rates->id, factor));
+      return;
+    }
+}
+
+/// LCID of soil: signs of the strains make no difference, as in LS-DYNA.
+void take_pressures(const RawMaterial& raw, model::SoilAndFoam& law, Build& build) {
+  const model::Curve* const curve = curve_of(build, raw.hardening_curve, "LCID", raw.curve_where);
+  if (curve != nullptr) {
+    law.compression = curve->abscissa;
+    law.pressure = curve->ordinate;
+    for (double& strain : law.compression) strain = std::fabs(strain);
+    if (law.compression.front() > law.compression.back()) {
+      std::reverse(law.compression.begin(), law.compression.end());
+      std::reverse(law.pressure.begin(), law.pressure.end());
+    }
+    if (law.compression.front() > 0) {
+      law.compression.insert(law.compression.begin(), 0.0);
+      law.pressure.insert(law.pressure.begin(), 0.0);
+    }
+  }
+  if (law.compression.size() < 2) return;
+  double steepest = 0;
+  bool falls = law.pressure.front() != 0;
+  for (std::size_t k = 0; k + 1 < law.compression.size(); ++k) {
+    const double rise = law.pressure[k + 1] - law.pressure[k];
+    const double width = law.compression[k + 1] - law.compression[k];
+    falls = falls || rise < 0 || !(width > 0);
+    if (width > 0) steepest = std::max(steepest, rise / width);
+  }
+  if (falls)
+    build.report.error(raw.where, "pressure",
+                       "the pressure over -ln V must start at zero, and must not fall in compression");
+  else if (law.crushes && steepest > 1.0001 * law.unloading_modulus)
+    build.report.warning(
+        raw.where, "unloading",
+        fmt::format("KUN is {:.4g}, and the pressure rises by up to {:.4g}: where it does, unloading gives "
+                    "more energy than loading took; take KUN not below that",
+                    law.unloading_modulus, steepest));
+  const double first =
+      (law.pressure[1] - law.pressure[0]) / std::max(law.compression[1] - law.compression[0], 1e-30);
+  const double bulk = law.crushes ? std::max(first, law.unloading_modulus) : first;
+  const double shear = law.shear_modulus;
+  law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
+  law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+}
+
+/// LC/TBID of rubber or foam: force over the change of the gauge length.
+void take_test(const RawMaterial& raw, model::SimplifiedRubber& law, Build& build) {
+  if (build.find_quietly(Item::Table, raw.hardening_curve) != no_index) {
+    build.report.field_unsupported(raw.curve_where,
+                                   {"LC/TBID", std::to_string(raw.hardening_curve), "the id of a curve",
+                                    "a table of curves by strain rate is not supported", "table"});
+    return;
+  }
+  const model::Curve* const curve = curve_of(build, raw.hardening_curve, "LC/TBID", raw.curve_where);
+  if (curve == nullptr || !(raw.gauge[0] > 0) || !(raw.gauge[1] > 0)) return;
+  const double most = std::max(std::fabs(curve->ordinate.front()), std::fabs(curve->ordinate.back()));
+  const bool both = curve->abscissa.front() < 0 && curve->abscissa.back() > 0;
+  const bool rises = std::is_sorted(curve->ordinate.begin(), curve->ordinate.end());
+  const bool within = curve->abscissa.front() > -raw.gauge[0];
+  if (!both || !rises || !within || std::fabs(curve->at(0)) > 1e-9 * most) {
+    build.report.error(raw.curve_where, "test",
+                       fmt::format("curve {} must go from compression (not below -SGL) through (0, 0) to "
+                                   "tension, and must not fall: it is the force of the test over the change "
+                                   "of the gauge length",
+                                   curve->id));
+    return;
+  }
+  law.stretch.clear();
+  law.stress.clear();
+  for (std::size_t k = 0; k < curve->abscissa.size(); ++k) {
+    law.stretch.push_back(1 + curve->abscissa[k] / raw.gauge[0]);
+    law.stress.push_back(curve->ordinate[k] / raw.gauge[1]);
+  }
+  // The lines on both sides of the origin; it need not be a point of the curve.
+  for (std::size_t k = 0; k + 1 < law.stretch.size(); ++k)
+    if (law.stretch[k] <= 1 && law.stretch[k + 1] >= 1)
+      law.youngs_modulus = std::max(
+          law.youngs_modulus, (law.stress[k + 1] - law.stress[k]) / (law.stretch[k + 1] - law.stretch[k]));
+  if (law.is_foam) return;
+  law.poissons_ratio = 0.5 - law.youngs_modulus / (6 * law.bulk_modulus);
+  if (law.bulk_modulus > 0 && !(law.poissons_ratio > 0))
+    build.report.error(
+        raw.where, "modulus",
+        fmt::format("KM is {:.4g}, expected more than a third of the slope of curve {} at rest, "
+                    "{:.4g}: Poisson's ratio would be below zero",
+                    law.bulk_modulus, curve->id, law.youngs_modulus));
+}
+
+}  // namespace
+
+void take_foam_curves(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build) {
+  if (auto* honeycomb = std::get_if<model::Honeycomb>(&law)) take_crushes(raw, *honeycomb, build);
+  if (auto* soil = std::get_if<model::SoilAndFoam>(&law)) take_pressures(raw, *soil, build);
+  if (auto* rubber = std::get_if<model::SimplifiedRubber>(&law)) take_test(raw, *rubber, build);
+}
+
+}  // namespace crumple::deck
