@@ -104,15 +104,15 @@ void take_soil_points(const std::array<double, 10>& strain, const std::array<dou
   const bool deepens = std::is_sorted(law.compression.begin(), law.compression.end());
   const bool distinct =
       std::adjacent_find(law.compression.begin(), law.compression.end()) == law.compression.end();
-  if (count < 2 && strain[0] == 0) {
-    report.error(where, "points", "expected LCID, or EPS1 to EPS10 and P1 to P10 with two points at least");
-    law.compression = {0, 1};
-    law.pressure = {0, law.unloading_modulus};
-  } else if (!deepens || !distinct || (strain[0] == 0 && pressure[0] != 0)) {
-    report.error(where, "points",
-                 "EPS1 to EPS10 are natural logarithms of the relative volume, below zero in compression, in "
-                 "the order of increasing compression; at zero the pressure is zero");
-  }
+  const bool none = count < 2 && strain[0] == 0;
+  if (!none && deepens && distinct && (strain[0] != 0 || pressure[0] == 0)) return;
+  report.error(where, "points",
+               none ? "expected LCID, or EPS1 to EPS10 and P1 to P10 with two points at least"
+                    : "EPS1 to EPS10 are natural logarithms of the relative volume, below zero in "
+                      "compression, in the order of increasing compression; at zero the pressure is zero");
+  // Something that needs no other message.
+  law.compression = {0, 1};
+  law.pressure = {0, law.unloading_modulus};
 }
 
 void read_soil(Cards& cards, const Card& card, const Card& second, RawMaterial& raw) {
