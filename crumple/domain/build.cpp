@@ -107,8 +107,10 @@ ShellBlock make_block(const model::Model& model, const NodeFields& nodes, Index 
                       const std::vector<Index>& shells) {
   auto block = begin_block<ShellBlock>(model, part, shells);
   const model::ShellSection& section = model.shell_sections[model.parts[part].section];
-  block.formulation =
-      is_triangle(model.shells[shells.front()]) ? model::ShellFormulation::Triangle : section.formulation;
+  block.formulation = section.formulation;
+  if (is_triangle(model.shells[shells.front()]))
+    block.formulation = model::is_membrane(section.formulation) ? model::ShellFormulation::MembraneTriangle
+                                                                : model::ShellFormulation::Triangle;
   block.layup = model::layup_of(model, model.shells[shells.front()]);
   block.has_own_layup = model.shells[shells.front()].layup != no_index;
   block.thickness_points = block.layup == no_index

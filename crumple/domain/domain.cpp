@@ -115,7 +115,7 @@ void Domain::declare(StateList& list) {
   list.keep_list("body_of_node", "-", Entity::Node, 1, body_of_node);
   for (ShellBlock& block : shells) {
     // A part has one block of quadrilaterals and one of triangles at most, of each layup.
-    const bool triangles = block.formulation == model::ShellFormulation::Triangle;
+    const bool triangles = model::is_triangular(block.formulation);
     std::string name = (triangles ? "triangle_state_" : "shell_state_") + std::to_string(block.part);
     if (block.has_own_layup) name += "_layup_" + std::to_string(block.layup);
     declare_block(name, Entity::Shell, block, list);

@@ -193,6 +193,8 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   // Full integration has no membrane mode to control; drilling takes its place
   // (docs/theory/fully_integrated.md).
   if (kind.planes > 1) constants.hourglass_membrane = 0.04 * elastic.youngs_modulus / 12;
+  if (!model::is_hourglassing(block.formulation) && model::is_membrane(block.formulation))
+    constants.hourglass_membrane = constants.hourglass_warping = 0;
 
   block.plane_points = kind.planes;
   block.points = kind.planes * block.thickness_points;
@@ -307,8 +309,11 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
   const bool stiff = materials::has_stiffness(material.law);
   const double offset = 0.5 * thickness * section_of(model, block).node_place;
   const double about_nodes = thickness * thickness / 12 + offset * offset;
-  const double inertia = std::max(about_nodes, area * shear_inertia(model, block, constants.shear_root));
-  const double coupled = coupled_step(offset, thickness, inertia);
+  // Membranes leave the rotations of their nodes to other elements.
+  const bool bends = !model::is_membrane(block.formulation);
+  const double inertia =
+      bends ? std::max(about_nodes, area * shear_inertia(model, block, constants.shear_root)) : 0;
+  const double coupled = bends ? coupled_step(offset, thickness, inertia) : 1;
   const double factor = stiff && !block.rigid ? mass_factor(model.control.mass_scaling_step,
                                                             coupled * length * constants.slowness)
                                               : 1;

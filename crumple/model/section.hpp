@@ -17,7 +17,28 @@ enum class ShellFormulation {
   HughesLiuSelectiveReduced,  ///< Hughes & Liu with 2 x 2 points in plane and one for the transverse shear
   FullyIntegrated,  ///< 2 x 2 points in plane with assumed strains, Engelmann, Whirley & Goudreau 1989
   Triangle,         ///< C0 triangle, Kennedy, Belytschko & Lin 1986
+  Membrane,         ///< Belytschko-Tsay without bending and transverse shear
+  FullyIntegratedMembrane,  ///< the membrane part of FullyIntegrated
+  MembraneTriangle,         ///< constant strain; triangles in parts of the two before
 };
+
+/// True for those that have forces in their plane alone and leave the rotations of their nodes free.
+constexpr bool is_membrane(ShellFormulation formulation) {
+  return formulation == ShellFormulation::Membrane ||
+         formulation == ShellFormulation::FullyIntegratedMembrane ||
+         formulation == ShellFormulation::MembraneTriangle;
+}
+
+/// True for those that compute elements of three nodes.
+constexpr bool is_triangular(ShellFormulation formulation) {
+  return formulation == ShellFormulation::Triangle || formulation == ShellFormulation::MembraneTriangle;
+}
+
+/// True for those that have patterns of motion for hourglass control to hold.
+constexpr bool is_hourglassing(ShellFormulation formulation) {
+  return !is_triangular(formulation) && formulation != ShellFormulation::FullyIntegrated &&
+         formulation != ShellFormulation::FullyIntegratedMembrane;
+}
 
 enum class ThicknessRule {
   Gauss,

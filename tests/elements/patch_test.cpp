@@ -65,7 +65,7 @@ TEST(MembranePatch, IsExactOnDistortedMeshes) {
   const double shear = 0.5 * youngs_modulus / (1 + poissons_ratio) * exy;
   const double deviator = std::hypot(difference, 2 * shear);
 
-  for (const Kind& kind : kinds) {
+  for (const Kind& kind : quadrilaterals) {
     const std::string patched =
         std::string(kind.name) + ", membrane patch, distorted, over what rounding allows: ";
     test::Largest stresses(patched + "stresses, error", "constant strain, exact", 1);
@@ -228,7 +228,7 @@ TEST(ShearPatch, CarriesTheShearFactorOnce) {
 
 /// Triangles, as quadrilaterals with a repeated node, pass the membrane patch test too and have no hourglass.
 TEST(MembranePatch, HoldsForTriangles) {
-  for (const Kind& kind : kinds) {
+  for (const Kind& kind : quadrilaterals) {
     model::Model model = test::one_part(elastic(), test::shell_section(thickness, 3, kind.formulation));
     add_distorted_grid(model, 3, 5, 0.2);
     const auto quads = model.shells;

@@ -64,7 +64,7 @@ inline model::Model plate(model::ShellFormulation formulation, Index n, double d
                           const model::Material& material = elastic()) {
   model::Model model = test::one_part(material, test::shell_section(thickness, points, formulation));
   add_distorted_grid(model, n, 5, distortion);
-  if (formulation == model::ShellFormulation::Triangle) split_into_triangles(model);
+  if (model::is_triangular(formulation)) split_into_triangles(model);
   return model;
 }
 
@@ -157,16 +157,25 @@ inline constexpr Kind hughes_liu_selective{model::ShellFormulation::HughesLiuSel
                                            "HughesLiuSelective"};
 inline constexpr Kind fully_integrated{model::ShellFormulation::FullyIntegrated, "FullyIntegrated"};
 inline constexpr Kind triangle{model::ShellFormulation::Triangle, "Triangle"};
-/// Every formulation of quadrilaterals.
+inline constexpr Kind membrane{model::ShellFormulation::Membrane, "Membrane"};
+inline constexpr Kind full_membrane{model::ShellFormulation::FullyIntegratedMembrane,
+                                    "FullyIntegratedMembrane"};
+inline constexpr Kind membrane_triangle{model::ShellFormulation::MembraneTriangle, "MembraneTriangle"};
+/// Every formulation of quadrilaterals that bend.
 inline constexpr std::array kinds{belytschko_tsay, belytschko_wong_chiang, hughes_liu, hughes_liu_selective,
                                   fully_integrated};
-/// With the triangle, of which plate() makes two for each quadrilateral.
-inline constexpr auto all_kinds = [] {
-  std::array<Kind, kinds.size() + 1> all{};
-  for (std::size_t i = 0; i < kinds.size(); ++i) all[i] = kinds[i];
-  all.back() = triangle;
-  return all;
-}();
+/// With forces in the plane alone.
+inline constexpr std::array membrane_kinds{membrane, full_membrane, membrane_triangle};
+/// Every formulation; of triangles plate() makes two for each quadrilateral.
+inline constexpr std::array all_kinds{belytschko_tsay,  belytschko_wong_chiang,
+                                      hughes_liu,       hughes_liu_selective,
+                                      fully_integrated, triangle,
+                                      membrane,         full_membrane,
+                                      membrane_triangle};
+/// Every formulation of quadrilaterals.
+inline constexpr std::array quadrilaterals{belytschko_tsay,      belytschko_wong_chiang, hughes_liu,
+                                           hughes_liu_selective, fully_integrated,       membrane,
+                                           full_membrane};
 /// Those with one point in plane and hourglass control.
 inline constexpr std::array one_point_kinds{belytschko_tsay, belytschko_wong_chiang, hughes_liu};
 

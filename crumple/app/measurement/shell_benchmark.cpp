@@ -23,7 +23,7 @@ static_assert(cycles_to_yield * strain_per_cycle > 1.5 * yield_strain);
 /// A sheet of n^2 shells: four-node ones in as many rows as columns, or pairs of triangles in half the rows.
 model::Model sheet(const ShellBenchmark& benchmark) {
   const Index n = benchmark.side;
-  const bool triangles = benchmark.formulation == model::ShellFormulation::Triangle;
+  const bool triangles = model::is_triangular(benchmark.formulation);
   const Index rows = triangles ? n / 2 : n;
   model::Model model;
   const auto add = [&](std::array<Index, 4> node) {
@@ -122,7 +122,8 @@ std::vector<NamedFormulation> benchmark_formulations() {
   for (const ShellFormulation formulation :
        {ShellFormulation::BelytschkoTsay, ShellFormulation::BelytschkoWongChiang, ShellFormulation::HughesLiu,
         ShellFormulation::HughesLiuSelectiveReduced, ShellFormulation::FullyIntegrated,
-        ShellFormulation::Triangle}) {
+        ShellFormulation::Triangle, ShellFormulation::Membrane, ShellFormulation::FullyIntegratedMembrane,
+        ShellFormulation::MembraneTriangle}) {
     const elements::ShellKind kind = elements::shell_kind(formulation);
     if (kind.kind >= 0) found.push_back({option_name(kind.name), formulation});
   }

@@ -175,13 +175,17 @@ std::string hourglass_words(const model::Model& model, const model::Part& part) 
   }
   if (!is_shell(part)) return "none";
   const model::ShellFormulation formulation = model.shell_sections[part.section].formulation;
-  if (formulation == FullyIntegrated || formulation == Triangle) return "none";
+  if (!model::is_hourglassing(formulation)) return "none";
   if (!materials::has_stiffness(model.materials[part.material].law)) return "none";
   const model::HourglassControl& control = model::hourglass_of(model, part);
   if (control.form == model::HourglassForm::Material) return "stiffness of the material";
   const char* form = control.form == model::HourglassForm::Viscous ? "viscous" : "stiffness";
   // Of selectively reduced shells only the warping is controlled.
   if (formulation == HughesLiuSelectiveReduced) return fmt::format("{} QW {:.4g}", form, control.warping);
+  if (formulation == Membrane)
+    return control.warping == control.coefficient
+               ? fmt::format("{} QM {:.4g}", form, control.coefficient)
+               : fmt::format("{} QM {:.4g} QW {:.4g}", form, control.coefficient, control.warping);
   if (control.bending == control.coefficient && control.warping == control.coefficient)
     return fmt::format("{} QM {:.4g}", form, control.coefficient);
   return fmt::format("{} QM {:.4g} QB {:.4g} QW {:.4g}", form, control.coefficient, control.bending,

@@ -148,7 +148,7 @@ void print_eroded(std::ostream& out, const output::View& view) {
     if (block.eroded == 0) continue;
     if (first) print(out, "\nEroded shells\n");
     first = false;
-    const bool triangles = block.formulation == model::ShellFormulation::Triangle;
+    const bool triangles = model::is_triangular(block.formulation);
     print(out, "  part {:<21} {:>13} of {}{}, with the energy {:.6e}\n", view.model.parts[block.part].id,
           block.eroded, block.elements,
           !triangles            ? ""

@@ -22,9 +22,8 @@ OpenShells open_shells(const model::Model& model) {
     if (part.section == no_index || model::is_rigid(model, part)) continue;
     found.deformable = true;
     const model::ShellFormulation formulation = model.shell_sections[part.section].formulation;
-    found.hourglassing = found.hourglassing || (part.hourglass == no_index &&
-                                                formulation != model::ShellFormulation::FullyIntegrated &&
-                                                formulation != model::ShellFormulation::Triangle);
+    found.hourglassing =
+        found.hourglassing || (part.hourglass == no_index && model::is_hourglassing(formulation));
   }
   return found;
 }

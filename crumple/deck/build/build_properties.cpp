@@ -362,6 +362,16 @@ void build_properties(Build& build, const ReadOptions& options) {
     if (!raw.formulation_given) section.formulation = deck.default_formulation;
     if (deck.warping_stiffness && section.formulation == model::ShellFormulation::BelytschkoTsay)
       section.formulation = model::ShellFormulation::BelytschkoWongChiang;
+    if (model::is_membrane(section.formulation)) {
+      // Membranes have the same strain at every place of the thickness.
+      section.thickness_points = 1;
+      section.thickness_rule = model::ThicknessRule::Gauss;
+      if (section.node_place != 0)
+        build.report.field_warning(
+            raw.where, {"NLOC", fmt::format("{:g}", section.node_place), "0",
+                        "membranes have no bending, so their nodes lie in the middle", "membrane"});
+      section.node_place = 0;
+    }
     // LS-DYNA takes Gauss points where Lobatto's rule has none of the order.
     const bool gauss = section.thickness_rule == model::ThicknessRule::Gauss;
     if (deck.lobatto_points && gauss && section.thickness_points >= 3)

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *PART, *SECTION_SHELL, *HOURGLASS.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
 
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/rigid_inertia.hpp"
+#include "deck/keywords/shell_formulations.hpp"
 
 namespace crumple::deck {
 
@@ -37,9 +40,7 @@ constexpr Field part_contact_card[] = {
 
 constexpr Field section_card[] = {
     id("SECID"),
-    only("ELFORM", {0, 1, 2, 4, 6, 10, 16},
-         "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 6 Hughes-Liu selectively reduced, 10 "
-         "Belytschko-Wong-Chiang, 16 fully integrated, 0 what *CONTROL_SHELL says"),
+    real("ELFORM"),  // checked_formulation()
     real_or_default("SHRF", 1.0, above_zero),
     integer_or_default("NIP", 2, within(1, 20, "points through the thickness")),
     unused("PROPT"),                  // what LS-DYNA prints
@@ -122,8 +123,12 @@ model::ShellFormulation shell_formulation(std::int64_t number) {
       return HughesLiu;
     case 4:
       return Triangle;
+    case 5:
+      return Membrane;
     case 6:
       return HughesLiuSelectiveReduced;
+    case 9:
+      return FullyIntegratedMembrane;
     case 10:
       return BelytschkoWongChiang;
     case 16:
@@ -131,6 +136,21 @@ model::ShellFormulation shell_formulation(std::int64_t number) {
     default:
       return BelytschkoTsay;
   }
+}
+
+std::int64_t checked_formulation(const Card& card, std::string_view field, Report& report) {
+  constexpr std::array<double, 9> supported = {0, 1, 2, 4, 5, 6, 9, 10, 16};
+  const double number = card.real(field);
+  if (std::find(supported.begin(), supported.end(), number) != supported.end())
+    return static_cast<std::int64_t>(number);
+  report.field_unsupported(
+      card.where(), {field, std::string(card.text(field)),
+                     "0, 1, 2, 4, 5, 6, 9, 10 or 16, the only values supported",
+                     "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 5 the Belytschko-Tsay membrane, "
+                     "6 Hughes-Liu selectively reduced, 9 the fully integrated membrane, 10 "
+                     "Belytschko-Wong-Chiang, 16 fully integrated, 0 of sections what *CONTROL_SHELL says",
+                     "formulation"});
+  return 0;
 }
 
 void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report) {
@@ -209,8 +229,9 @@ void read_section_shell(Cards& cards, RawDeck& deck) {
     const Card card = cards.next(section_card);
     const Card second = cards.next(section_thickness_card);
     raw.section.id = card.integer("SECID");
-    raw.formulation_given = card.real("ELFORM") != 0;
-    raw.section.formulation = shell_formulation(static_cast<std::int64_t>(card.real("ELFORM")));
+    const std::int64_t formulation = checked_formulation(card, "ELFORM", cards.report());
+    raw.formulation_given = formulation != 0;
+    raw.section.formulation = shell_formulation(formulation);
     raw.section.shear_factor = card.real("SHRF");
     raw.section.thickness_points = card.good("NIP") ? static_cast<int>(card.integer("NIP")) : 2;
     raw.section.node_place = second.real("NLOC");

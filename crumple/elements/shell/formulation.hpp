@@ -9,6 +9,8 @@
 //     HughesLiuSelective     ELFORM 6    the same; 2 x 2 points, transverse shear at the centre
 //     FullyIntegrated        ELFORM 16   B.E. Engelmann, R.G. Whirley & G.L. Goudreau, ASME CED-3 (1989)
 //     Triangle               ELFORM 4    J.M. Kennedy, T. Belytschko & J.I. Lin, NED 97 (1986) 1-24
+//     Membrane               ELFORM 5    Belytschko-Tsay without bending and transverse shear
+//     FullyIntegratedMembrane  ELFORM 9  the membrane of FullyIntegrated; triangles are MembraneTriangle
 //
 //       4-----------3       e3 is normal to both diagonals; e1 turns with the rotation of the polar
 //        \     ^ e2  \      decomposition of the in-plane deformation gradient (lamina_frame.hpp), so that

@@ -5,8 +5,11 @@
 #include "elements/shell/belytschko_tsay.hpp"
 #include "elements/shell/belytschko_wong_chiang.hpp"
 #include "elements/shell/fully_integrated.hpp"
+#include "elements/shell/fully_integrated_membrane.hpp"
 #include "elements/shell/hughes_liu.hpp"
 #include "elements/shell/hughes_liu_selective.hpp"
+#include "elements/shell/membrane.hpp"
+#include "elements/shell/membrane_triangle.hpp"
 #include "elements/shell/triangle.hpp"
 
 namespace crumple::elements {
@@ -18,6 +21,9 @@ using ShellFormulations = FormulationList<  //
     Triangle,                               //
     HughesLiu,                              //
     HughesLiuSelective,                     //
-    FullyIntegrated>;
+    FullyIntegrated,                        //
+    Membrane,                               //
+    MembraneTriangle,                       //
+    FullyIntegratedMembrane>;
 
 }  // namespace crumple::elements

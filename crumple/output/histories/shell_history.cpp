@@ -62,6 +62,11 @@ double number_of(model::ShellFormulation formulation) {
       return 10;
     case FullyIntegrated:
       return 16;
+    case Membrane:
+    case MembraneTriangle:
+      return 5;
+    case FullyIntegratedMembrane:
+      return 9;
     case BelytschkoTsay:
       break;
   }

@@ -23,7 +23,24 @@ TEST(ShellFormulation, FollowsElform) {
   EXPECT_EQ(formulation("         6"), ShellFormulation::HughesLiuSelectiveReduced);
   EXPECT_EQ(formulation("        10"), ShellFormulation::BelytschkoWongChiang);
   EXPECT_EQ(formulation("        16"), ShellFormulation::FullyIntegrated);
+  EXPECT_EQ(formulation("         5"), ShellFormulation::Membrane);
+  EXPECT_EQ(formulation("         9"), ShellFormulation::FullyIntegratedMembrane);
   EXPECT_EQ(formulation(""), ShellFormulation::BelytschkoTsay);
+}
+
+/// Membranes have one point over the thickness, in the middle, whatever the section says.
+TEST(ShellFormulation, OfMembranesHasOnePoint) {
+  SmallDeck deck;
+  deck.section = "*SECTION_SHELL\n         1         5                   4                   1\n       0.1";
+  deck.section += std::string(30, ' ') + "       1.0\n";
+  const ReadResult result = read_deck_text(deck.text(), {});
+  const std::string warnings = listed(result.diagnostics);
+  ASSERT_TRUE(result.model.has_value()) << warnings;
+  const model::ShellSection& section = result.model->shell_sections[0];
+  EXPECT_EQ(section.thickness_points, 1);
+  EXPECT_EQ(section.thickness_rule, model::ThicknessRule::Gauss);
+  EXPECT_EQ(section.node_place, 0);
+  EXPECT_NE(warnings.find("NLOC"), std::string::npos) << warnings;
 }
 
 /// Fields: WRPANG, ESORT, IRNXX, ISTUPD, THEORY, BWC, MITER, PROJ.
@@ -33,6 +50,8 @@ TEST(ShellFormulation, FollowsControlShell) {
   EXPECT_EQ(formulation("         1", theory_10), ShellFormulation::HughesLiu);
   const std::string theory_16 = "*CONTROL_SHELL\n                                                16\n";
   EXPECT_EQ(formulation("", theory_16), ShellFormulation::FullyIntegrated);
+  const std::string theory_5 = "*CONTROL_SHELL\n                                                 5\n";
+  EXPECT_EQ(formulation("", theory_5), ShellFormulation::Membrane);
   const std::string warping =
       "*CONTROL_SHELL\n      20.0         1        -1         0         2         1         1         1\n";
   EXPECT_EQ(formulation("         2", warping), ShellFormulation::BelytschkoWongChiang);

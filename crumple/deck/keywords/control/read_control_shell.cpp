@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *CONTROL_SHELL.
 #include "deck/keywords/families.hpp"
+#include "deck/keywords/shell_formulations.hpp"
 
 namespace crumple::deck {
 
@@ -19,9 +20,7 @@ constexpr Field card_1[] = {
          "1 and 3 let the thickness follow the membrane strain, 0 and 2 do not; 4 would leave out the "
          "elastic part, "
          "and is taken as 1"),
-    only("THEORY", {2, 0, 1, 4, 6, 10, 16},
-         "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 6 Hughes-Liu selectively reduced, 10 "
-         "Belytschko-Wong-Chiang, 16 fully integrated"),
+    real("THEORY"),  // checked_formulation()
     only("BWC", {2, 0, 1}, "1 makes Belytschko-Tsay shells Belytschko-Wong-Chiang"),
     unused("MITER"),  // plasticity is always iterated to the end
     unused("PROJ"),  // the warping stiffness needs neither projection (docs/theory/belytschko_wong_chiang.md)
@@ -80,7 +79,7 @@ void read_control_shell(Cards& cards, RawDeck& deck) {
   const Card card = cards.next_or_default(card_1);
   deck.control_shell = card.where();
   deck.control.thickness_change = follows_strain(card, cards.report());
-  deck.default_formulation = shell_formulation(static_cast<std::int64_t>(card.real("THEORY")));
+  deck.default_formulation = shell_formulation(checked_formulation(card, "THEORY", cards.report()));
   deck.warping_stiffness = card.real("BWC") == 1;
   if (cards.has_line()) deck.lobatto_points = cards.next(card_2).real("INTGRD") == 1;
   if (cards.has_line()) cards.next(card_3);
