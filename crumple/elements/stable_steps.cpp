@@ -28,8 +28,7 @@ void for_each_damped_step(const Domain& domain, const Block& block, const Visit&
 template <class Block>
 double shortest_step(const Domain& domain, const Block& block) {
   double shortest = no_limit;
-  for_each_damped_step(domain, block,
-                [&](Index, double step) { shortest = std::min(shortest, step); });
+  for_each_damped_step(domain, block, [&](Index, double step) { shortest = std::min(shortest, step); });
   return shortest;
 }
 

@@ -95,4 +95,23 @@ void ClosedSurface::measure(const domain::NodeFields& fields, int threads) {
   });
 }
 
+double present_area(const std::vector<std::array<Index, 4>>& segments, const domain::NodeFields& fields,
+                    int threads) {
+  const auto count = static_cast<Index>(segments.size());
+  std::vector<double> sums(static_cast<std::size_t>(pieces(count, surface_piece)));
+  parallel_for(pieces(count, surface_piece), threads, [&](Index p) {
+    double sum = 0;
+    for (Index s = p * surface_piece; s < std::min((p + 1) * surface_piece, count); ++s) {
+      const std::array<Index, 4>& node = segments[static_cast<std::size_t>(s)];
+      const auto x = [&](std::size_t k) { return fields.position[node[k]]; };
+      // Half the cross product of the diagonals; of a triangle, which repeats its third node, of two sides.
+      sum += 0.5 * norm(cross(x(2) - x(0), x(3) - x(1)));
+    }
+    sums[static_cast<std::size_t>(p)] = sum;
+  });
+  double area = 0;
+  for (const double sum : sums) area += sum;
+  return area;
+}
+
 }  // namespace crumple::loads

@@ -41,6 +41,10 @@ class ClosedSurface {
   double area_ = 0;
 };
 
+/// Sum of the sizes of the segments' vector areas; the same for any number of threads [length^2].
+double present_area(const std::vector<std::array<Index, 4>>& segments, const domain::NodeFields& fields,
+                    int threads);
+
 /// Integral of a corner's shape function times the normal over a bilinear segment, for each corner
 /// [length^2]. Their sum is the vector area.
 std::array<math::Vec3, 4> corner_areas(const std::array<math::Vec3, 4>& x, bool is_triangle);

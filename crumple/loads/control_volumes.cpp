@@ -16,9 +16,8 @@ namespace {
 
 constexpr Index airbag_piece = 1024;
 
-std::vector<std::array<Index, 4>> domain_segments(const model::ControlVolume& volume,
+std::vector<std::array<Index, 4>> domain_segments(std::vector<std::array<Index, 4>> segments,
                                                   const domain::Domain& domain) {
-  std::vector<std::array<Index, 4>> segments = volume.segments;
   for (std::array<Index, 4>& segment : segments)
     for (Index& node : segment) node = domain.nodes.domain_node[static_cast<std::size_t>(node)];
   return segments;
@@ -28,11 +27,15 @@ std::vector<std::array<Index, 4>> domain_segments(const model::ControlVolume& vo
 
 ControlVolumes::ControlVolumes(const model::Model& model, domain::Domain& domain) {
   for (const model::ControlVolume& description : model.control_volumes) {
-    Volume volume{&description, ClosedSurface(domain_segments(description, domain)),
+    Volume volume{&description, ClosedSurface(domain_segments(description.segments, domain)),
                   Filling(description.filling, model.curves)};
     volume.surface.measure(domain.nodes, domain.execution.threads);
     volume.state = volume.filling.initial(description.volume_scale * volume.surface.volume());
     volume.force.resize(volume.surface.nodes().size());
+    for (const model::PorousFabric& fabric : description.porous) {
+      volume.porous.push_back(domain_segments(fabric.segments, domain));
+      volume.porous_area.push_back({&fabric, 0});
+    }
     volumes_.push_back(std::move(volume));
     domain.control_volumes.push_back({.id = description.id});
   }
@@ -47,8 +50,11 @@ void ControlVolumes::add_forces(domain::Domain& domain) {
     if (!(volume.surface.volume() > 0))
       throw NumericalError("The surface of airbag " + std::to_string(description.id) +
                            " has turned inside out: the volume in it is not above zero.");
-    volume.filling.advance(volume.state, {domain.clock.time, domain.clock.step,
-                                          description.volume_scale * volume.surface.volume()});
+    for (std::size_t k = 0; k < volume.porous.size(); ++k)
+      volume.porous_area[k].area = present_area(volume.porous[k], domain.nodes, domain.execution.threads);
+    volume.filling.advance(volume.state,
+                           {domain.clock.time, domain.clock.step,
+                            description.volume_scale * volume.surface.volume(), volume.porous_area});
     push_nodes(domain, volume, description.pressure_scale * volume.state.pressure);
     report(volume, domain.control_volumes[i]);
   }

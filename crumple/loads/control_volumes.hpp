@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "domain/domain.hpp"
@@ -35,6 +36,9 @@ class ControlVolumes {
     Filling filling;
     FillingState state{};
     std::vector<math::Vec3> force{};  ///< on the surface's nodes at time n-1
+    std::vector<std::vector<std::array<Index, 4>>>
+        porous{};                           ///< segments of each porous fabric, domain nodes
+    std::vector<PorousArea> porous_area{};  ///< of each of them
   };
   static void report(const Volume& volume, domain::ControlVolumeReport& into);
   void push_nodes(domain::Domain& domain, Volume& volume, double pressure);

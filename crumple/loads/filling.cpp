@@ -85,12 +85,28 @@ void settle(const model::InflatedGas& law, FillingState& state) {
   if (state.pressure >= law.opening_pressure) state.vents_open = 1;
 }
 
-double outflow_of(const model::InflatedGas& law, const Curves& curves, const FillingState& state) {
+/// What a fabric lets through: as an orifice of its effective area, or with the velocity of its curve.
+double leakage_of(const PorousArea& porous, const Curves& curves, double time, double absolute,
+                  double density, double orifice) {
+  const model::PorousFabric& fabric = *porous.fabric;
+  const double coefficient = at(curves, fabric.coefficient_time, time, fabric.coefficient);
+  const double by_pressure = at(curves, fabric.area_pressure, absolute, fabric.area);
+  const double through = fabric.by_velocity ? by_pressure * density : by_pressure * orifice;
+  return std::max(0.0, coefficient * through * porous.area);
+}
+
+double outflow_of(const model::InflatedGas& law, const Curves& curves, const FillingStep& step, double time,
+                  const FillingState& state) {
   if (law.outflow != no_index)
     return std::max(0.0, curves[static_cast<std::size_t>(law.outflow)].at(state.pressure));
-  if (state.vents_open == 0) return 0;
-  return law.vent *
-         orifice_flow(state.pressure + law.ambient, state.mass / state.volume, law.ambient, exponent_of(law));
+  if (state.vents_open == 0 || !(state.pressure > 0)) return 0;
+  const double absolute = state.pressure + law.ambient;
+  const double density = state.mass / state.volume;
+  const double orifice = orifice_flow(absolute, density, law.ambient, exponent_of(law));
+  double sum = law.vent * orifice;
+  for (const PorousArea& porous : step.porous)
+    sum += leakage_of(porous, curves, time, absolute, density, orifice);
+  return sum;
 }
 
 /// Mass and heat that come and go in a unit of time.
@@ -124,9 +140,9 @@ void advance(const model::InflatedGas& law, const Curves& curves, const FillingS
     return Exchange{inflow - outflow,
                     law.heat_at_pressure * (inflow * inflow_temperature - outflow * temperature)};
   };
-  const double first = outflow_of(law, curves, state);
+  const double first = outflow_of(law, curves, step, step.time - step.length, state);
   const FillingState predicted = after(law, state, step, exchange(first, state.temperature));
-  const double second = outflow_of(law, curves, predicted);
+  const double second = outflow_of(law, curves, step, step.time, predicted);
   const double outflow = 0.5 * (first + second);
   const double temperature =
       outflow > 0 ? 0.5 * (first * state.temperature + second * predicted.temperature) / outflow : 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/control_volume.hpp"
@@ -23,11 +24,18 @@ struct FillingState {
   double vents_open = 0;   ///< 1 once the pressure has reached that which opens them
 };
 
+/// Fabric that lets gas through, and its area at the end of a step.
+struct PorousArea {
+  const model::PorousFabric* fabric = nullptr;
+  double area = 0;  ///< [length^2]
+};
+
 /// The time that a filling goes on to, and the volume that it then has.
 struct FillingStep {
-  double time = 0;    ///< at the end [time]
-  double length = 0;  ///< [time]
-  double volume = 0;  ///< at the end [volume]
+  double time = 0;                          ///< at the end [time]
+  double length = 0;                        ///< [time]
+  double volume = 0;                        ///< at the end [volume]
+  std::span<const PorousArea> porous = {};  ///< counts for gas that flows in and out
 };
 
 /// The laws of what may fill a control volume. Sources: LS-DYNA Keyword User's Manual, *AIRBAG; outflow

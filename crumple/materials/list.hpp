@@ -32,6 +32,7 @@
 #include "materials/laws/composite_damage.hpp"
 #include "materials/laws/crushable_foam.hpp"
 #include "materials/laws/elastic.hpp"
+#include "materials/laws/fabric.hpp"
 #include "materials/laws/honeycomb.hpp"
 #include "materials/laws/johnson_cook.hpp"
 #include "materials/laws/low_density_foam.hpp"
@@ -68,7 +69,8 @@ using ShellLaws = LawList<         //
     JohnsonCookLaw,                //
     OrthotropicElasticLaw,         //
     CompositeDamageLaw,            //
-    NullLaw>;
+    NullLaw,                       //
+    FabricLaw>;
 
 /// Every constitutive law of solids. What a law must have is written in solid_update.hpp (its SolidUpdate).
 using SolidLaws = LawList<         //

@@ -55,6 +55,16 @@ struct InflatedGas {
   Index temperature_time = no_index;  ///< LCT: time, temperature of what flows in; instead of the constant
 };
 
+/// Fabric in the surface that lets gas through (*MAT_FABRIC).
+struct PorousFabric {
+  std::vector<std::array<Index, 4>> segments;  ///< those of the surface that are of it
+  double coefficient = 0;                      ///< FLC [-]
+  Index coefficient_time = no_index;           ///< time, FLC; instead of the constant
+  double area = 0;                             ///< FAC: effective area over that of the fabric [-]
+  Index area_pressure = no_index;              ///< absolute pressure, FAC; instead of the constant
+  bool by_velocity = false;  ///< the curve has the velocity of the gas through the fabric [length/time]
+};
+
 using VolumeFilling = std::variant<PressureOfVolume, AdiabaticGas, LinearFluid, InflatedGas>;
 
 /// A closed surface and what is in it.
@@ -66,6 +76,7 @@ struct ControlVolume {
   double volume_scale = 1;    ///< VSCA: the filling has the volume of the surface times this [-]
   double pressure_scale = 1;  ///< PSCA: the surface feels the filling's pressure times this [-]
   VolumeFilling filling;
+  std::vector<PorousFabric> porous{};  ///< of InflatedGas, besides its orifices
 };
 
 /// Volume that a closed surface of bilinear segments encloses, negative where nodes are clockwise seen from

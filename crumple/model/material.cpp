@@ -32,6 +32,7 @@ struct Use {
   LawUse operator()(const SoilAndFoam& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const ViscousFoam& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const SimplifiedRubber& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const Fabric& /*law*/) const { return {true, false, false, false, true}; }
 };
 
 }  // namespace
@@ -86,6 +87,30 @@ void set_stand_in(OrthotropicElastic& law) {
   const double shear = std::max(law.shear_bc, law.shear_ca);
   law.poissons_ratio = std::clamp(1 - 2 * shear / fastest, -0.9, 0.4);
   law.youngs_modulus = fastest * (1 - law.poissons_ratio * law.poissons_ratio);
+}
+
+void set_stand_in(Fabric& law) {
+  OrthotropicElastic all = law.sheet;
+  // Moduli of the sum of both: the plane-stress stiffnesses add up by their shares of the thickness.
+  const auto stiffness = [&](const OrthotropicElastic& of) {
+    const double ab = of.poisson_ba * of.modulus_a / of.modulus_b;
+    return of.modulus_a / (1 - of.poisson_ba * ab);
+  };
+  const double fabric = 1 - law.liner_share;
+  const double liner = law.liner_share * law.liner_modulus / (1 - law.liner_ratio * law.liner_ratio);
+  const double aa = fabric * stiffness(law.sheet) + liner;
+  const double bb = fabric * stiffness(law.sheet) * law.sheet.modulus_b / law.sheet.modulus_a + liner;
+  const double ab = fabric * law.sheet.poisson_ba * stiffness(law.sheet) + liner * law.liner_ratio;
+  all.modulus_a = aa - ab * ab / bb;
+  all.modulus_b = bb - ab * ab / aa;
+  all.poisson_ba = ab / aa;
+  all.shear_ab = fabric * law.sheet.shear_ab + 0.5 * (1 - law.liner_ratio) * liner;
+  all.shear_bc = all.shear_ca = all.shear_ab;
+  set_stand_in(all);
+  // Damping of the share D of the critical one shortens the step by sqrt(1 + D^2) - D.
+  const double shorter = std::sqrt(1 + law.damping * law.damping) - law.damping;
+  law.youngs_modulus = all.youngs_modulus / (shorter * shorter);
+  law.poissons_ratio = all.poissons_ratio;
 }
 
 }  // namespace crumple::model

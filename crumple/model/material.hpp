@@ -167,6 +167,34 @@ struct CompositeDamage : OrthotropicElastic {
 /// shear modulus is not below those of the transverse shears.
 void set_stand_in(OrthotropicElastic& law);
 
+/// How fabric lets gas through: an effective area of FLC(t) FAC(P) times its own.
+struct FabricLeakage {
+  double coefficient = 0;             ///< FLC [-]
+  Index coefficient_time = no_index;  ///< in Model::curves: time, FLC; instead of the constant
+  double area = 0;                    ///< FAC [-]; with venting 7 the curve below alone counts
+  Index area_pressure = no_index;     ///< in Model::curves: absolute pressure, FAC; with venting 7 a velocity
+  int venting = 0;  ///< FVOPT: 0 as the airbag says, 1 an orifice, 7 a velocity by the curve
+};
+
+/// Woven fabric of airbags (*MAT_FABRIC, FORM 0 and 1), of membranes only: a linear orthotropic sheet, that
+/// may wrinkle instead of bearing pressure, with an isotropic liner and damping.
+struct Fabric {
+  /// Of the isotropic law that stands in for step size, hourglass control and contact, see set_stand_in().
+  double youngs_modulus = 0;  ///< [stress]
+  double poissons_ratio = 0;  ///< [-]
+  OrthotropicElastic sheet;   ///< moduli in its plane and axes
+  bool wrinkles = false;      ///< CSE: no pressure in the fabric, in any direction
+  double liner_modulus = 0;   ///< EL [stress]
+  double liner_ratio = 0;     ///< PRL [-]
+  double liner_share = 0;     ///< LRATIO: thickness of the liner over that of all [-]
+  FabricLeakage leakage;
+  double damping = 0;  ///< DAMP: viscous stress over the stress of the same strain in one step, elastic [-]
+};
+
+/// Sets the isotropic stand-in: as fast as the fastest wave of fabric and liner in the plane, and so much
+/// faster that the stable step allows for the damping.
+void set_stand_in(Fabric& law);
+
 /// Of shells mass and a surface for contact; of solids a fluid with an equation of state (*MAT_NULL).
 struct NullMaterial {
   double youngs_modulus = 0;   ///< E of the contact stiffness of shells [stress]
@@ -394,7 +422,7 @@ using ConstitutiveLaw =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
                  OrthotropicElastic, CompositeDamage, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo,
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
-                 DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber>;
+                 DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {
@@ -402,6 +430,7 @@ struct LawUse {
   bool solids = true;
   bool takes_equation_of_state = false;
   bool needs_equation_of_state = false;  ///< in solids
+  bool only_membranes = false;           ///< of the shells
 };
 LawUse use_of(const ConstitutiveLaw& law);
 

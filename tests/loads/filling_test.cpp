@@ -171,6 +171,73 @@ TEST(Filling, VesselEmptiesAsTheClosedFormOfIsentropicBlowDownSays) {
   EXPECT_NEAR(error[0] / error[1], 4, 0.3);
 }
 
+/// A vessel of which `law` lets gas out through a fabric of an area; absolute pressure after a time.
+double pressure_after(const model::InflatedGas& gas, const model::PorousFabric& fabric, double area,
+                      const std::vector<model::Curve>& curves, double start, double rho, double end,
+                      int steps) {
+  const model::VolumeFilling law = gas;
+  const double volume = 0.05;
+  FillingState state = Filling(law, curves).initial(volume);
+  state.mass = rho * volume;
+  state.energy = start * volume / (exponent - 1);
+  state.pressure = start - gas.ambient;
+  state.temperature = start / (rho * gas_constant);
+  const loads::PorousArea porous{&fabric, area};
+  for (int i = 1; i <= steps; ++i)
+    Filling(law, curves).advance(state, {i * end / steps, end / steps, volume, {&porous, 1}});
+  return state.pressure + gas.ambient;
+}
+
+// Fabric of FLC FAC A lets out what an orifice of that area does, constant or by curves.
+TEST(Filling, PorousFabricIsAnOrificeOfItsEffectiveArea) {
+  const std::vector<model::Curve> curves{{.id = 1, .abscissa = {0, 10}, .ordinate = {0.5, 0.5}},
+                                         {.id = 2, .abscissa = {0, 1e7}, .ordinate = {0.02, 0.02}}};
+  model::InflatedGas gas = air();
+  gas.ambient = 1;  // choked all the time
+  const double start = 8e5;
+  const double rho = 6;
+  const double area = 0.14;
+  const double rate = 0.5 * 0.02 * area / 0.05 * std::sqrt(exponent * start / rho) *
+                      std::pow(2 / (exponent + 1), (exponent + 1) / (2 * (exponent - 1)));
+  const double end = 2 / rate;
+  const double exact =
+      start * std::pow(1 + 0.5 * (exponent - 1) * rate * end, -2 * exponent / (exponent - 1));
+  const model::PorousFabric constant{.segments = {}, .coefficient = 0.5, .area = 0.02};
+  const model::PorousFabric by_curves{.segments = {}, .coefficient_time = 0, .area_pressure = 1};
+  test::verified("vessel that empties through porous fabric, choked: pressure", "closed form of blow-down")
+      .within(pressure_after(gas, constant, area, curves, start, rho, end, 400), exact, 1e-4);
+  EXPECT_EQ(pressure_after(gas, by_curves, area, curves, start, rho, end, 400),
+            pressure_after(gas, constant, area, curves, start, rho, end, 400));
+  // Nothing passes before the pressure that opens it, nor into a vessel below the ambient pressure.
+  gas.opening_pressure = 1e6;
+  EXPECT_NEAR(pressure_after(gas, constant, area, curves, start, rho, end, 10), start, 1e-6 * start);
+  gas.opening_pressure = 0;
+  gas.ambient = 1e6;
+  EXPECT_NEAR(pressure_after(gas, constant, area, curves, start, rho, end, 10), start, 1e-6 * start);
+}
+
+// By a curve of velocity v the volume FLC v A leaves in a unit of time: the density falls exponentially, and
+// the pressure on the isentrope, P = P0 exp(-gamma FLC v A t / V).
+TEST(Filling, PorousFabricLetsThroughTheVolumeOfItsCurve) {
+  const std::vector<model::Curve> curves{{.id = 1, .abscissa = {0, 1e7}, .ordinate = {3, 3}}};
+  const model::PorousFabric fabric{
+      .segments = {}, .coefficient = 0.5, .area_pressure = 0, .by_velocity = true};
+  model::InflatedGas gas = air();
+  gas.ambient = 1;
+  const double area = 0.02;
+  const double rate = 0.5 * 3 * area / 0.05;
+  const double end = 1 / rate;
+  double error[2] = {};
+  for (const int fine : {0, 1})
+    error[fine] = std::fabs(pressure_after(gas, fabric, area, curves, 8e5, 6, end, fine == 0 ? 200 : 400) /
+                                (8e5 * std::exp(-exponent)) -
+                            1);
+  test::verified("vessel that empties through fabric by a velocity: pressure, relative error",
+                 "P0 exp(-gamma Q t / V)")
+      .below(error[1], 1e-5);
+  EXPECT_NEAR(error[0] / error[1], 4, 0.3);
+}
+
 // The energy of the liquid is the work that compresses it.
 TEST(Filling, LinearFluidFollowsItsLogarithm) {
   const std::vector<model::Curve> curves{{.id = 1, .abscissa = {0, 1}, .ordinate = {3, 3}},

@@ -229,7 +229,8 @@ Crushed crush(const model::Model& model, Precision precision) {
 }
 
 TEST_P(Soft, HoneycombTakesTheEnergyOfItsCurve) {
-  const model::Honeycomb law = barrier();
+  model::Honeycomb law = barrier();
+  law.viscosity = 0;  // which would take a twentieth of the energy
   constexpr double plate = 0.4;
   constexpr double velocity = 8;
   const Crushed found = crush(column_under({plate, velocity}, law, 8), GetParam());

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -229,6 +230,53 @@ class FillingCurves {
   Build& build_;
 };
 
+/// A segment whatever its first node and its sense.
+Segment sorted(Segment node) {
+  std::sort(node.begin(), node.end());
+  return node;
+}
+
+/// The material of each shell, by its corners.
+std::map<Segment, Index> material_of_shells(const model::Model& model) {
+  std::map<Segment, Index> found;
+  for (const model::ShellElement& shell : model.shells) {
+    if (shell.part == no_index) continue;
+    const Index material = model.parts[static_cast<std::size_t>(shell.part)].material;
+    if (material != no_index) found[sorted(triangle_last(shell.node))] = material;
+  }
+  return found;
+}
+
+/// Adds the fabric of the surface that lets gas through, by material.
+void take_porous_fabric(const RawControlVolume& raw, model::ControlVolume& volume, Build& build) {
+  const std::map<Segment, Index> material_of = material_of_shells(build.model);
+  std::map<Index, model::PorousFabric> porous;
+  for (const Segment& segment : volume.segments) {
+    const auto found = material_of.find(sorted(segment));
+    if (found == material_of.end()) continue;
+    const auto* fabric =
+        std::get_if<model::Fabric>(&build.model.materials[static_cast<std::size_t>(found->second)].law);
+    if (fabric == nullptr) continue;
+    const model::FabricLeakage& leakage = fabric->leakage;
+    if (leakage.coefficient == 0 && leakage.coefficient_time == no_index) continue;
+    const int venting = leakage.venting != 0 ? leakage.venting : raw.fabric_venting;
+    if (!raw.vents_fabric || venting == 0) {
+      build.report.warning(raw.where, "porous",
+                           "the surface has *MAT_FABRIC with FLC, but no gas leaves through it: of "
+                           "*AIRBAG_WANG_NEFSKE it does, with OPT, or FVOPT of the fabric");
+      return;
+    }
+    porous[found->second] = {.segments = std::move(porous[found->second].segments),
+                             .coefficient = leakage.coefficient,
+                             .coefficient_time = leakage.coefficient_time,
+                             .area = leakage.area,
+                             .area_pressure = leakage.area_pressure,
+                             .by_velocity = venting == 7};
+    porous[found->second].segments.push_back(segment);
+  }
+  for (const auto& [material, fabric] : porous) volume.porous.push_back(fabric);
+}
+
 /// Id of a volume that the deck gives none, from its place among all; of no other one.
 UserId unnamed_id(const Build& build, std::size_t place) {
   UserId id = static_cast<UserId>(place) + 1;
@@ -254,8 +302,9 @@ void build_airbags(Build& build) {
     volume.segments = named_segments(raw, build);
     if (volume.segments.empty()) continue;
     const std::vector<SurfaceEdge> edges = edges_of(volume.segments);
-    if (is_closed(raw, edges, build) && is_oriented(raw, edges, volume.segments, build))
-      build.model.control_volumes.push_back(volume);
+    if (!is_closed(raw, edges, build) || !is_oriented(raw, edges, volume.segments, build)) continue;
+    take_porous_fabric(raw, volume, build);
+    build.model.control_volumes.push_back(volume);
   }
 }
 

@@ -402,6 +402,14 @@ void build_properties(Build& build, const ReadOptions& options) {
     }
     if (auto* law = std::get_if<model::DiscreteBeamLaw>(&model.materials.back().law))
       take_direction_curves(raw, *law, build);
+    if (auto* law = std::get_if<model::Fabric>(&model.materials.back().law)) {
+      const auto find = [&](std::size_t place, std::string_view field) {
+        const UserId id = raw.leakage_curves[place];
+        return id == 0 ? no_index : build.find(Item::Curve, {id, field, raw.curve_where});
+      };
+      law->leakage.coefficient_time = find(0, "FLC");
+      law->leakage.area_pressure = find(1, "FAC");
+    }
     if (auto* law = std::get_if<model::CrushableFoam>(&model.materials.back().law))
       take_crush(raw, *law, build);
     if (auto* law = std::get_if<model::LowDensityFoam>(&model.materials.back().law))

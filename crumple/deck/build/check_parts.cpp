@@ -56,8 +56,14 @@ void check_solids(const RawPart& raw, const RawMaterial& material, Report& repor
          "it is the lower bound of the pressure, tension is below zero; 0 is no bound", "cut-off"});
 }
 
-void check_shells(const RawPart& raw, const RawMaterial& material, Report& report) {
+void check_shells(const RawPart& raw, const RawMaterial& material, const model::ShellSection& section,
+                  Report& report) {
   const model::LawUse use = model::use_of(material.material.law);
+  if (use.only_membranes && !model::is_membrane(section.formulation))
+    report.field_unsupported(
+        raw.where,
+        {"MID", std::to_string(raw.material), "a material of shells that bend",
+         fmt::format("{} is there for membranes only, ELFORM 5 and 9", material.where.keyword), "membranes"});
   if (!use.shells)
     report.field_unsupported(raw.where, {"MID", std::to_string(raw.material), "a material of shells",
                                          fmt::format("{} is there for {} only", material.where.keyword,
@@ -119,7 +125,8 @@ void check_part(const RawPart& raw, const model::Part& part, Build& build) {
     check_solids(raw, material, build.report);
     check_shear_modulus(raw, material, build.report);
   } else {
-    check_shells(raw, material, build.report);
+    check_shells(raw, material, build.model.shell_sections[static_cast<std::size_t>(part.section)],
+                 build.report);
   }
 }
 

@@ -42,9 +42,11 @@ struct RawControlVolume {
   bool is_parts = false;  ///< the set is one of parts, all shells of which are segments
   /// Of the curves in the order of the filling's members; 0 is none.
   std::array<UserId, 6> curves{};
-  Where where;       ///< of the card with the set
-  Where gas_where;   ///< of the card with the curves
-  Where more_where;  ///< of the next one
+  bool vents_fabric = false;  ///< gas leaves through *MAT_FABRIC as that says
+  int fabric_venting = 0;     ///< OPT: how it leaves where FVOPT of the fabric is 0; 0 not at all
+  Where where;                ///< of the card with the set
+  Where gas_where;            ///< of the card with the curves
+  Where more_where;           ///< of the next one
 };
 
 struct RawPrescribedMotion {

@@ -88,6 +88,8 @@ void read_mat_null(Cards& cards, RawDeck& deck);
 // read_composite_materials.cpp
 void read_mat_composite_damage(Cards& cards, RawDeck& deck);
 void read_mat_enhanced_composite_damage(Cards& cards, RawDeck& deck);
+// read_fabric.cpp
+void read_mat_fabric(Cards& cards, RawDeck& deck);
 
 // read_solid_materials.cpp
 void read_mat_blatz_ko_rubber(Cards& cards, RawDeck& deck);

@@ -77,6 +77,8 @@ constexpr Keyword table[] = {
     {"MAT_055", read_mat_enhanced_composite_damage, title},
     {"MAT_NULL", read_mat_null, title},
     {"MAT_009", read_mat_null, title},
+    {"MAT_FABRIC", read_mat_fabric, title},
+    {"MAT_034", read_mat_fabric, title},
     {"MAT_RIGID", read_mat_rigid, title},
     {"MAT_020", read_mat_rigid, title},
     {"MAT_BLATZ-KO_RUBBER", read_mat_blatz_ko_rubber, title},

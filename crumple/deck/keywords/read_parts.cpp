@@ -144,12 +144,12 @@ std::int64_t checked_formulation(const Card& card, std::string_view field, Repor
   if (std::find(supported.begin(), supported.end(), number) != supported.end())
     return static_cast<std::int64_t>(number);
   report.field_unsupported(
-      card.where(), {field, std::string(card.text(field)),
-                     "0, 1, 2, 4, 5, 6, 9, 10 or 16, the only values supported",
-                     "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 5 the Belytschko-Tsay membrane, "
-                     "6 Hughes-Liu selectively reduced, 9 the fully integrated membrane, 10 "
-                     "Belytschko-Wong-Chiang, 16 fully integrated, 0 of sections what *CONTROL_SHELL says",
-                     "formulation"});
+      card.where(),
+      {field, std::string(card.text(field)), "0, 1, 2, 4, 5, 6, 9, 10 or 16, the only values supported",
+       "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 5 the Belytschko-Tsay membrane, "
+       "6 Hughes-Liu selectively reduced, 9 the fully integrated membrane, 10 "
+       "Belytschko-Wong-Chiang, 16 fully integrated, 0 of sections what *CONTROL_SHELL says",
+       "formulation"});
   return 0;
 }
 

@@ -16,6 +16,8 @@ void update(const MaterialTask<Real>& task) {
     Update::update_points(task);
   else if constexpr (requires { Law::is_turned; })
     update_turned_tile<Update, Pack>(task);
+  else if constexpr (requires { Law::updates_packs; })
+    update_own_tile<Update, Pack>(task);
   else
     update_tile<Update, Pack>(task);
 }

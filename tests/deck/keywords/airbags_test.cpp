@@ -114,6 +114,47 @@ TEST(Airbags, ReadsTheGasOfWangAndNefske) {
   EXPECT_EQ(gas.outflow, no_index);
 }
 
+/// The lid of the box is of fabric.
+BoxDeck fabric_lid(const std::string& leakage, const std::string& option) {
+  BoxDeck deck;
+  deck.section = "*SECTION_SHELL\n         1         5\n       0.1\n";
+  deck.part = "*PART\nbox\n         1         1         1\n*PART\nlid\n         2         1         2\n";
+  deck.more += curves;
+  deck.more += "*MAT_FABRIC\n2,9e-7,.5,,,.3\n0\n0," + leakage + "\n\n\n";
+  deck.more +=
+      "*AIRBAG_WANG_NEFSKE\n         3         1\n       1.0       1.4     300.0         5         6\n"
+      "       0.5                 0.2                 0.3                 2.0\n"
+      "       0.1       2.0       1.0                           0.4" +
+      option + "\n";
+  return deck;
+}
+
+TEST(Airbags, LetGasOutThroughFabric) {
+  const model::Model model = read_clean(fabric_lid("0.7,-6", "         1").text());
+  const model::ControlVolume& volume = model.control_volumes.at(0);
+  EXPECT_EQ(std::get<model::InflatedGas>(volume.filling).vent, 0.5 * 0.2);
+  ASSERT_EQ(volume.porous.size(), 1U);
+  EXPECT_EQ(volume.porous[0].segments.size(), 2U);
+  EXPECT_EQ(volume.porous[0].coefficient, 0.7);
+  EXPECT_EQ(volume.porous[0].coefficient_time, no_index);
+  EXPECT_EQ(volume.porous[0].area_pressure, 1);
+  EXPECT_FALSE(volume.porous[0].by_velocity);
+  // FVOPT of the fabric goes before OPT of the airbag.
+  const model::Model fast = read_clean(fabric_lid("-5,-6,,,,7", "").text());
+  const model::ControlVolume& by_velocity = fast.control_volumes.at(0);
+  EXPECT_EQ(std::get<model::InflatedGas>(by_velocity.filling).vent, 0.5 * 0.2 + 0.3 * 2);
+  ASSERT_EQ(by_velocity.porous.size(), 1U);
+  EXPECT_EQ(by_velocity.porous[0].coefficient_time, 0);
+  EXPECT_TRUE(by_velocity.porous[0].by_velocity);
+}
+
+TEST(Airbags, WarnOfFabricThatStaysTight) {
+  const ReadResult result = read_deck_text(fabric_lid("0.7,0.1", "").text(), {}, {});
+  ASSERT_TRUE(result.model) << listed(result.diagnostics);
+  EXPECT_NE(listed(result.diagnostics).find("no gas leaves through it"), std::string::npos);
+  EXPECT_TRUE(result.model->control_volumes.at(0).porous.empty());
+}
+
 // One shell goes round the other way, as does a triangle that stands for half of another one.
 TEST(Airbags, TurnsTheSegmentsThatDisagreeWithMostOthers) {
   BoxDeck deck;

@@ -96,7 +96,9 @@ constexpr Field wang_nefske_card_3[] = {
     only("LCEFR", {0}, "the outflow is that of the orifices"),
     only("POVER", {0}, "the pressure at time zero is the ambient one"),
     real("PPOP", 0, not_negative),
-    only("OPT", {0}, "the porosity of fabric is CP23 times AP23"),
+    only("OPT", {0, 1, 7},
+         "0 takes CP23 times AP23, 1 the orifices of *MAT_FABRIC and 7 its curve of velocity; fabric that is "
+         "covered by contact is not looked for, nor are other formulas there"),
     only("KNKDN", {0}, "the inflow goes on whatever the pressure is"),
 };
 
@@ -191,14 +193,18 @@ void read_airbag_wang_nefske(Cards& cards, RawDeck& deck) {
   const Card around = cards.next(wang_nefske_card_3);
   raw.gas_where = raw.more_where = card.where();
   check_heats(card, cards.report());
-  raw.volume.filling = model::InflatedGas{
-      .heat_at_volume = card.real("CV"),
-      .heat_at_pressure = card.real("CP"),
-      .temperature = card.real("T"),
-      .vent = vents.real("C23") * vents.real("A23") + vents.real("CP23") * vents.real("AP23"),
-      .opening_pressure = around.real("PPOP"),
-      .ambient = around.real("PE"),
-      .density = around.real("RO")};
+  raw.volume.filling =
+      model::InflatedGas{.heat_at_volume = card.real("CV"),
+                         .heat_at_pressure = card.real("CP"),
+                         .temperature = card.real("T"),
+                         // OPT puts the fabric of the materials in the place of CP23 and AP23.
+                         .vent = vents.real("C23") * vents.real("A23") +
+                                 (around.real("OPT") == 0 ? vents.real("CP23") * vents.real("AP23") : 0),
+                         .opening_pressure = around.real("PPOP"),
+                         .ambient = around.real("PE"),
+                         .density = around.real("RO")};
+  raw.vents_fabric = true;
+  raw.fabric_venting = static_cast<int>(around.real("OPT"));
   raw.curves[0] = card.integer("LCMT");
   raw.curves[2] = card.integer("LCT");
   deck.control_volumes.push_back(raw);
