@@ -46,7 +46,7 @@ TEST(Fabric, AStripUnderTensionAndMomentWrinkles) {
   constexpr double length = 200;
   constexpr double height = 80;
   constexpr double thickness = 0.3;
-  constexpr double mean = 0.01;
+  constexpr double mean = 1e-4;  // the bow makes the strip longer by the square of it
   for (const Form& form : forms)
     for (const double bending : {1.0, 4.0}) {  // strain of the edges over the mean, less 1
       model::Model model = test::one_part(fabric(0.3), test::shell_section(thickness, 1, form.formulation));
@@ -73,8 +73,9 @@ TEST(Fabric, AStripUnderTensionAndMomentWrinkles) {
       for (const Index corner : {Index(0), columns})
         model.fixed_nodes.push_back(
             {.node = corner + 8 * (columns + 1), .translation = {false, true, true}, .rotation = {}});
-      model.mass_damping = model::MassDamping{.constant = 2 * omega};
-      model.control.end_time = 25 / omega;
+      // The strip bows across, which is slower than it stretches.
+      model.mass_damping = model::MassDamping{.constant = 0.8 * omega};
+      model.control.end_time = 150 / omega;
       timeloop::Simulation simulation(model, test::execution());
       test::run(simulation);
       const domain::Domain& now = simulation.domain();

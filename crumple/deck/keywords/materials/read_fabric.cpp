@@ -30,8 +30,8 @@ constexpr Field fabric_second_card[] = {
     only("CSE", {0, 1}, "1 leaves no pressure in the fabric"),
     real("EL", 0, not_negative),
     real("PRL", 0, poisson),
-    real("LRATIO", 0, between(0, 1, "the liner's share of the thickness")),
-    real("DAMP", 0, between(0, 1, "a share of the critical damping")),
+    real("LRATIO", 0, within(0, 1, "the liner's share of the thickness")),
+    real("DAMP", 0, within(0, 1, "a share of the critical damping")),
 };
 
 constexpr Field fabric_third_card[] = {
