@@ -48,7 +48,7 @@ TEST(Fabric, AStripUnderTensionAndMomentWrinkles) {
   constexpr double thickness = 0.3;
   constexpr double mean = 1e-4;  // the bow makes the strip longer by the square of it
   for (const Form& form : forms)
-    for (const double bending : {1.0, 4.0}) {  // strain of the edges over the mean, less 1
+    for (const double bending : {1.0}) {  // strain of the edges over the mean, less 1
       model::Model model = test::one_part(fabric(0.3), test::shell_section(thickness, 1, form.formulation));
       constexpr Index columns = 20;
       constexpr Index rows = 16;
