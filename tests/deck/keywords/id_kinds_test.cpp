@@ -19,9 +19,6 @@ constexpr std::string_view not_ids[] = {
     "DOFRZ", "DOFX", "DOFY",  "DOFZ", "ELFORM", "ENDCYC", "ESORT",  "INCR",  "IRCS", "MAXINT", "MPR",
     "NEIPH", "NCS",  "NEIPS", "NIP",  "NPLTC",  "NR",     "NUMFIP", "RC",    "SPR",  "STYP",   "TC",
 };
-    "CON2",   "CST",    "CYCL",   "DEPTH", "DOF",  "DOFRX",  "DOFRY", "DOFRZ",  "DOFX",   "DOFY",  "DOFZ",
-    "ELFORM", "ENDCYC", "ESORT",  "INCR",  "IRCS", "MAXINT", "MPR",   "NEIPH",  "NCS",    "NEIPS", "NIP",
-    "NPLTC",  "NR",     "NUMFIP", "RC",    "SPR",  "STYP",   "TC",    "NPLANE", "NTHICK", "NHISV", "NINT"};
 
 bool is_listed(std::string_view name) {
   return std::find(std::begin(not_ids), std::end(not_ids), name) != std::end(not_ids);
