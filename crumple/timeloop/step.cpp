@@ -61,7 +61,6 @@ void Simulation::start() {
   balance();
   domain_.energy.initial_total = domain_.energy.total();
   kick(0.5 * next_step_);
-  terminations_.observe(domain_);
 }
 
 void Simulation::step() {
@@ -74,7 +73,6 @@ void Simulation::step() {
                            constraints::RigidBodies::kinetic_energy(domain_) +
                            constraints::RigidWall::kinetic_energy(domain_);
   balance();
-  terminations_.observe(domain_);
 }
 
 void Simulation::drift() {
@@ -257,6 +255,7 @@ void Simulation::balance() {
   for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;
   guard_kinetic_energy(*model_, domain_);
   if (guards_contact_energy_) guard_contact_energy(domain_);
+  if (domain_.clock.cycle > 0) terminations_.observe(domain_);
 }
 
 }  // namespace crumple::timeloop
