@@ -246,68 +246,70 @@ model::Model failing_plies() {
   model.parts[0].material = layup.material;
   for (model::InitialVelocity& initial : model.initial_velocities)
     initial.velocity = {30, 4 * initial.velocity[2], initial.velocity[2]};
-  /// A cushion of fabric and foil, of all membranes, full of gas that leaks, on a wall.
-  model::Model thrown_cushion() {
-    model::Fabric cloth;
-    cloth.sheet.modulus_a = 0.5;
-    cloth.sheet.modulus_b = 0.3;
-    cloth.sheet.poisson_ba = 0.1;
-    cloth.sheet.shear_ab = 0.05;
-    cloth.sheet.angle = 0.4;
-    cloth.wrinkles = true;
-    cloth.liner_modulus = 0.1;
-    cloth.liner_ratio = 0.3;
-    cloth.liner_share = 0.1;
-    cloth.damping = 0.05;
-    model::set_stand_in(cloth);
-    model::Model model =
-        test::one_part({.id = 1, .title = "cloth", .density = 9e-7, .law = cloth},
-                       test::shell_section(0.3, 1, ShellFormulation::FullyIntegratedMembrane));
-    model.materials.push_back({.id = 2, .title = "foil", .density = 9e-7, .law = model::Elastic{0.4, 0.4}});
-    model.shell_sections.push_back(test::shell_section(0.3, 1, ShellFormulation::Membrane));
-    model.parts.push_back({.id = 2, .title = "foil", .section = 1, .material = 1});
-    test::add_closed_box(model, 0, 6, [](double x, double y, double z) {
-      return test::Point{100 * x, 80 * y * (1 - 0.2 * x), 40 * z};
-    });
-    model::ControlVolume bag = test::bag_of_shells(model, model::InflatedGas{.heat_at_volume = 717.5,
-                                                                             .heat_at_pressure = 1004.5,
-                                                                             .temperature = 600,
-                                                                             .ambient = 1e-4,
-                                                                             .density = 1.2e-9,
-                                                                             .inflow = 0});
-    model::Curve inflow;
-    inflow.abscissa = {0, 100};
-    inflow.ordinate = {1e-4, 1e-4};
-    model.curves.push_back(inflow);
-    model::PorousFabric porous;
-    porous.coefficient = 0.5;
-    porous.area = 0.02;
-    std::vector<model::ShellElement> halves;
-    for (model::ShellElement& shell : model.shells) {
-      if (shell.id % 3 == 0) shell.part = 1;
-      if (shell.part == 0) porous.segments.push_back(shell.node);
-      if (shell.id % 5 != 0) continue;
-      model::ShellElement half = shell;
-      half.id += 1000;
-      half.node = {shell.node[0], shell.node[2], shell.node[3], shell.node[3]};
-      shell.node[3] = shell.node[2];
-      halves.push_back(half);
-    }
-    model.shells.insert(model.shells.end(), halves.begin(), halves.end());
-    bag.porous.push_back(porous);
-    model.control_volumes.push_back(bag);
-    model::RigidWall wall;
-    wall.point = {0, 0, -41};
-    wall.normal = {0, 0, 1};
-    for (Index i = 0; i < model.nodes.count(); ++i) {
-      model.initial_velocities.push_back({.node = i, .velocity = {1, 0, -10}, .angular_velocity = {}});
-      wall.nodes.push_back(i);
-    }
-    model.rigid_walls.push_back(wall);
-    model.control.end_time = 100;
-    model.control.end_cycle = 400;
-    return model;
+  return model;
+}
+
+/// A cushion of fabric and foil, of all membranes, full of gas that leaks, on a wall.
+model::Model thrown_cushion() {
+  model::Fabric cloth;
+  cloth.sheet.modulus_a = 0.5;
+  cloth.sheet.modulus_b = 0.3;
+  cloth.sheet.poisson_ba = 0.1;
+  cloth.sheet.shear_ab = 0.05;
+  cloth.sheet.angle = 0.4;
+  cloth.wrinkles = true;
+  cloth.liner_modulus = 0.1;
+  cloth.liner_ratio = 0.3;
+  cloth.liner_share = 0.1;
+  cloth.damping = 0.05;
+  model::set_stand_in(cloth);
+  model::Model model = test::one_part({.id = 1, .title = "cloth", .density = 9e-7, .law = cloth},
+                                      test::shell_section(0.3, 1, ShellFormulation::FullyIntegratedMembrane));
+  model.materials.push_back({.id = 2, .title = "foil", .density = 9e-7, .law = model::Elastic{0.4, 0.4}});
+  model.shell_sections.push_back(test::shell_section(0.3, 1, ShellFormulation::Membrane));
+  model.parts.push_back({.id = 2, .title = "foil", .section = 1, .material = 1});
+  test::add_closed_box(model, 0, 6, [](double x, double y, double z) {
+    return test::Point{100 * x, 80 * y * (1 - 0.2 * x), 40 * z};
+  });
+  model::ControlVolume bag = test::bag_of_shells(model, model::InflatedGas{.heat_at_volume = 717.5,
+                                                                           .heat_at_pressure = 1004.5,
+                                                                           .temperature = 600,
+                                                                           .ambient = 1e-4,
+                                                                           .density = 1.2e-9,
+                                                                           .inflow = 0});
+  model::Curve inflow;
+  inflow.abscissa = {0, 100};
+  inflow.ordinate = {1e-4, 1e-4};
+  model.curves.push_back(inflow);
+  model::PorousFabric porous;
+  porous.coefficient = 0.5;
+  porous.area = 0.02;
+  std::vector<model::ShellElement> halves;
+  for (model::ShellElement& shell : model.shells) {
+    if (shell.id % 3 == 0) shell.part = 1;
+    if (shell.part == 0) porous.segments.push_back(shell.node);
+    if (shell.id % 5 != 0) continue;
+    model::ShellElement half = shell;
+    half.id += 1000;
+    half.node = {shell.node[0], shell.node[2], shell.node[3], shell.node[3]};
+    shell.node[3] = shell.node[2];
+    halves.push_back(half);
   }
+  model.shells.insert(model.shells.end(), halves.begin(), halves.end());
+  bag.porous.push_back(porous);
+  model.control_volumes.push_back(bag);
+  model::RigidWall wall;
+  wall.point = {0, 0, -41};
+  wall.normal = {0, 0, 1};
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    model.initial_velocities.push_back({.node = i, .velocity = {1, 0, -10}, .angular_velocity = {}});
+    wall.nodes.push_back(i);
+  }
+  model.rigid_walls.push_back(wall);
+  model.control.end_time = 100;
+  model.control.end_cycle = 400;
+  return model;
+}
 
 }  // namespace
 
@@ -330,15 +332,14 @@ const std::vector<Case>& cases() {
                                         {"bent_laminate", bent_laminate},
                                         {"layers_BelytschkoTsay", layers_of_belytschko_tsay, true},
                                         {"layers_FullyIntegrated", layers_fully_integrated, true},
-                                        {"failing_plies", failing_plies}};
-  { "thrown_cushion", thrown_cushion }
-};
-static const std::vector<Case> all = [] {
-  std::vector<Case> both = shells;
-  both.insert(both.end(), solid_cases().begin(), solid_cases().end());
-  return both;
-}();
-return all;
-}  // namespace
+                                        {"failing_plies", failing_plies},
+                                        {"thrown_cushion", thrown_cushion}};
+  static const std::vector<Case> all = [] {
+    std::vector<Case> both = shells;
+    both.insert(both.end(), solid_cases().begin(), solid_cases().end());
+    return both;
+  }();
+  return all;
+}
 
 }  // namespace crumple::golden

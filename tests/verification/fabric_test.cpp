@@ -70,7 +70,7 @@ TEST(Fabric, AStripUnderTensionAndMomentWrinkles) {
                                             .curve = 0,
                                             .scale = x[0] * mean * (1 + bending * x[1] / (0.5 * height))});
       }
-      for (const Index corner : {Index(0), columns})
+      for (const Index corner : {0, columns})
         model.fixed_nodes.push_back(
             {.node = corner + 8 * (columns + 1), .translation = {false, true, true}, .rotation = {}});
       // The strip bows across, which is slower than it stretches.

@@ -72,11 +72,6 @@ constexpr Field fabric_curve_card[] = {
     unused("LCA"),  unused("LCB"),   unused("LCAB"), unused("LCUA"),
     unused("LCUB"), unused("LCUAB"), unused("RL"),
 };
-constexpr Field fabric_rate_card[] = {
-    unused("LCAA"), unused("LCBB"),  unused("H"),     unused("DT"),
-    unused("-"),    unused("ECOAT"), unused("SCOAT"), unused("TCOAT"),
-};
-
 /// The moduli in the plane; without EB and GAB the fabric is isotropic.
 void take_moduli(const Card& card, const Card& second, model::OrthotropicElastic& sheet, Report& report) {
   sheet.modulus_a = card.real("EA");
@@ -153,7 +148,6 @@ void read_mat_fabric(Cards& cards, RawDeck& deck) {
     const Card fifth = cards.next_or_default(fabric_fifth_card);
     const double form = std::strtod(std::string(third.text("FORM")).c_str(), nullptr);
     if (form == 4 || form == 14 || form == -14 || form == 24) cards.next_or_default(fabric_curve_card);
-    if (form == -14) cards.next_or_default(fabric_rate_card);
     RawMaterial raw = material_of(heading, card);
     model::Fabric law;
     take_moduli(card, second, law.sheet, cards.report());
