@@ -92,7 +92,10 @@ TEST(RigidRotation, StressTurnsWithTheBody) {
     const std::string turned =
         std::string(kind.name) + ", stressed and turned by 2.5 rad, in units of round-off: ";
     test::Largest stresses(turned + "stress over E, change", "in its own axes", 1000);
-    test::Largest forces(turned + "forces over one of them, difference", "forces at first, turned", 1e5);
+    // Triangles of membranes have no moments beside which their forces would be small.
+    const bool triangle = kind.formulation == model::ShellFormulation::MembraneTriangle;
+    test::Largest forces(turned + "forces over one of them, difference", "forces at first, turned",
+                         triangle ? 1e6 : 1e5);
     for (const auto& execution : all_executions()) {
       const model::Model model = warped_plate(kind.formulation, model::HourglassForm::Stiffness);
       Driven body(model, execution);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -38,6 +39,9 @@ inline void add_state(domain::ShellBlock& block) {
   domain::add_item(block, "stress", "stress", 15);
   domain::add_item(block, "plastic_strain", "-", 3);
   domain::add_item(block, "active", "-", 1);
+  const double outer = std::sqrt(0.6);  // Gauss
+  block.point_place = {-outer, 0, outer};
+  block.point_weight = {5.0 / 18, 4.0 / 9, 5.0 / 18};
   block.double_state.resize(static_cast<std::size_t>(block.groups()) * block.components * lanes);
   for (Index place = 0; place < block.elements; ++place)
     block.set_state(place, block.find("active")->first, 1);

@@ -177,7 +177,7 @@ TEST(IntegratedBeams, ShapesOfPlatesHaveTheirPlasticMoments) {
   const auto section = test::integrated(model::plate_points(model::i_plates(0.3, 0.02, 0.4, 0.01), 4));
   const double modulus = 0.3 * 0.02 * 0.38 + 0.01 * 0.36 * 0.36 / 4;
   test::verified("plastic moment of an I of integrated beams over exact", "closed form")
-      .near(moment_at(section, 0.2, 1) / (yield * modulus), 1, 2e-3);
+      .near(moment_at(section, 0.2, 1) / (yield * modulus), 1, 3e-3);
   const auto box = test::integrated(model::plate_points(model::box_plates(0.3, 0.02, 0.4, 0.01), 4));
   const double box_modulus = 0.3 * 0.02 * 0.38 + 2 * 0.01 * 0.36 * 0.36 / 4;
   EXPECT_NEAR(moment_at(box, 0.2, 1), yield * box_modulus, 2e-3 * yield * box_modulus);

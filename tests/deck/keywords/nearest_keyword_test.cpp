@@ -55,7 +55,6 @@ TEST(NearestKeyword, IsItselfSupported) {
                            "CONSTRAINED_JOINT_REVOLUTE_FAILURE",
                            "AIRBAG_HYBRID",
                            "SECTION_SEATBELT",
-                           "INTEGRATION_BEAM",
                            "CONTACT_ENTITY",
                            "INTERFACE_SSI",
                            "DEFINE_FUNCTION",

@@ -67,6 +67,12 @@ constexpr Field fabric_fifth_card[] = {
     unused("-"),           unused("-"),           real("BETA"),          unused("ISREFG"),  // of FORM = 12
 };
 
+/// Curves, read where FORM has them, so that the next material begins in its place.
+constexpr Field fabric_curve_card[] = {
+    unused("LCA"),  unused("LCB"),   unused("LCAB"), unused("LCUA"),
+    unused("LCUB"), unused("LCUAB"), unused("RL"),   unused("-"),
+};
+
 /// The moduli in the plane; without EB and GAB the fabric is isotropic.
 void take_moduli(const Card& card, const Card& second, model::OrthotropicElastic& sheet, Report& report) {
   sheet.modulus_a = card.real("EA");
@@ -141,6 +147,9 @@ void read_mat_fabric(Cards& cards, RawDeck& deck) {
     const Card third = cards.next_or_default(fabric_third_card);
     const Card fourth = cards.next_or_default(fabric_fourth_card);
     const Card fifth = cards.next_or_default(fabric_fifth_card);
+    const double form = std::strtod(std::string(third.text("FORM")).c_str(), nullptr);
+    if (form == 4 || form == 14 || form == -14 || form == 24) cards.next_or_default(fabric_curve_card);
+    if (form == -14) cards.next_or_default(fabric_curve_card);
     RawMaterial raw = material_of(heading, card);
     model::Fabric law;
     take_moduli(card, second, law.sheet, cards.report());
