@@ -37,14 +37,14 @@ void OrthotropicElasticLaw::prepare_element(const model::ConstitutiveLaw& law, c
   set_axes(std::get<Model>(law), axes, block, history, place);
 }
 
-void OrthotropicElasticLaw::set_axes(const model::OrthotropicElastic& own, const LaminaAxes& axes,
+void OrthotropicElasticLaw::set_axes(const model::OrthotropicElastic& law, const LaminaAxes& axes,
                                      domain::ElementBlock& block, Index history, Index place) {
-  const Vec3 along = direction(own, axes);
+  const Vec3 along = direction(law, axes);
   const double x = dot(along, axes.e1);
   const double y = dot(along, axes.e2);
   // A direction normal to the shell leaves nothing to follow.
   if (!(std::hypot(x, y) > 1e-6 * norm(along))) fail_axis(axes.shell);
-  const double angle = std::atan2(y, x) + (axes.angle != 0 ? axes.angle : own.angle) + axes.layer_angle;
+  const double angle = std::atan2(y, x) + (axes.angle != 0 ? axes.angle : law.angle) + axes.layer_angle;
   block.set_state(place, history, std::cos(angle));
   block.set_state(place, history + 1, std::sin(angle));
 }
