@@ -30,7 +30,7 @@ Answer text_answer(int status, std::string text) {
 
 }  // namespace
 
-LivePage::LivePage(const LiveFiles& files, int port, std::string token, StatusSource status)
+LivePage::LivePage(const LiveFiles& files, int port, const std::string& token, StatusSource status)
     : root_(token.empty() ? "/" : "/" + token + "/"),
       status_(std::move(status)),
       frame_page_(std::make_shared<const std::string>(report::read_file(files.live_template))),

@@ -33,7 +33,7 @@ class LivePage {
   /// Serves from here on; see HttpServer for the port. `token` is the first folder of all paths, so that
   /// other users of this machine, who do not know it, get nothing; without one, if it is empty, they can read
   /// along. Throws Error.
-  LivePage(const LiveFiles& files, int port, std::string token, StatusSource status);
+  LivePage(const LiveFiles& files, int port, const std::string& token, StatusSource status);
   /// Ends within about a second, also while a report is made.
   ~LivePage();
   LivePage(const LivePage&) = delete;

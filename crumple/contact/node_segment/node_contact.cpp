@@ -12,7 +12,7 @@
 namespace crumple::contact {
 namespace {
 
-Configuration now(const Kinematics& motion) {
+Configuration configuration_of(const Kinematics& motion) {
   return {motion.position.data(), motion.velocity.data(), 0};
 }
 
@@ -51,7 +51,7 @@ double NodeContact::drop_eroded() {
 /// Nodes that start inside of solids, however deep: their contact begins where they are.
 void NodeContact::find_deep(const domain::Domain& domain, const Kinematics& motion) {
   const std::vector<NodeInSolid> inside = nodes_in_solids(*surface_, domain);
-  deep_ = faces_over({surface_, now(motion)}, inside);
+  deep_ = faces_over({surface_, configuration_of(motion)}, inside);
   for (const DeepPair& pair : deep_) search_.reach_behind(pair.segment, pair.depth);
   inside_at_start_.clear();
   for (const NodeInSolid& found : inside) inside_at_start_.push_back(found.node);
@@ -61,7 +61,8 @@ double NodeContact::find(const domain::Domain& domain, const Kinematics& motion,
                          domain::ContactReport& report) {
   pairs_ = local_.find(motion, search_, remembered_, start, deep_);
   if (some_are_behind_)
-    count_lost_nodes({surface_, now(motion)}, remembered_, pairs_, ragged_, domain.clock.cycle, report.lost);
+    count_lost_nodes({surface_, configuration_of(motion)}, remembered_, pairs_, ragged_, domain.clock.cycle,
+                     report.lost);
   return ragged_.lost_energy(remembered_, pairs_, domain);
 }
 
@@ -82,7 +83,7 @@ void NodeContact::fill(const Kinematics& motion, std::span<Touch> touches) const
 
 /// What is left of the penetrations, by which a node may be right on a surface and not behind it.
 void NodeContact::correct(const Kinematics& motion, std::span<const Touch> touches) {
-  const Configuration x = now(motion);
+  const Configuration x = configuration_of(motion);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     ContactPair& pair = pairs_[i];
     pair.gap = pair.reach - touches[i].penetration;
@@ -116,7 +117,7 @@ RememberedPair NodeContact::memory_of(const ContactPair& pair, const Touch& touc
 }
 
 void NodeContact::remember(const Kinematics& motion, std::span<const Touch> touches, TouchNotes& notes) {
-  const Configuration x = now(motion);
+  const Configuration x = configuration_of(motion);
   remembered_.clear();
   some_are_behind_ = false;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
