@@ -31,16 +31,14 @@ class Point {
   }
 
   void advance(double axial, double along_s, double along_t, double step) {
-    double strain[section_row::count][lanes] = {};
-    double resultant[section_row::count][lanes] = {};
-    double intact[lanes] = {};
-    // The kernel reads packs of its own width, one row after the other.
-    double rows[section_row::count * lanes] = {};
+    // The kernel reads packs of its own width, one row after the other, on cache lines.
+    alignas(cache_line) double rows[section_row::count * lanes] = {};
+    alignas(cache_line) double resultant[section_row::count * lanes] = {};
+    alignas(cache_line) double intact[lanes] = {};
     const int width = isa_ == Isa::Scalar ? 1 : isa_ == Isa::Baseline ? 2 : isa_ == Isa::Avx2 ? 4 : 8;
-    strain[section_row::stretch][0] = axial;
-    strain[section_row::shear_s][0] = along_s;
-    strain[section_row::shear_t][0] = along_t;
-    for (int row = 0; row < section_row::count; ++row) rows[row * width] = strain[row][0];
+    rows[section_row::stretch * width] = axial;
+    rows[section_row::shear_s * width] = along_s;
+    rows[section_row::shear_t * width] = along_t;
     const double place[] = {0, 0, 1};
     section_material_update(isa_, kind_)({.state = block_.double_state.data(),
                                           .stress = stress_,
@@ -50,7 +48,7 @@ class Point {
                                           .constants = constants_.data(),
                                           .step = step,
                                           .strain = rows,
-                                          .resultant = resultant[0],
+                                          .resultant = resultant,
                                           .intact = intact});
     intact_ = intact[0];
   }
