@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "domain/element_block.hpp"
 #include "materials/common/deformation.hpp"
 #include "materials/common/history_view.hpp"
 
