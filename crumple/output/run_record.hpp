@@ -43,7 +43,7 @@ struct RunRecord {
   std::uint64_t deck_hash = 0;
   std::uint64_t deck_hash_with_parameters = 0;  ///< and those that the command line set
   std::vector<std::string> command;             ///< arguments of the program
-  std::string options;                          ///< JSON of whoever owns the run; empty if there is none
+  std::string options;  ///< options of the command line as JSON; empty if the caller has none
   std::vector<RunParameter> parameters;
   double perturbation = 0;  ///< largest random move of a node over the diagonal of the model [-]
   std::uint64_t seed = 0;   ///< of these moves

@@ -189,10 +189,10 @@ class TwoRuns(Case):
     def test_tables_that_are_removed_are_noticed(self):
         process = self.start()
         (self.folder / "glstat.csv").unlink()
-        _, told = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 4, told)
-        self.assertIn("glstat.csv", told)
-        self.assertIn("removed or replaced", told)
+        _, output = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 4, output)
+        self.assertIn("glstat.csv", output)
+        self.assertIn("removed or replaced", output)
 
 
 class Decks(Case):
@@ -212,9 +212,9 @@ class Decks(Case):
         os.mkfifo(self.root / "pipe")
         for name, reason in (("/dev/zero", "a device"), ("/dev/stdin", ""), ("pipe", "a pipe"), (".", "a folder"),
                              ("/proc/self/maps", "the kernel makes this file up"), ("/proc/kmsg", ""), ("/proc/kcore", "")):
-            told = self.check(self.HEAD + f"*INCLUDE\n{name}\n*END\n")
-            self.assertIn("cannot read", told, name)
-            self.assertIn(reason, told, name)
+            output = self.check(self.HEAD + f"*INCLUDE\n{name}\n*END\n")
+            self.assertIn("cannot read", output, name)
+            self.assertIn(reason, output, name)
 
     def test_a_file_beyond_memory_is_refused_with_its_size(self):
         with open(self.root / "large.k", "wb") as file:
@@ -222,24 +222,24 @@ class Decks(Case):
         self.assertIn("8.8 TB", self.check(self.HEAD + "*INCLUDE\nlarge.k\n*END\n"))
 
     def test_unknown_keywords_take_linear_time(self):
-        told = self.check(self.HEAD + "".join(f"*UNKNOWN_{i}\n1\n" for i in range(100_000)), 20)
-        self.assertIn("more of other kinds", told)
+        output = self.check(self.HEAD + "".join(f"*UNKNOWN_{i}\n1\n" for i in range(100_000)), 20)
+        self.assertIn("more of other kinds", output)
 
     def test_unsupported_materials_of_many_parts_take_linear_time(self):
         text = "".join(f"*MAT_UNKNOWN\n{i},1.0\n*PART\nx\n{i},1,{i}\n" for i in range(1, 30_001))
         self.check(self.HEAD + text, 20)
 
     def test_errors_without_number_are_counted(self):
-        told = self.check(self.HEAD + "*NODE\n" + "x,y,z\n" * 100_000, 20)
-        self.assertIn("more of this kind", told)
+        output = self.check(self.HEAD + "*NODE\n" + "x,y,z\n" * 100_000, 20)
+        self.assertIn("more of this kind", output)
 
     def test_a_keyword_of_100_mb_is_not_echoed(self):
-        told = self.check(self.HEAD + "*" + "X" * 100_000_000 + "\n", 20)
-        self.assertLess(len(told), 10_000)
+        output = self.check(self.HEAD + "*" + "X" * 100_000_000 + "\n", 20)
+        self.assertLess(len(output), 10_000)
 
     def test_a_line_of_100_mb_is_not_echoed(self):
-        told = self.check(self.HEAD + "*NODE\n" + "X" * 100_000_000 + ",1,2,3\n", 20)
-        self.assertLess(len(told), 10_000)
+        output = self.check(self.HEAD + "*NODE\n" + "X" * 100_000_000 + ",1,2,3\n", 20)
+        self.assertLess(len(output), 10_000)
 
     def test_restart_files_without_number_take_no_time(self):
         text = pathlib.Path(DECK).read_text().replace("*END", "*DATABASE_BINARY_RUNRSF\n50,2000000000\n*END")

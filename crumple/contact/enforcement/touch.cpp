@@ -61,7 +61,7 @@ Vec3 force_on_first_side(const Surface& surface, std::span<const Touch> touches)
   return sum;
 }
 
-void ask_for_touch_after(const Surface& surface, std::span<const ContactPair> pairs, std::size_t i) {
+void prefetch_touch_after(const Surface& surface, std::span<const ContactPair> pairs, std::size_t i) {
   constexpr std::size_t ahead = 8;
   if (i + 2 * ahead < pairs.size()) {
     const ContactPair& pair = pairs[i + 2 * ahead];

@@ -72,7 +72,7 @@ Vec3 force_on_first_side(const Surface& surface, std::span<const Touch> touches)
 
 /// Asks for what touch_of() and node_stiffness() will read of the surface for pairs soon after `i`: in a
 /// large model it comes from memory.
-void ask_for_touch_after(const Surface& surface, std::span<const ContactPair> pairs, std::size_t i);
+void prefetch_touch_after(const Surface& surface, std::span<const ContactPair> pairs, std::size_t i);
 
 /// Penalty stiffness of the node of a pair. A node of solids has a share of each of its faces, as far as they
 /// look against the pair's normal: a quarter of all that meet in it, which in the middle of a plane is one

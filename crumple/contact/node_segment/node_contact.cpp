@@ -71,7 +71,7 @@ void NodeContact::fill(const Kinematics& motion, std::span<Touch> touches) const
   const Configuration x{motion.position.data(), nullptr, 0};
   parallel_for(pieces(count(), piece), motion.threads, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, count()); ++i) {
-      ask_for_touch_after(*surface_, pairs_, i);
+      prefetch_touch_after(*surface_, pairs_, i);
       Touch& touch = touches[i];
       touch = touch_of(*surface_, pairs_[i]);
       if (touch.penetration > 0)

@@ -366,7 +366,7 @@ void GlobalSearch::resume(const Kinematics& motion) {
   // Those of another time, when other segments may have failed.
   earlier_first_.clear();
   collect(positions_at_search(motion.position, surface_->nodes, searched_position_));
-  // The way so far is not known: slacks are measured anew, and the way begins here.
+  // The path since the search is not known: skin distances are measured again, and the path begins here.
   travel_.start(motion.position, surface_->nodes);
   motion_.update(view(motion.position));
   safe_length_ = tolerances::usable_margin * motion_.left();

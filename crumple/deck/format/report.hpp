@@ -32,8 +32,8 @@ struct FieldFault {
 
 /// Collects everything that is to be said about a deck. Of a kind of fault that occurs more often than
 /// `shown_per_kind` times the first one is shown, and how many there are. Of errors, and likewise of
-/// warnings, `most_kinds` kinds are told apart; what goes beyond that is counted and not kept, and texts of
-/// the deck are cut in messages, so that no deck makes this larger than some megabytes.
+/// warnings, `most_kinds` kinds are distinguished; what goes beyond that is counted and not kept, and texts
+/// of the deck are cut in messages, so that no deck makes this larger than some megabytes.
 class Report {
  public:
   static constexpr int shown_per_kind = 4;
@@ -71,7 +71,7 @@ class Report {
   struct Kind {
     int count = 0;
     Where last;
-    bool is_rest = false;  ///< of all kinds beyond those that are told apart
+    bool is_rest = false;  ///< of all kinds beyond the first `most_kinds`
   };
   struct Entry {
     Where where;

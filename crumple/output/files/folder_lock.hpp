@@ -8,8 +8,8 @@ namespace crumple::output {
 
 /// Keeps a folder of results for one run. The file `.crumple.lock` in it says who has it, as "process 4711 on
 /// host"; what counts is the system's lock on that file, which ends with the process however that ends, so
-/// that the file of a killed run is in nobody's way. Where a file system has no locks, the process that the
-/// file names must be gone, or on another machine the file must be removed by hand.
+/// that the file of a killed run does not block later ones. Where a file system has no locks, the process
+/// that the file names must be gone, or on another machine the file must be removed by hand.
 class FolderLock {
  public:
   /// Throws WriteError that names the run that has the folder.
