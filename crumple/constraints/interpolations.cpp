@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "constraints/component_mass.hpp"
 
 namespace crumple::constraints {
 
@@ -19,20 +20,8 @@ namespace {
 /// Share of the trace's cube below which a determinant is zero: the nodes lie on a line.
 constexpr double on_a_line = 1e-12;
 
-double mass_along(const NodeFields& nodes, Index node, std::size_t component) {
-  return component < 3 ? nodes.moving_mass(node) : nodes.moving_inertia(node);
-}
-
-/// Zero for what is fixed or has no mass.
-double inverse_mass_along(const NodeFields& nodes, Index node, std::size_t component) {
-  const int axis = static_cast<int>(component % 3);
-  const unsigned fixed = component < 3 ? domain::fixed_translation(axis) : domain::fixed_rotation(axis);
-  const double mass = mass_along(nodes, node, component);
-  return (nodes.fixed[node] & fixed) != 0 || !(mass > 0) ? 0 : 1 / mass;
-}
-
 /// What an impulse changes the velocities of a node by; `first` is its first component.
-Vec3 kicked(const NodeFields& nodes, Index node, std::size_t first, const Vec3& impulse) {
+Vec3 kicked(const NodeFields& nodes, Index node, int first, const Vec3& impulse) {
   return {inverse_mass_along(nodes, node, first) * impulse.x,
           inverse_mass_along(nodes, node, first + 1) * impulse.y,
           inverse_mass_along(nodes, node, first + 2) * impulse.z};
@@ -177,7 +166,8 @@ void Interpolations::prepare(Domain& domain) {
     domain::NodeForce& own = nodes.force[of.dependent];
     Motion impulse;
     for (std::size_t component = 0; component < 6; ++component) {
-      if (!of.follows[component] || mass_along(nodes, of.dependent, component) > 0) continue;
+      if (!of.follows[component] || mass_along(nodes, of.dependent, static_cast<int>(component)) > 0)
+        continue;
       double& force = component < 3 ? own.force[component] : own.moment[component - 3];
       impulse[component] = force;
       force = 0;
@@ -215,7 +205,8 @@ Interpolations::Matrix Interpolations::response(const NodeFields& nodes, const I
     change.about = of.middle.inverse * turning;
     change.along += cross(change.about, of.middle.dependent);
     for (std::size_t row = 0; row < rows.count; ++row) matrix[row][column] = change[rows.component[row]];
-    matrix[column][column] += inverse_mass_along(nodes, of.dependent, rows.component[column]);
+    matrix[column][column] +=
+        inverse_mass_along(nodes, of.dependent, static_cast<int>(rows.component[column]));
   }
   return matrix;
 }
@@ -225,12 +216,15 @@ double Interpolations::correct(NodeFields& nodes, const Interpolation& of) {
   Rows rows;
   std::array<double, 6> gap{};
   double largest = 0;
+  double reach = norm(of.now.dependent);  // by which a spin counts as a velocity [length]
+  for (const Vec3& arm : of.now.arm) reach = std::max(reach, norm(arm));
   Motion wanted = fitted(nodes, of);
   Motion own{nodes.velocity[of.dependent], nodes.angular_velocity[of.dependent]};
   for (std::size_t component = 0; component < 6; ++component) {
-    if (!of.follows[component] || !(mass_along(nodes, of.dependent, component) > 0)) continue;
+    if (!of.follows[component] || !(mass_along(nodes, of.dependent, static_cast<int>(component)) > 0))
+      continue;
     gap[rows.count] = wanted[component] - own[component];
-    if (component < 3) largest = std::max(largest, std::fabs(gap[rows.count]));
+    largest = std::max(largest, (component < 3 ? 1 : reach) * std::fabs(gap[rows.count]));
     rows.component[rows.count++] = component;
   }
   Matrix matrix = response(nodes, of, rows);
@@ -248,7 +242,7 @@ double Interpolations::correct(NodeFields& nodes, const Interpolation& of) {
   // What has no mass takes any velocity.
   wanted = fitted(nodes, of);
   for (std::size_t component = 0; component < 6; ++component)
-    if (of.follows[component] && !(mass_along(nodes, of.dependent, component) > 0))
+    if (of.follows[component] && !(mass_along(nodes, of.dependent, static_cast<int>(component)) > 0))
       (component < 3 ? nodes.velocity
                      : nodes.angular_velocity)[of.dependent][static_cast<int>(component % 3)] =
           wanted[component];

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "constraints/component_mass.hpp"
 
 namespace crumple::constraints {
 
@@ -23,17 +24,10 @@ double& component_of(NodeFields& nodes, Index node, int component) {
   return component < 3 ? nodes.velocity[node][component] : nodes.angular_velocity[node][component - 3];
 }
 
-double inverse_mass_of(const NodeFields& nodes, Index node, int component) {
-  const bool turns = component >= 3;
-  const unsigned fixed = turns ? domain::fixed_rotation(component - 3) : domain::fixed_translation(component);
-  const double mass = turns ? nodes.moving_inertia(node) : nodes.moving_mass(node);
-  return (nodes.fixed[node] & fixed) != 0 || !(mass > 0) ? 0 : 1 / mass;
-}
-
 /// Whether an equation says anything: zero velocities fulfil it.
 bool can_move(const NodeFields& nodes, const model::LinearEquation& equation) {
   return std::any_of(equation.terms.begin(), equation.terms.end(), [&](const auto& term) {
-    return inverse_mass_of(nodes, nodes.domain_node[term.node], term.component) > 0;
+    return inverse_mass_along(nodes, nodes.domain_node[term.node], term.component) > 0;
   });
 }
 
@@ -111,7 +105,7 @@ bool LinearEquations::take_masses(const NodeFields& nodes, Group& group) {
   for (const Equation& equation : group.equations)
     for (const Term& term : equation.terms) {
       double& known = group.inverse_mass[static_cast<std::size_t>(term.place)];
-      const double now = inverse_mass_of(nodes, term.node, term.component);
+      const double now = inverse_mass_along(nodes, term.node, term.component);
       changed = changed || now != known;
       known = now;
     }

@@ -91,8 +91,9 @@ struct Domain {
   AlignedArray<Vec3> contact_force;  ///< on the nodes at time n, normal and friction [force]
   Clock clock;
   EnergyLedger energy;
-  double added_mass = 0;               ///< by mass scaling [mass]
-  std::vector<double> chunk_steps;     ///< shortest stable step of each chunk, where mass is scaled [time]
+  double added_mass = 0;  ///< by mass scaling [mass]
+  /// Shortest stable step of each chunk, where mass is scaled; negative where elements have just gone [time].
+  std::vector<double> chunk_steps;
   std::vector<PartShare> part_shares;  ///< by part; empty unless a load, a damping or a mass asks for parts
   std::vector<ContactReport> contacts;
   std::vector<TransducerReport> transducers;

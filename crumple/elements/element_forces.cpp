@@ -45,6 +45,7 @@ class Pass {
     };
     for (const domain::ShellBlock& block : domain.shells) add_damping(block);
     for (const domain::SolidBlock& block : domain.solids) add_damping(block);
+    for (const domain::BeamBlock& block : domain.beams) add_damping(block);
     for (const domain::BeamBlock& block : domain.beams)
       beams_.push_back(beam_constants(block.element_constants));
   }
@@ -114,8 +115,9 @@ class Pass {
                   .section_places = section_places(block.element_constants),
                   .material = block.material_constants.data()};
     if (block.damping) {
-      task.damping = *block.damping;
-      task.damping_item = block.find("damping")->first;
+      const StiffnessDamping& damping = damping_[static_cast<std::size_t>(chunk.block)];
+      task.damping = damping.given;
+      task.damping_item = damping.first;
     }
     beam_kernel(domain_.execution.isa, block.formulation)(task, sums);
   }
@@ -144,7 +146,7 @@ class Pass {
   std::vector<SolidConstants<Real>> solids_;
   std::vector<BeamConstants> beams_;
   std::vector<ErosionCheck> erosion_;      ///< by block
-  std::vector<StiffnessDamping> damping_;  ///< by block of shells, then of solids
+  std::vector<StiffnessDamping> damping_;  ///< by block of shells, then of solids and beams
 };
 
 template <class Real>
@@ -177,7 +179,10 @@ void add_element_forces(Domain& domain, EnergyTrace* trace) {
     block.eroded += sums[c].eroded;
     domain.energy.damping += sums[c].damping_energy;
     domain.clock.element_limit = std::min(domain.clock.element_limit, sums[c].shortest_step);
-    if (domain.clock.kept_step > 0) domain.chunk_steps[c] = sums[c].shortest_step;
+    // Section forces are computed on copies, which keep no steps. What has just gone may have had the
+    // shortest one.
+    if (!domain.chunk_steps.empty())
+      domain.chunk_steps[c] = sums[c].eroded > 0 ? -sums[c].shortest_step : sums[c].shortest_step;
   }
 }
 

@@ -85,8 +85,9 @@ double scale_chunk(Domain& domain, Block& block, const domain::Chunk& chunk, dou
   double left = 1e30;
   for_each_step(domain, block, begin, end, [&](Index place, double geometric) {
     const double step = reduced * geometric;
-    left = std::min(left, std::max(step, wanted));
-    if (step >= domain.clock.kept_step) return;
+    const bool enough = step >= domain.clock.kept_step;
+    left = std::min(left, enough ? step : wanted);
+    if (enough) return;
     const double ratio = wanted / step;
     domain::ScaledMass& own = block.scaled[static_cast<std::size_t>(place)];
     const double more = ratio * ratio - 1;
@@ -113,6 +114,10 @@ void keep_step(Domain& domain) {
   clock.element_limit = clock.rigid_limit;
   for (std::size_t c = 0; c < chunks.size(); ++c) {
     double& step = domain.chunk_steps[c];
+    if (step < 0) {
+      clock.element_limit = std::min(clock.element_limit, -step);
+      continue;
+    }
     const auto scale = [&](auto& block) {
       if (!block.scaled.empty()) step = scale_chunk(domain, block, chunks[c], step);
     };

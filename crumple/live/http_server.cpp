@@ -174,9 +174,8 @@ HttpServer::Listener::Listener(int port_asked, Handler handler_given)
   address.sin_port = htons(static_cast<std::uint16_t>(port_asked));
   socklen_t length = sizeof address;
   auto* const general = reinterpret_cast<sockaddr*>(&address);
-  constexpr int backlog = 16;
   if (ends[0] < 0 || ::bind(socket.number(), general, length) != 0 ||
-      ::listen(socket.number(), backlog) != 0 || ::getsockname(socket.number(), general, &length) != 0)
+      ::listen(socket.number(), SOMAXCONN) != 0 || ::getsockname(socket.number(), general, &length) != 0)
     throw Error(
         fmt::format("Port {} cannot be listened at: another program does, or the system reserves it. "
                     "--serve 0 takes any free one.",

@@ -47,6 +47,11 @@ MassDamping::MassDamping(const model::Model& model, const domain::Domain& domain
       if (has_part(model.rigid_bodies[body], given.parts)) damping.bodies.push_back(static_cast<Index>(body));
     dampings_.push_back(std::move(damping));
   }
+  for (Damping& damping : dampings_) {
+    damping.on_nodes.resize(damping.of_all ? static_cast<std::size_t>(domain.nodes.count())
+                                           : damping.selection.nodes.size());
+    damping.on_bodies.resize(damping.bodies.size());
+  }
 }
 
 void MassDamping::add_forces(domain::Domain& domain) {
@@ -55,9 +60,6 @@ void MassDamping::add_forces(domain::Domain& domain) {
     damping.factor = given.curve == no_index
                          ? given.constant
                          : given.scale * model_->curves[given.curve].at(domain.clock.time);
-    damping.on_nodes.resize(damping.of_all ? static_cast<std::size_t>(domain.nodes.count())
-                                           : damping.selection.nodes.size());
-    damping.on_bodies.resize(damping.bodies.size());
     domain.energy.damping += damp_nodes(damping, domain) + damp_bodies(damping, domain);
   }
 }

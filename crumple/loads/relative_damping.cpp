@@ -13,7 +13,8 @@ using math::Vec3;
 namespace {
 
 /// Nodes and body move against each other: the rate of that is D (1 + m / M), of turns D (1 + j / J), with
-/// mass and inertia of the damped nodes about the centre of the body. The larger one bounds both.
+/// mass and inertia of the damped nodes about the centre of the body. Off the centre both act at once, and
+/// the largest rate is not above the sum of the two.
 double coupling_of(const NodeShares& selection, const domain::Domain& domain, const domain::RigidBody& body) {
   double mass = 0;
   double inertia = 0;
@@ -26,7 +27,7 @@ double coupling_of(const NodeShares& selection, const domain::Domain& domain, co
   }
   const Vec3& own = body.principal_inertia;
   const double least = std::min({own.x, own.y, own.z});
-  return 1 + std::max(body.mass > 0 ? mass / body.mass : 0, least > 0 ? inertia / least : 0);
+  return 1 + (body.mass > 0 ? mass / body.mass : 0) + (least > 0 ? inertia / least : 0);
 }
 
 }  // namespace

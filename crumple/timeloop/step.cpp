@@ -120,8 +120,9 @@ void Simulation::scale_masses() {
   elements::keep_step(domain_);
   tied_nodes_.share_masses(domain_);
   const constraints::KineticChange after = tied_nodes_.carried_energy(domain_);
-  domain_.energy.external_work +=
-      (after.translational - before.translational) + (after.rotational - before.rotational);
+  if (domain_.clock.cycle > 0)  // before the first step there is nothing to balance yet
+    domain_.energy.external_work +=
+        (after.translational - before.translational) + (after.rotational - before.rotational);
 }
 
 /// In three stages: how stiff a contact may be depends on what the others do to its nodes.

@@ -166,7 +166,7 @@ class TwoRuns(Case):
         self.assertEqual(first.wait(timeout=30), 130)
         self.assertFalse((self.folder / ".crumple.lock").exists())
 
-    def test_the_lock_of_a_killed_run_is_in_nobodys_way(self):
+    def test_the_lock_of_a_killed_run_does_not_block(self):
         first = self.start()
         first.kill()
         first.wait()

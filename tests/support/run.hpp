@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "domain/state_snapshot.hpp"
+#include "timeloop/fitting_state.hpp"
 #include "timeloop/simulation.hpp"
 
 namespace crumple::test {
@@ -55,6 +56,7 @@ class RestartCheck {
     domain::Execution execution = simulation_.domain().execution;
     execution.threads = execution.threads == 2 ? 1 : 2;
     timeloop::Simulation second(simulation_.model(), execution);
+    timeloop::require_fitting_state(copy_, second.state(), second.domain());
     copy_.put_back(second.state());
     second.resume();
     const domain::Clock& now = simulation_.domain().clock;

@@ -126,6 +126,24 @@ TEST(MassScaling, BarInCompressionKeepsItsStep) {
   expect_balance("bar of solids", bar);
 }
 
+/// Forces of cross sections are computed on copies of the elements: they must leave masses alone.
+TEST(MassScaling, SectionForcesChangeNothing) {
+  model::Model model = bar(100);
+  const double without = result_of(model).added;
+  model::CrossSection section;
+  section.id = 1;
+  for (Index i = 0; i < model.nodes.count(); ++i)
+    if (std::fabs(model.nodes.position[i][0] - 10) < 1e-9) section.nodes.push_back(i);
+  for (Index i = 0; i < static_cast<Index>(model.solids.size()); ++i)
+    if (model.nodes.position[model.solids[i].node[0]][0] > 10 - 1e-9 &&
+        model.nodes.position[model.solids[i].node[0]][0] < 10.9)
+      section.solids.push_back(i);
+  ASSERT_FALSE(section.solids.empty());
+  model.output.cross_sections.push_back(section);
+  model.output.of(model::HistoryFile::Secforc).asked = true;
+  EXPECT_EQ(result_of(model).added, without);
+}
+
 TEST(MassScaling, ShellsKeepTheirStep) {
   expect_balance("shells", [](double drift) {
     model::Model model = test::one_part(

@@ -154,6 +154,15 @@ TEST(Interpolation, SharedIndependentNodesFitAllAtOnce) {
   });
   EXPECT_LT(kept.momentum_drift, 1e-10);
   EXPECT_LT(kept.turning_drift, 1e-8);
+  // One rigid motion moves both: of the middle of the coming step, where the fit is.
+  const domain::NodeFields& nodes = simulation.domain().nodes;
+  const Index a = nodes.domain_node[model.interpolations[0].dependent];
+  const Index b = nodes.domain_node[model.interpolations[1].dependent];
+  const auto middle = [&](Index i) {
+    return nodes.position[i] + 0.5 * simulation.next_step() * nodes.velocity[i];
+  };
+  const Vec3 turned = cross(nodes.angular_velocity[b], middle(b) - middle(a));
+  EXPECT_LT(norm(nodes.velocity[b] - nodes.velocity[a] - turned), 1e-8);
   test::verified("two interpolated nodes of one face, shaken: imbalance over the energy of the start",
                  "conservation")
       .below(imbalance.largest() / simulation.domain().energy.initial_total, 1e-5);

@@ -251,6 +251,7 @@ std::map<Segment, Index> material_of_shells(const model::Model& model) {
 void take_porous_fabric(const RawControlVolume& raw, model::ControlVolume& volume, Build& build) {
   const std::map<Segment, Index> material_of = material_of_shells(build.model);
   std::map<Index, model::PorousFabric> porous;
+  bool is_reported = false;
   for (const Segment& segment : volume.segments) {
     const auto found = material_of.find(sorted(segment));
     if (found == material_of.end()) continue;
@@ -261,10 +262,12 @@ void take_porous_fabric(const RawControlVolume& raw, model::ControlVolume& volum
     if (leakage.coefficient == 0 && leakage.coefficient_time == no_index) continue;
     const int venting = leakage.venting != 0 ? leakage.venting : raw.fabric_venting;
     if (!raw.vents_fabric || venting == 0) {
-      build.report.warning(raw.where, "porous",
-                           "the surface has *MAT_FABRIC with FLC, but no gas leaves through it: of "
-                           "*AIRBAG_WANG_NEFSKE it does, with OPT, or FVOPT of the fabric");
-      return;
+      if (!is_reported)
+        build.report.warning(raw.where, "porous",
+                             "the surface has *MAT_FABRIC with FLC, but no gas leaves through it: of "
+                             "*AIRBAG_WANG_NEFSKE it does, with OPT, or FVOPT of the fabric");
+      is_reported = true;
+      continue;
     }
     porous[found->second] = {.segments = std::move(porous[found->second].segments),
                              .coefficient = leakage.coefficient,

@@ -2,7 +2,7 @@
 // Cross sections of beams, and the points that they take from rules of their own.
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "deck/build/build.hpp"
@@ -34,17 +34,18 @@ std::vector<model::SectionPoint> own_points(const RawBeamRule& rule, const RawBe
   return points;
 }
 
-void take_rule(const RawBeamSection& raw, model::BeamSection& section, Build& build) {
-  const auto& rules = build.deck.beam_rules;
-  const auto rule =
-      std::find_if(rules.begin(), rules.end(), [&](const RawBeamRule& one) { return one.id == raw.rule; });
+using Rules = std::map<UserId, const RawBeamRule*>;
+
+void take_rule(const RawBeamSection& raw, const Rules& rules, model::BeamSection& section, Build& build) {
+  const auto found = rules.find(raw.rule);
   const std::string id = std::to_string(-raw.rule);
-  if (rule == rules.end()) {
+  if (found == rules.end()) {
     build.report.field_error(
         raw.where, {"QR", id, "minus the id of an integration rule of beams",
                     fmt::format("the deck has no rule {}; add it with *INTEGRATION_BEAM", raw.rule), "rule"});
     return;
   }
+  const RawBeamRule* const rule = found->second;
   if (!rule->shape.empty()) {
     model::set_points(section, shape_points(*rule, raw));
   } else if (!rule->points.empty() && (!(raw.size[0] > 0) || !(raw.size[1] > 0))) {
@@ -59,23 +60,25 @@ void take_rule(const RawBeamSection& raw, model::BeamSection& section, Build& bu
   }
 }
 
-void check_rules(Build& build) {
-  const auto& rules = build.deck.beam_rules;
-  for (std::size_t i = 0; i < rules.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (rules[i].id == rules[j].id)
-        build.report.field_error(rules[i].where,
-                                 {"IRID", std::to_string(rules[i].id), "an id of its own",
-                                  fmt::format("{} has the same", build.report.place(rules[j].where)), "id"});
+Rules rules_by_id(Build& build) {
+  Rules rules;
+  for (const RawBeamRule& rule : build.deck.beam_rules) {
+    const auto [first, is_new] = rules.try_emplace(rule.id, &rule);
+    if (!is_new)
+      build.report.field_error(
+          rule.where, {"IRID", std::to_string(rule.id), "an id of its own",
+                       fmt::format("{} has the same", build.report.place(first->second->where)), "id"});
+  }
+  return rules;
 }
 
 }  // namespace
 
 void build_beam_sections(Build& build) {
-  check_rules(build);
+  const Rules rules = rules_by_id(build);
   for (const RawBeamSection& raw : build.deck.beam_sections) {
     build.model.beam_sections.push_back(raw.section);
-    if (raw.rule != 0) take_rule(raw, build.model.beam_sections.back(), build);
+    if (raw.rule != 0) take_rule(raw, rules, build.model.beam_sections.back(), build);
   }
 }
 

@@ -17,7 +17,9 @@ constexpr std::size_t most_layers = 20;
 
 /// Why layers cannot be of a material; empty if they can.
 std::string objection(const model::Material& material) {
-  if (!model::use_of(material.law).shells) return "it is not there for shells";
+  const model::LawUse use = model::use_of(material.law);
+  if (!use.shells) return "it is not there for shells";
+  if (use.only_membranes) return "it is there for membranes of one material; BETA turns its yarns";
   if (material.rigid) return "it is rigid";
   if (const auto* law = std::get_if<model::PiecewiseLinearPlasticity>(&material.law))
     if (law->failed_points > 0 || law->failed_share > 0)

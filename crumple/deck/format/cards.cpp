@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "deck/format/numbers.hpp"
 
@@ -265,6 +266,16 @@ void Cards::parse(std::size_t index, Card& card) {
   value.text = slots_[index];
   if (field.type == FieldType::Text) return;
   if (!value.text.empty() && !read_number(index, card)) {
+    value.good = false;
+    return;
+  }
+  constexpr double largest_id = 1e15;  // which a real number holds exactly
+  if (field.type == FieldType::Real && field.is_id() && value.real < 0 &&
+      (value.real < -largest_id || value.real != std::trunc(value.real))) {
+    report_->field_error(card.where_,
+                         {field.name, std::string(value.text),
+                          "a number that is not negative, or minus the id of another item", "", "id"});
+    value.real = 0;
     value.good = false;
     return;
   }

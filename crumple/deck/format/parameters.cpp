@@ -82,10 +82,11 @@ const Parameters::Value* Parameters::use(std::string_view name) const {
 }
 
 void Parameters::note_references(std::string_view text) {
+  constexpr std::string_view of_names = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
   for (std::size_t at = text.find('&'); at != std::string_view::npos; at = text.find('&', at + 1)) {
-    std::size_t end = at + 1;
-    while (end < text.size() && is_name(text.substr(at + 1, end - at))) ++end;
-    if (end > at + 1) use(text.substr(at + 1, end - at - 1));
+    const std::size_t end = std::min(text.find_first_not_of(of_names, at + 1), text.size());
+    const std::string_view name = text.substr(at + 1, end - at - 1);
+    if (is_name(name)) use(name);
   }
 }
 

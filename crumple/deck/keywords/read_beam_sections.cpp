@@ -249,7 +249,7 @@ void read_section_beam(Cards& cards, RawDeck& deck) {
     raw.section.id = card.integer("SECID");
     raw.where = card.where();
     raw.order = deck.section_count();
-    // Without a formulation the rest cannot be told; the part of the section is left out with its elements.
+    // Without a formulation the rest cannot be read; the part of the section is left out with its elements.
     if (!formulation || names_a_shape(cards)) {
       if (formulation)
         cards.report().unsupported(

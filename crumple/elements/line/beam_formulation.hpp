@@ -87,6 +87,15 @@ CRUMPLE_INLINE void keep_beam_row(const BeamPlace& place, int row, const Pack& v
   store(place.rows + row * materials::tile_lanes, value);
 }
 
+/// No forces of what has failed, which may have any shape, and numbers that are none.
+template <class Pack>
+CRUMPLE_INLINE void clear_where_gone(const Pack& intact, BeamForces<Pack>& internal) {
+  const Pack zero(0.0);
+  for (math::PackVec3<Pack>* vector : {&internal.force, &internal.moment[0], &internal.moment[1]})
+    for (Pack* number : {&vector->x, &vector->y, &vector->z})
+      *number = select<Pack>(intact > zero, *number, zero);
+}
+
 /// One vector per lane: `vector_of(lane)` gives that of the lane.
 template <class Pack, class VectorOf>
 CRUMPLE_INLINE math::PackVec3<Pack> lane_vectors(const VectorOf& vector_of) {

@@ -38,17 +38,18 @@ struct StepTurn {
   }
 };
 
-/// The axes of an end at time n: those of n-1 turned with the node, and made orthonormal to the last digit.
+/// Of one end of each beam of the pack [1/time].
 template <class Pack>
-CRUMPLE_INLINE EndAxes<Pack> turned_axes(const BeamPlace& place, int end) {
-  using Vec = math::PackVec3<Pack>;
-  const Index item = resultant_state::axes + 6 * end;
-  const Vec omega = lane_vectors<Pack>(
+CRUMPLE_INLINE math::PackVec3<Pack> angular_velocity_of(const BeamPlace& place, int end) {
+  return lane_vectors<Pack>(
       [&](int lane) { return place.task.angular_velocity[place.node[end * lanes + lane]]; });
-  const StepTurn<Pack> turn(Pack(place.task.step) * omega);
-  Vec r = turn.of(beam_vector<Pack>(place, item));
-  Vec s = turn.of(beam_vector<Pack>(place, item + 3));
-  // Newton's step towards unit length is enough: what is amiss is round-off.
+}
+
+/// Makes r and s orthonormal to the last digit and keeps them as items of the state from `item` on. Newton's
+/// step towards unit length is enough: what is amiss is round-off.
+template <class Pack>
+CRUMPLE_INLINE EndAxes<Pack> keep_axes(const BeamPlace& place, Index item, math::PackVec3<Pack> r,
+                                       math::PackVec3<Pack> s) {
   const Pack half(0.5);
   const Pack three_halves(1.5);
   r = Pack(three_halves - half * math::dot(r, r)) * r;
@@ -57,6 +58,15 @@ CRUMPLE_INLINE EndAxes<Pack> turned_axes(const BeamPlace& place, int end) {
   set_beam_vector(place, item, r);
   set_beam_vector(place, item + 3, s);
   return {r, s, math::cross(r, s)};
+}
+
+/// The axes of an end at time n: those of n-1 turned with the node.
+template <class Pack>
+CRUMPLE_INLINE EndAxes<Pack> turned_axes(const BeamPlace& place, int end) {
+  const Index item = resultant_state::axes + 6 * end;
+  const StepTurn<Pack> turn(Pack(place.task.step) * angular_velocity_of<Pack>(place, end));
+  return keep_axes<Pack>(place, item, turn.of(beam_vector<Pack>(place, item)),
+                         turn.of(beam_vector<Pack>(place, item + 3)));
 }
 
 /// An angle by its sine and cosine, (sin + 4 tan(angle/2)) / 3, whose error is angle^5 / 120, over the sine:
@@ -138,6 +148,18 @@ struct BeamMotion {
   Pack stretch, twist;
   About<Pack> turn[2];  ///< of the ends against the chord, in the axes half way between
 };
+
+/// What there is of an intact beam. What has failed may have any shape, and numbers that are none.
+template <class Pack>
+CRUMPLE_INLINE void clear_where_gone(const Pack& active, BeamMotion<Pack>& motion) {
+  const auto clear = [&](Pack& number) { number = select<Pack>(active > Pack(0.0), number, Pack(0.0)); };
+  clear(motion.stretch);
+  clear(motion.twist);
+  for (About<Pack>& turn : motion.turn) {
+    clear(turn.s);
+    clear(turn.t);
+  }
+}
 
 /// Brings the axes of the ends up to time n, and finds the deformations there.
 template <class Pack>

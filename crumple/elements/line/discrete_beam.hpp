@@ -29,12 +29,6 @@ struct DiscreteRows {
   alignas(cache_line) double intact[width_of<Pack>];
 };
 
-template <class Pack>
-CRUMPLE_INLINE math::PackVec3<Pack> angular_velocity_of(const BeamPlace& place, int end) {
-  return lane_vectors<Pack>(
-      [&](int lane) { return place.task.angular_velocity[place.node[end * lanes + lane]]; });
-}
-
 /// A vector without its parts along the axes that do not turn.
 template <class Pack>
 CRUMPLE_INLINE math::PackVec3<Pack> without_held(const BeamConstants& c, const EndAxes<Pack>& axes,
@@ -45,27 +39,18 @@ CRUMPLE_INLINE math::PackVec3<Pack> without_held(const BeamConstants& c, const E
   return v;
 }
 
-/// The axes at time n: those of n-1 turned as a whole, and made orthonormal to the last digit.
+/// The axes at time n: those of n-1 turned as a whole.
 template <class Pack>
 CRUMPLE_INLINE EndAxes<Pack> followed_axes(const BeamPlace& place, const math::PackVec3<Pack> (&omega)[2]) {
   using Vec = math::PackVec3<Pack>;
   const BeamConstants& c = place.task.constants;
   const Index item = discrete_beam_state::axes;
-  Vec r = beam_vector<Pack>(place, item);
-  Vec s = beam_vector<Pack>(place, item + 3);
+  const Vec r = beam_vector<Pack>(place, item);
+  const Vec s = beam_vector<Pack>(place, item + 3);
   const EndAxes<Pack> old{r, s, math::cross(r, s)};
   const Vec mean = Pack(c.first_share) * omega[0] + Pack(1 - c.first_share) * omega[1];
   const StepTurn<Pack> turn(Pack(place.task.step) * without_held(c, old, mean));
-  r = turn.of(r);
-  s = turn.of(s);
-  const Pack half(0.5);
-  const Pack three_halves(1.5);
-  r = Pack(three_halves - half * math::dot(r, r)) * r;
-  s = math::multiply_add(Pack(-math::dot(r, s)), r, s);
-  s = Pack(three_halves - half * math::dot(s, s)) * s;
-  set_beam_vector(place, item, r);
-  set_beam_vector(place, item + 3, s);
-  return {r, s, math::cross(r, s)};
+  return keep_axes<Pack>(place, item, turn.of(r), turn.of(s));
 }
 
 /// Displacements against time zero, and the sums of the relative turns of the steps.
@@ -161,9 +146,7 @@ CRUMPLE_INLINE BeamForces<Pack> DiscreteBeam::forces(const BeamPlace& place) {
     internal.moment[0] = internal.moment[1] = {zero, zero, zero};
   }
   const Pack intact = load<Pack>(place.rows + beam_row::intact * materials::tile_lanes);
-  for (Vec* vector : {&internal.force, &internal.moment[0], &internal.moment[1]})
-    for (Pack* number : {&vector->x, &vector->y, &vector->z})
-      *number = select<Pack>(intact > zero, *number, zero);
+  clear_where_gone(intact, internal);
   keep_beam_row(place, beam_row::internal_energy, Pack(active * work));
   keep_beam_row(place, beam_row::hourglass_energy, zero);
   const Pack limit = beam_item<Pack>(place, beam_state::stable_step);

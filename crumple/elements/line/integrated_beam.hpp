@@ -30,18 +30,6 @@ struct SectionRows {
   CRUMPLE_INLINE Pack result(int row) const { return load<Pack>(resultant[row]); }
 };
 
-/// What there is of an intact beam. What has failed may have any shape, and numbers that are none.
-template <class Pack>
-CRUMPLE_INLINE void clear_where_gone(const Pack& active, BeamMotion<Pack>& motion) {
-  const auto clear = [&](Pack& number) { number = select<Pack>(active > Pack(0.0), number, Pack(0.0)); };
-  clear(motion.stretch);
-  clear(motion.twist);
-  for (About<Pack>& turn : motion.turn) {
-    clear(turn.s);
-    clear(turn.t);
-  }
-}
-
 /// Strains of the step by the length in its middle: the sum of the stretches is the logarithmic strain. The
 /// cross section stays plane, and turns against the chord by the mean of both ends.
 template <class Pack>
@@ -107,9 +95,7 @@ CRUMPLE_INLINE BeamForces<Pack> IntegratedBeam::forces(const BeamPlace& place) {
   const Pack limit = load<Pack>(place.rows + beam_row::shortest_step * materials::tile_lanes);
   keep_beam_row(place, beam_row::shortest_step, select<Pack>(active > zero, Pack(limit * longer), limit));
   BeamForces<Pack> internal = beam_forces(motion, q, intact);
-  for (math::PackVec3<Pack>* vector : {&internal.force, &internal.moment[0], &internal.moment[1]})
-    for (Pack* number : {&vector->x, &vector->y, &vector->z})
-      *number = select<Pack>(intact > zero, *number, zero);
+  clear_where_gone(intact, internal);
   return internal;
 }
 

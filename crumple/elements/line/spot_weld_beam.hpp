@@ -128,14 +128,8 @@ template <class Pack>
 CRUMPLE_INLINE void clear_where_failed(const Pack& active, BeamMotion<Pack>& motion,
                                        WeldMiddle<Pack>& trial) {
   const Pack zero(0.0);
-  const auto clear = [&](Pack& number) { number = select<Pack>(active > zero, number, zero); };
-  clear(motion.stretch);
-  clear(motion.twist);
-  for (About<Pack>& turn : motion.turn) {
-    clear(turn.s);
-    clear(turn.t);
-  }
-  for (Pack& number : trial.of) clear(number);
+  clear_where_gone(active, motion);
+  for (Pack& number : trial.of) number = select<Pack>(active > zero, number, zero);
 }
 
 template <class Pack>
@@ -163,9 +157,7 @@ CRUMPLE_INLINE BeamForces<Pack> SpotWeldBeam::forces(const BeamPlace& place) {
   keep_beam_row(place, beam_row::intact, intact);
   keep_stable_step(place, active, motion.length);
   BeamForces<Pack> internal = beam_forces(motion, on_nodes, intact);
-  for (math::PackVec3<Pack>* vector : {&internal.force, &internal.moment[0], &internal.moment[1]})
-    for (Pack* number : {&vector->x, &vector->y, &vector->z})
-      *number = select<Pack>(intact > zero, *number, zero);
+  clear_where_gone(intact, internal);
   return internal;
 }
 

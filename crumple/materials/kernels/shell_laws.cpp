@@ -12,9 +12,7 @@ template <class Law, class Real>
 void update(const MaterialTask<Real>& task) {
   using Pack = NativePack<Real>;
   using Update = typename Law::template Update<Pack>;
-  if constexpr (requires { Update::update_points(task); })
-    Update::update_points(task);
-  else if constexpr (requires { Law::is_turned; })
+  if constexpr (requires { Law::is_turned; })
     update_turned_tile<Update, Pack>(task);
   else if constexpr (requires { Law::updates_packs; })
     update_own_tile<Update, Pack>(task);

@@ -24,6 +24,7 @@ inline constexpr int count = 5;
 struct CompositeDamageLaw {
   using Model = model::CompositeDamage;
   static constexpr const char* name = "composite damage";
+  static constexpr bool updates_packs = true;
 
   /// Those of the elastic law go before.
   enum Place {
@@ -288,7 +289,7 @@ struct CompositeDamageLaw::Update : OrthotropicElasticLaw::Update<Pack> {
             select<Pack>(stays, now.zx, zero)};
   }
 
-  CRUMPLE_INLINE void update_pack(const MaterialTask<Real>& task, Index group, Index lane) const {
+  CRUMPLE_INLINE void update(const MaterialTask<Real>& task, Index group, Index lane) const {
     Real* const state = task.state + group * task.group_stride + lane;
     const Index place = group * lanes + lane;
     const auto history_of = [&](int p) {
@@ -321,13 +322,6 @@ struct CompositeDamageLaw::Update : OrthotropicElasticLaw::Update<Pack> {
     if (task.yield == nullptr) return;
     store(task.yield + yield_row::stress * tile_lanes + place, Pack(static_cast<Real>(unlimited)));
     store(task.yield + yield_row::left * tile_lanes + place, Pack(Real(1)));
-  }
-
-  /// Brings all points of a tile up to date.
-  static void update_points(const MaterialTask<Real>& task) {
-    const Update law(task);
-    for (Index group = 0; group < task.groups; ++group)
-      for (Index lane = 0; lane < lanes; lane += width_of<Pack>) law.update_pack(task, group, lane);
   }
 };
 

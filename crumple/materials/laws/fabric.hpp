@@ -103,12 +103,4 @@ struct FabricLaw {
   };
 };
 
-/// The loop of laws that update packs on their own.
-template <class Law, class Pack>
-void update_own_tile(const MaterialTask<RealOf<Pack>>& task) {
-  const Law law(task);
-  for (Index group = 0; group < task.groups; ++group)
-    for (Index lane = 0; lane < lanes; lane += width_of<Pack>) law.update(task, group, lane);
-}
-
 }  // namespace crumple::materials

@@ -234,16 +234,16 @@ TEST_F(SampleTest, ATableThatCannotGrowIsAnErrorThatNamesItAndKeepsItsRows) {
   const rlimit small{6, limit.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  std::string told;
+  std::string message;
   try {
     table.add_row(1, 2);
     table.flush();
   } catch (const WriteError& fault) {
-    told = fault.what();
+    message = fault.what();
   }
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
   std::signal(SIGXFSZ, handler);
-  EXPECT_NE(told.find("t.csv: File too large"), std::string::npos) << told;
+  EXPECT_NE(message.find("t.csv: File too large"), std::string::npos) << message;
   EXPECT_EQ(std::filesystem::file_size(folder_ / "t.csv"), 4U);
 }
 

@@ -71,7 +71,7 @@ constexpr Field cable_card[] = {
     real("F0", 0, not_negative),
     only("TMAXF0", {0, 1e20}, "the initial force stays"),
     real("TRAMP", 0, not_negative),
-    only("IREAD", {0, 1}, "output and failure of cables are not supported"),
+    only("IREAD", {0}, "output and failure of cables are not supported"),
 };
 
 constexpr Field spring_beam_card[] = {

@@ -9,6 +9,14 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
+TEST(Control, MassIsAddedWhenItIsNeededOrOnce) {
+  SmallDeck deck;
+  deck.more = "*CONTROL_TIMESTEP\n0,0.9,0,0,-1e-3,0,0,1\n";
+  EXPECT_TRUE(read_clean(deck.text()).control.scales_mass_once);
+  deck.more = "*CONTROL_TIMESTEP\n0,0.9,0,0,-1e-3\n";
+  EXPECT_FALSE(read_clean(deck.text()).control.scales_mass_once);
+}
+
 TEST(Control, EveryValue) {
   SmallDeck deck;
   deck.termination = "*CONTROL_TERMINATION\n       2.5       900       0.1       5.0      10.0\n";
