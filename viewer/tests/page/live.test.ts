@@ -17,13 +17,14 @@ async function startRun(end: number): Promise<{ program: ChildProcess; address: 
   const program = spawn(join(root, "build", "release", "crumple"), ["run", deck, "-o", results, "-t", "1", "--serve", "0", "--end", String(end)]);
   const code = new Promise<number | null>((resolve) => program.on("exit", resolve));
   const address = await new Promise<string>((resolve, reject) => {
-    let told = "";
+    let printed = "";
     program.stdout.on("data", (text: Buffer) => {
-      told += text.toString();
-      const found = /http:\/\/127\.0\.0\.1:\d+\//.exec(told);
-      if (found) resolve(found[0]);
+      printed += text.toString();
+      // With the token, which is the first folder of the address.
+      const found = /(http:\/\/127\.0\.0\.1:\d+\/\S*)\n/.exec(printed);
+      if (found) resolve(found[1]);
     });
-    program.on("exit", () => reject(new Error(`no address in: ${told}`)));
+    program.on("exit", () => reject(new Error(`no address in: ${printed}`)));
   });
   return { program, address, code };
 }
