@@ -347,7 +347,7 @@ TEST(CombAxes, FollowNodesAPointOrVectors) {
     tilted[k] = tilt[k][0];
     tilted[3 + k] = tilt[k][1];
   }
-  const auto& law = std::get<model::Honeycomb>(honeycomb().law);
+  const auto law = std::get<model::Honeycomb>(honeycomb().law);
   expect(axes(model::Honeycomb::Axes::Vectors, law.a, skew), tilted);
   EXPECT_THROW(axes(model::Honeycomb::Axes::Point, {0.75, 1, 7}, skew), Error);
 }
