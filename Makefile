@@ -15,7 +15,7 @@ help:
 	@echo "make build      release programs and the pages of crumple report and compare: build/release, build/viewer"
 	@echo "make package    Debian packages; tar files of a program that needs only the C library"
 	@echo "make test       release build and all quick tests"
-	@echo "make test-full  after make test: clang, sanitizers, every instruction set, all checks"
+	@echo "make test-full  after make test: clang, sanitizers, golden hashes, all checks"
 	@echo "make nightly    long property runs and fuzzing"
 	@echo "make check      static checks only"
 	@echo "make docs       the documentation as a site of plain files: build/docs/index.html"
