@@ -118,6 +118,21 @@ TEST_F(ChecksTest, ContactEnergyIsHeldAgainstTheLargestInternalEnergy) {
   EXPECT_TRUE(find("negative contact").pass);
 }
 
+/// The springs of bodies that have just met hold all that has been taken from the motion.
+TEST_F(ChecksTest, ContactThatHasJustBegunIsHeldAgainstTheEnergyAround) {
+  PeakValues peaks;
+  domain_.energy.internal = 0;
+  domain_.energy.kinetic = 99.8;
+  domain_.energy.contact = domain_.contacts[0].energy = 0.2;
+  peaks.observe(view());
+  peaks_ = peaks;
+  EXPECT_NEAR(find("without friction").value, 0.02, 1e-15);
+  domain_.energy.contact = domain_.contacts[0].energy = -0.2;
+  peaks_.observe(domain_.energy);
+  EXPECT_NEAR(find("negative contact").value, 0.02, 1e-15);
+  EXPECT_FALSE(find("negative contact").pass);
+}
+
 TEST_F(ChecksTest, AShootingNodeIsFoundAndNamed) {
   domain_.nodes.velocity[domain_.nodes.domain_node[2]] = {0, 0, 1500};
   peaks_.observe(view());

@@ -192,13 +192,32 @@ void GlobalSearch::add_kept() {
   first_.assign(rows.begin(), rows.end());
 }
 
+/// A node that is behind a segment stays its candidate. Behind a solid it is deeper than territories reach, and
+/// passes on to the faces around that go on as the surface does.
+void GlobalSearch::keep_behind(const SurfaceAt& now, std::span<const RememberedPair> remembered) {
+  const Surface& surface = *surface_;
+  kept_.clear();
+  for (const RememberedPair& pair : remembered) {
+    if (pair.wrong == 0 || surface.active[pair.segment] == 0 || !surface.bears(pair.node)) continue;
+    kept_.push_back({pair.node, pair.segment});
+    if (!surface.is_face(pair.segment)) continue;
+    const Vec3 normal = normalised(area_normal(now.shape(pair.segment)));
+    for (int k = 0; k < 4; ++k)
+      for (const Index beside : surface.topology.at_node(surface.place[surface.segment(pair.segment)[k]]))
+        if (surface.is_face(beside) && surface.may_touch(pair.node, beside) &&
+            !surface.owns(beside, surface.nodes[pair.node]) &&
+            dot(normalised(area_normal(now.shape(beside))), normal) > tolerances::two_walls)
+          kept_.push_back({pair.node, beside});
+  }
+  std::ranges::sort(kept_);
+  const auto doubled = std::ranges::unique(kept_);
+  kept_.erase(doubled.begin(), doubled.end());
+}
+
 void GlobalSearch::search(const Kinematics& motion, bool surface_changed,
                           std::span<const RememberedPair> remembered) {
   keep_distances(surface_changed);
-  kept_.clear();
-  for (const RememberedPair& pair : remembered)
-    if (pair.wrong != 0 && surface_->active[pair.segment] != 0 && surface_->bears(pair.node))
-      kept_.push_back({pair.node, pair.segment});
+  keep_behind({surface_, {motion.position.data(), motion.velocity.data(), 0}}, remembered);
   swept_ = statistics_.searches > 0 ? swept_by(motion) : 0;
   collect(motion.position);
   // From now on what starts deep behind a segment is remembered there.

@@ -60,7 +60,8 @@ class GlobalSearch {
   GlobalSearch(const Surface& surface, const model::SearchSettings& settings, int threads);
 
   /// Searches again if the candidates may no longer be complete or if the surface has changed. Nodes that are
-  /// `remembered` behind a segment stay its candidates, however deep. Throws
+  /// `remembered` behind a segment stay its candidates, however deep; behind a face of a solid those of the faces
+  /// around, too. Throws
   /// NumericalError if a coordinate is not a finite number.
   void update(const Kinematics& motion, bool surface_changed, std::span<const RememberedPair> remembered);
 
@@ -120,6 +121,7 @@ class GlobalSearch {
 
  private:
   void search(const Kinematics& motion, bool surface_changed, std::span<const RememberedPair> remembered);
+  void keep_behind(const SurfaceAt& now, std::span<const RememberedPair> remembered);
   void add_kept();
   double swept_by(const Kinematics& motion) const;
   void collect(std::span<const Vec3> position);
@@ -149,10 +151,11 @@ class GlobalSearch {
   double swept_ =
       0;  ///< by which the last search expanded territories for the motion of a fast step [length]
   std::vector<double> segment_expansion_;  ///< beyond what all have [length]
-  /// A node, by place, and a segment that it was behind at the last search.
+  /// A node, by place, that was behind a segment at the last search; that segment, or a face around it.
   struct Pair {
     Index node = no_index;
     Index segment = no_index;
+    auto operator<=>(const Pair&) const = default;
   };
   std::vector<Pair> kept_;            ///< ascending
   cellsearch::MotionTracker motion_;  ///< of the surface's nodes, by place, since the last search

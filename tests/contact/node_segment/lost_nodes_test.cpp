@@ -102,13 +102,13 @@ TEST(LostNodes, OneWhoseShellErodesIsNot) {
   EXPECT_EQ(scene.lost().count, 0);
 }
 
-/// A block of 6 x 2 x 1 elements, 6 x 2 x 1 in size, below z = 0, and a small one whose lowest nodes are 0.01
+/// A block of 6 x 2 x 1 elements, 6 x 2 x `height` in size, below z = 0, and a small one whose lowest nodes are 0.01
 /// above it and then 0.05 below its upper side.
 struct SunkBlock {
-  SunkBlock() : bodies(0.1) {
+  explicit SunkBlock(double height = 1) : bodies(0.1) {
     bodies.take_two_parts_of_solids();
-    test::add_box(bodies.model, 0, 6, 2, 1, [](double u, double v, double w) {
-      return test::Point{6 * u, 2 * v, w - 1};
+    test::add_box(bodies.model, 0, 6, 2, 1, [&](double u, double v, double w) {
+      return test::Point{6 * u, 2 * v, height * (w - 1)};
     });
     small = test::add_box(bodies.model, 1, 1, 1, 1, [](double u, double v, double w) {
       return test::Point{0.4 + 0.2 * u, 0.4 + 0.2 * v, 0.01 + 0.2 * w};
@@ -143,6 +143,16 @@ TEST(LostNodes, OnesThatLeaveOverTheRimOfTheirFaceAreNot) {
   scene.move({0, -3, 0});
   EXPECT_EQ(scene.made.contacts[0].lost.count, 0);
   EXPECT_EQ(scene.made.contacts[0].penetration, 0);
+}
+
+/// Deeper than territories reach, it passes from face to face although the candidates were found afresh meanwhile.
+TEST(LostNodes, OnesThatANeighbourTakesOverDeepInTheSolidAreNot) {
+  SunkBlock scene(4);
+  for (int i = 0; i < 23; ++i) scene.move({0, 0, -0.05});
+  ASSERT_NEAR(scene.made.contacts[0].penetration, 1.2, 1e-12);
+  for (int i = 0; i < 50; ++i) scene.move({0.1, 0, 0});
+  EXPECT_EQ(scene.made.contacts[0].lost.count, 0);
+  EXPECT_NEAR(scene.made.contacts[0].penetration, 1.2, 1e-12);
 }
 
 }  // namespace
