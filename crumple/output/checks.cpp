@@ -20,8 +20,8 @@ constexpr const char* euro_ncap = "NCHRP W179, Euro NCAP 1.0.2";
 /// Energies below this share of the largest one around are round-off, and their ratios mean nothing.
 constexpr double negligible = 1e-9;
 
-/// Contact is judged against the internal energy, but against no less than this share of the largest energy around:
-/// until bodies that have just met deform, their springs hold more than they do.
+/// Contact is judged against the internal energy, but against no less than this share of the largest energy
+/// around: until bodies that have just met deform, their springs hold more than they do.
 constexpr double least_internal = 0.1;
 
 double ratio_of(double part, double whole, double scale) {

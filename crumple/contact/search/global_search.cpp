@@ -192,8 +192,8 @@ void GlobalSearch::add_kept() {
   first_.assign(rows.begin(), rows.end());
 }
 
-/// A node that is behind a segment stays its candidate. Behind a solid it is deeper than territories reach, and
-/// passes on to the faces around that go on as the surface does.
+/// A node that is behind a segment stays its candidate. Behind a solid it is deeper than territories reach,
+/// and passes on to the faces around that go on as the surface does.
 void GlobalSearch::keep_behind(const SurfaceAt& now, std::span<const RememberedPair> remembered) {
   const Surface& surface = *surface_;
   kept_.clear();

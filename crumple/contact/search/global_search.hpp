@@ -60,9 +60,8 @@ class GlobalSearch {
   GlobalSearch(const Surface& surface, const model::SearchSettings& settings, int threads);
 
   /// Searches again if the candidates may no longer be complete or if the surface has changed. Nodes that are
-  /// `remembered` behind a segment stay its candidates, however deep; behind a face of a solid those of the faces
-  /// around, too. Throws
-  /// NumericalError if a coordinate is not a finite number.
+  /// `remembered` behind a segment stay its candidates, however deep; behind a face of a solid those of the
+  /// faces around, too. Throws NumericalError if a coordinate is not a finite number.
   void update(const Kinematics& motion, bool surface_changed, std::span<const RememberedPair> remembered);
 
   /// Places in the arrays below of the candidates of a node, segments ascending.

@@ -102,8 +102,8 @@ TEST(LostNodes, OneWhoseShellErodesIsNot) {
   EXPECT_EQ(scene.lost().count, 0);
 }
 
-/// A block of 6 x 2 x 1 elements, 6 x 2 x `height` in size, below z = 0, and a small one whose lowest nodes are 0.01
-/// above it and then 0.05 below its upper side.
+/// A block of 6 x 2 x 1 elements, 6 x 2 x `height` in size, below z = 0, and a small one whose lowest nodes
+/// are 0.01 above it and then 0.05 below its upper side.
 struct SunkBlock {
   explicit SunkBlock(double height = 1) : bodies(0.1) {
     bodies.take_two_parts_of_solids();
@@ -145,7 +145,8 @@ TEST(LostNodes, OnesThatLeaveOverTheRimOfTheirFaceAreNot) {
   EXPECT_EQ(scene.made.contacts[0].penetration, 0);
 }
 
-/// Deeper than territories reach, it passes from face to face although the candidates were found afresh meanwhile.
+/// Deeper than territories reach, it passes from face to face although the candidates were found afresh
+/// meanwhile.
 TEST(LostNodes, OnesThatANeighbourTakesOverDeepInTheSolidAreNot) {
   SunkBlock scene(4);
   for (int i = 0; i < 23; ++i) scene.move({0, 0, -0.05});
