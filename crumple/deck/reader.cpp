@@ -138,6 +138,7 @@ void Reading::leave_out(const Block& block) {
   note_definition(block);
   if (!options_.parameters.empty())
     for (const Line& line : block.lines) parameters_.note_references(line.text);
+  if (block.name == "COMMENT") return;
   const IgnoredRow* row = find_ignored(block.name);
   if (row) {
     report_.warning(block.where, "ignored", fmt::format("is left out: {}", row->reason));

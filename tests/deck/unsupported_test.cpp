@@ -9,7 +9,7 @@ namespace {
 
 TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
   SmallDeck deck;
-  deck.more = "*LOAD_THERMAL_CONSTANT\n1,0\n300\n*CONTROL_SHELL\n20,0,-2,0\n";
+  deck.more = "*LOAD_THERMAL_CONSTANT\n1,0\n300\n*CONTROL_SHELL\n20,0,-1,0,2,7\n";
   EXPECT_FALSE(read_deck_text(deck.text()).model);
   ReadOptions options;
   options.allow_unsupported = true;

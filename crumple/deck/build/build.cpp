@@ -70,12 +70,18 @@ void Build::enter(Item item, const Reference& reference, std::size_t index) {
     entries.first.resize(static_cast<std::size_t>(here) + 1);
   entries.first[static_cast<std::size_t>(here)] = reference.where;
   if (before == no_index) return;
-  const Where& first = entries.first[static_cast<std::size_t>(before)];
-  report.field_error(reference.where,
-                     {reference.field, std::to_string(reference.id), "an id that is not used yet",
-                      fmt::format("{} {} is already defined at {}; remove one or give it another id",
-                                  words(item).name, reference.id, report.place(first)),
-                      "duplicate"});
+  report_twice(item, reference, entries.first[static_cast<std::size_t>(before)]);
+}
+
+/// Names of one kind are entered keyword by keyword: the one that stands further down is the second.
+void Build::report_twice(Item item, const Reference& reference, const Where& other) {
+  const bool is_first = reference.where.file == other.file && reference.where.line < other.line;
+  const Where& first = is_first ? reference.where : other;
+  const Where& second = is_first ? other : reference.where;
+  report.field_error(second, {reference.field, std::to_string(reference.id), "an id that is not used yet",
+                              fmt::format("{} {} is already defined at {}; remove one or give it another id",
+                                          words(item).name, reference.id, report.place(first)),
+                              "duplicate"});
 }
 
 Index Build::find_quietly(Item item, UserId id) const {
@@ -144,6 +150,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_shells(build);
   settle_defaults(build, options.ls_dyna_defaults);
   settle_distorted_shells(build);
+  check_shell_options(build);
   build_solids(build);
   build_beams(build);
   build_discretes(build);

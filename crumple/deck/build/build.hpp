@@ -123,6 +123,8 @@ class Build {
     std::vector<Where> first;  ///< where each id was entered, in the order of entering
   };
 
+  void report_twice(Item item, const Reference& reference, const Where& other);
+
   Entries entries_[static_cast<std::size_t>(Item::Count)];
   IdTable dropped_parts_;
   std::multimap<UserId, const UnsupportedDefinition*> unsupported_;  ///< of each id in the deck's order
@@ -190,6 +192,8 @@ Vector origin_of(const Build& build, UserId id);
 void settle_defaults(Build& build, bool as_ls_dyna);
 /// NFAIL1 and NFAIL4 where the model has shells that they are about.
 void settle_distorted_shells(Build& build);
+/// Values of *CONTROL_SHELL that are not supported, where the model has shells that they are about.
+void check_shell_options(Build& build);
 // build_solids.cpp
 void build_solids(Build& build);
 /// *CONTACT_INTERIOR. The part sets must be there, at the places that they have in the deck.

@@ -2,6 +2,8 @@
 // What holds for shells where the deck leaves it open (docs/theory/hourglass.md, "Which form to take").
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "deck/build/build.hpp"
 
 namespace crumple::deck {
@@ -44,7 +46,47 @@ std::string deletion_in_use(const RawDistortedShells& raw, const model::Model& m
   return raw.fully_integrated && fully_integrated ? "NFAIL4" : "";
 }
 
+/// Whether the model has shells of that kind.
+bool has_shells(const Build& build, RawShellOption::About about) {
+  using About = RawShellOption::About;
+  const model::Model& model = build.model;
+  const std::vector<RawSection>& sections = build.deck.sections;
+  return std::ranges::any_of(model.shells, [&](const model::ShellElement& shell) {
+    if (shell.part == no_index) return false;
+    const model::Part& part = model.parts[shell.part];
+    if (part.section == no_index) return false;
+    const model::ShellSection& section = model.shell_sections[part.section];
+    // Those of *PART_COMPOSITE come behind the deck's own ones.
+    const bool is_given = static_cast<std::size_t>(part.section) < sections.size();
+    switch (about) {
+      case About::OffsetShells:
+        return section.node_place != 0;
+      case About::HughesLiuShells:
+        return section.formulation == model::ShellFormulation::HughesLiu ||
+               section.formulation == model::ShellFormulation::HughesLiuSelectiveReduced;
+      case About::LayeredShells:
+        return !is_given || !sections[part.section].angles.empty() ||
+               sections[part.section].integration_rule != 0;
+      case About::ShellsOfNoFormulation:
+        return is_given && !sections[part.section].formulation_given;
+    }
+    return false;
+  });
+}
+
 }  // namespace
+
+void check_shell_options(Build& build) {
+  for (const RawShellOption& option : build.deck.shell_options)
+    if (has_shells(build, option.about))
+      build.report.field_unsupported(option.where, {option.field,
+                                                    option.read,
+                                                    std::string(option.expected),
+                                                    std::string(option.hint),
+                                                    "option",
+                                                    {},
+                                                    true});
+}
 
 void settle_distorted_shells(Build& build) {
   const RawDistortedShells& raw = build.deck.distorted_shells;

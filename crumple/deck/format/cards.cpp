@@ -40,6 +40,26 @@ IdKind kind_of_heading(const Card& card) {
   return is_like_part ? IdKind::Part : IdKind::Other;
 }
 
+/// What stands behind the last field of a card.
+enum class RestOfLine {
+  Nothing,  ///< or zeros
+  Numbers,
+  Remark,
+};
+
+RestOfLine rest_of(std::string_view text) {
+  RestOfLine found = RestOfLine::Nothing;
+  constexpr std::string_view between = ", \t";
+  for (std::size_t at = text.find_first_not_of(between); at < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(between, at), text.size());
+    const std::optional<double> number = parse_real(text.substr(at, end - at));
+    if (!number) return RestOfLine::Remark;
+    if (*number != 0) found = RestOfLine::Numbers;
+    at = text.find_first_not_of(between, end);
+  }
+  return found;
+}
+
 }  // namespace
 
 const Card::Value& Card::value(std::string_view name) const {
@@ -343,13 +363,12 @@ void Cards::report_unreadable(const Card& card) {
 
 void Cards::report_rest(const Card& card) {
   // Zeros behind the last field are fields of other versions of the format, switched off.
-  const std::optional<double> number = parse_real(rest_.substr(0, rest_.find(',')));
-  if (number && *number == 0 && rest_.find_first_of("123456789") == std::string_view::npos) return;
-  if (rest_.find_first_not_of(", ") == std::string_view::npos) return;
+  const RestOfLine rest = rest_of(rest_);
+  if (rest == RestOfLine::Nothing) return;
   const std::string message =
       fmt::format("\"{}\" stands behind the last field known ({}) and is not read; remove it", rest_,
                   card.layout_.back().name);
-  if (number)
+  if (rest == RestOfLine::Numbers)
     report_->unsupported(card.where_, "rest", message);
   else
     report_->warning(card.where_, "rest", message);

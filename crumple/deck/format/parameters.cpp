@@ -59,8 +59,13 @@ std::optional<std::string> Parameters::substitute(std::string_view reference) co
 }
 
 bool Parameters::is_keyword(std::string_view name) {
-  constexpr std::string_view names[] = {"PARAMETER", "PARAMETER_EXPRESSION", "PARAMETER_LOCAL",
-                                        "PARAMETER_EXPRESSION_LOCAL", "PARAMETER_DUPLICATION"};
+  constexpr std::string_view names[] = {"PARAMETER",
+                                        "PARAMETER_EXPRESSION",
+                                        "PARAMETER_LOCAL",
+                                        "PARAMETER_EXPRESSION_LOCAL",
+                                        "PARAMETER_MUTABLE",
+                                        "PARAMETER_EXPRESSION_MUTABLE",
+                                        "PARAMETER_DUPLICATION"};
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
@@ -131,6 +136,7 @@ bool Parameters::preset(std::string_view name, std::string_view value) {
 
 void Parameters::read(std::string_view keyword, Cards& cards) {
   const bool is_local = keyword.ends_with("_LOCAL");
+  is_mutable_ = keyword.ends_with("_MUTABLE");
   if (keyword == "PARAMETER_DUPLICATION")
     read_duplication(cards);
   else if (keyword.starts_with("PARAMETER_EXPRESSION"))
@@ -194,11 +200,12 @@ std::optional<Parameters::Name> Parameters::name_of(std::string_view name_and_ty
                                                     Report& report) {
   const std::string name = upper_case(trimmed(name_and_type.substr(name_and_type.empty() ? 0 : 1)));
   const char type = name_and_type.empty() ? ' ' : upper_case(name_and_type.substr(0, 1)).front();
-  if ((type == 'R' || type == 'I') && is_name(name)) return Name{name, type == 'I', false};
+  if ((type == 'R' || type == 'I' || type == 'C') && is_name(name))
+    return Name{name, type == 'I', false, type == 'C'};
   report.error(where, "name",
-               fmt::format("read \"{}\", expected R (real) or I (integer) and the name of a parameter, such "
-                           "as \"R thick\"{}",
-                           name_and_type, type == 'C' ? "; text parameters (C) are not supported" : ""));
+               fmt::format("read \"{}\", expected R (real), I (integer) or C (text) and the name of a "
+                           "parameter, such as \"R thick\"",
+                           name_and_type));
   return std::nullopt;
 }
 
@@ -219,7 +226,7 @@ void Parameters::define(std::string_view name_and_type, std::string_view text, b
     value = std::move(*found);
   }
   const bool good = name->is_whole ? parse_integer(value).has_value() : parse_real(value).has_value();
-  if (!good) {
+  if (!good && !name->is_text) {
     report.error(where, "value",
                  fmt::format("parameter {}: read \"{}\", expected {}", name->name, text,
                              name->is_whole ? "a whole number" : "a number"));
@@ -232,8 +239,9 @@ void Parameters::define_by(const std::string& expression, const Name& name, cons
                            Report& report) {
   const Evaluated result = evaluate(expression, [&](std::string_view other) -> std::optional<Number> {
     const Value* found = use(other);
-    if (found == nullptr) return std::nullopt;
-    return Number{parse_real(found->text).value_or(0), found->is_whole};
+    const std::optional<double> number = found == nullptr ? std::nullopt : parse_real(found->text);
+    if (!number) return std::nullopt;
+    return Number{*number, found->is_whole};
   });
   const double value = result.number.value;
   constexpr double exact_limit = 9007199254740992.0;  // 2^53
@@ -267,6 +275,12 @@ void Parameters::enter(const Name& name, const std::string& text, const Where& w
   const Value value{text, where, name.is_whole};
   const auto [entry, is_new] = scope.try_emplace(name.name, value);
   if (is_new || entry->second.text == text) return;
+  const std::optional<double> known_number = parse_real(entry->second.text);
+  if (known_number && known_number == parse_real(text)) return;
+  if (is_mutable_) {
+    entry->second = value;
+    return;
+  }
   const std::string known = fmt::format("parameter {} is already set to \"{}\" at {}", name.name,
                                         entry->second.text, report.place(entry->second.where));
   const bool replaces = duplicate_ == Duplicate::WarnAndReplace || duplicate_ == Duplicate::Replace;

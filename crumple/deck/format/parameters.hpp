@@ -21,8 +21,8 @@ struct SetParameter {
   bool is_preset = false;  ///< by the command line
 };
 
-/// The values that *PARAMETER and its kin give names to. Names are not case-sensitive. A local one is known
-/// in its file and in those that it includes, where it hides a global one of the same name.
+/// The numbers and texts that *PARAMETER and its kin give names to. Names are not case-sensitive. A local one
+/// is known in its file and in those that it includes, where it hides a global one of the same name.
 class Parameters {
  public:
   /// Whether a keyword is read here.
@@ -69,6 +69,7 @@ class Parameters {
     std::string name;
     bool is_whole = false;
     bool is_local = false;
+    bool is_text = false;
   };
 
   /// What becomes of a parameter that is defined a second time with another value: DFLAG of
@@ -91,6 +92,7 @@ class Parameters {
   Values values_;
   std::vector<Values> locals_;  ///< of the files that are open, the deck first
   Duplicate duplicate_ = Duplicate::Refuse;
+  bool is_mutable_ = false;                           ///< what is being read may replace earlier values
   mutable std::set<std::string, std::less<>> names_;  ///< that the deck sets or refers to
   std::optional<Where> duplication_;  ///< the first *PARAMETER_DUPLICATION, which alone counts
 };

@@ -329,6 +329,18 @@ struct RawDistortedShells {
   bool fully_integrated = false;
 };
 
+/// A value of *CONTROL_SHELL that is not supported, and the shells that it is about: an error where there are
+/// any.
+struct RawShellOption {
+  enum class About { OffsetShells, HughesLiuShells, LayeredShells, ShellsOfNoFormulation };
+  About about;
+  Where where;
+  std::string_view field;
+  std::string read;
+  std::string_view expected;
+  std::string_view hint;
+};
+
 struct RawDeck {
   std::size_t section_count() const {
     return sections.size() + solid_sections.size() + beam_sections.size() + discrete_sections.size();
@@ -421,6 +433,7 @@ struct RawDeck {
   std::optional<Where> control_shell;
   std::optional<Where> control_hourglass;
   RawDistortedShells distorted_shells;
+  std::vector<RawShellOption> shell_options;
   std::optional<Where> sorts_solids;    ///< ESORT of *CONTROL_SOLID, where it is not zero
   bool takes_ls_dyna_defaults = false;  ///< `$crumple defaults=ls-dyna`
   std::optional<Where> search_cells;

@@ -27,6 +27,19 @@ std::optional<std::string_view> crumple_setting(std::string_view comment) {
   return trimmed(rest);
 }
 
+constexpr std::string_view begin_of_encrypted = "-----BEGIN PGP";
+constexpr std::string_view end_of_encrypted = "-----END PGP";
+
+/// A line with blanks before what can only be meant as a keyword: an asterisk and three capitals or more.
+bool is_moved_keyword(std::string_view line) {
+  if (!line.starts_with(' ') && !line.starts_with('\t')) return false;
+  const std::string_view text = trimmed(line);
+  constexpr std::size_t asterisk_and_three = 4;
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  return text.size() >= asterisk_and_three && text.front() == '*' &&
+         std::all_of(text.begin() + 1, text.begin() + asterisk_and_three, is_capital);
+}
+
 }  // namespace
 
 std::uint64_t fnv1a(std::uint64_t hash, std::string_view text) {
@@ -115,6 +128,7 @@ void Scanner::read_lines(std::string_view text, OpenFile& file) {
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   // Files of old Macintosh systems have carriage returns alone.
   const char line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
+  bool is_encrypted = false;
   Where where{{}, file.number, 0, 0};
   while (!text.empty()) {
     const std::size_t end = text.find(line_end);
@@ -124,9 +138,27 @@ void Scanner::read_lines(std::string_view text, OpenFile& file) {
            (line.back() == '\r' || line.back() == ' ' || line.back() == 26 || line.back() == '\f'))
       line.remove_suffix(1);
     ++where.line;
-    if (line.starts_with('$')) {
+    if (line.starts_with(end_of_encrypted)) {
+      is_encrypted = false;
+    } else if (is_encrypted) {
+      continue;
+    } else if (line.starts_with(begin_of_encrypted)) {
+      finish_block(file);
+      is_encrypted = true;
+      report_->error(where, "encrypted",
+                     "an encrypted block begins here, which LS-DYNA alone can read; ask for what it holds as "
+                     "plain text");
+    } else if (line.starts_with('$')) {
       if (const auto setting = crumple_setting(line)) handler_->take_setting(*setting, where);
-    } else if (line.starts_with('*')) {
+    } else if (line.starts_with('*') || is_moved_keyword(line)) {
+      if (!line.starts_with('*')) {
+        line = trimmed(line);
+        report_->error(
+            where, "column",
+            fmt::format("\"{}\" does not begin in column 1, where LS-DYNA looks for keywords; remove "
+                        "the blanks before it",
+                        line.substr(0, longest_echo)));
+      }
       finish_block(file);
       start_block(line, where, file.placement);
       if (block_ && block_->name == "END") break;
@@ -165,7 +197,7 @@ void Scanner::start_block(std::string_view line, const Where& where, const Place
   block.where.keyword = intern("*" + name);
   if (name == "KEYWORD")
     read_keyword_options(rest, block.where);
-  else if (!rest.empty() && rest.front() != '(' && rest.front() != '$')
+  else if (!rest.empty() && rest.front() != '(' && rest.front() != '$' && name != "COMMENT")
     report_->warning(block.where, "rest",
                      fmt::format("\"{}\" behind the keyword is not read", rest.substr(0, longest_echo)));
   block_ = std::move(block);
@@ -215,7 +247,8 @@ void Scanner::read_keyword_options(std::string_view options, const Where& where)
     } else if (option.starts_with("LONG=") || option.starts_with("I10=")) {
       report_->error(where, "format",
                      fmt::format("read \"{}\", expected LONG=Y, LONG=K, LONG=S or I10=Y", option));
-    } else {
+    } else if (option.find('=') == std::string::npos && !parse_real(option)) {
+      // Others are about LS-DYNA's memory, processors and names of files.
       report_->warning(where, "option", fmt::format("the option \"{}\" is not used", option));
     }
   }

@@ -286,6 +286,8 @@ void read_contact_automatic_general(Cards& cards, RawDeck& deck);
 void read_contact_automatic_surface_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_automatic_nodes_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_forming_surface_to_surface(Cards& cards, RawDeck& deck);
+void read_contact_forming_nodes_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_nodes_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_eroding_surface_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_eroding_nodes_to_surface(Cards& cards, RawDeck& deck);
@@ -306,8 +308,9 @@ void read_contact_tiebreak_surface(Cards& cards, RawDeck& deck);
 
 /// Which forms of hourglass control there are, and what instead of the others.
 inline constexpr std::string_view hourglass_forms =
-    "1-3 are viscous, 4-5 stiffness, 6 assumed strain of solids, 0 is 1 for shells and 2 for solids; the "
-    "warping stiffness that 8 adds to ELFORM 16 is always there, take 0; 7, 9 and 10 are for solids and not "
+    "1-3 are viscous, 4-5 stiffness, 6 assumed strain of solids, 0 is 1 for shells and 2 for solids, and 8 "
+    "the same: "
+    "the warping stiffness that it adds to ELFORM 16 is always there; 7, 9 and 10 are for solids and not "
     "supported, take 6";
 /// What HGID's and CONTROL_HOURGLASS' form number means for shells.
 model::HourglassForm hourglass_form(std::int64_t number);

@@ -32,6 +32,9 @@ constexpr Field six_nodes_card[] = {
     id("N1"), id("N2"), id("N3"), id("N4"), id("N5"), id("N6"), relative_stiffness, damping_factor,
 };
 
+// The axes in which LS-DYNA writes its forces.
+constexpr Field local_card[] = {unused("RAID"), unused("LST")};
+
 Layout layout_of(model::JointKind kind) {
   switch (model::node_count(kind)) {
     case 2:
@@ -51,6 +54,7 @@ void read_constrained_joint(Cards& cards, RawDeck& deck, model::JointKind kind) 
   while (cards.more()) {
     const Heading heading = cards.heading();
     const Card card = cards.next(layout_of(kind));
+    if (cards.where().keyword.find("_LOCAL") != std::string_view::npos) cards.next(local_card);
     RawJoint raw;
     raw.joint.id = heading.id;
     raw.joint.kind = kind;

@@ -38,6 +38,9 @@ constexpr Field part_contact_card[] = {
     only("CPARM8", {0}, "all edges and beams take part"),
 };
 
+// What LS-DYNA prints of the part.
+constexpr Field part_print_card[] = {unused("PRBF")};
+
 constexpr Field section_card[] = {
     id("SECID"),
     real("ELFORM"),  // checked_formulation()
@@ -66,7 +69,7 @@ constexpr Field angle_card[] = {
 
 constexpr Field hourglass_card[] = {
     id("HGID"),
-    only("IHQ", {0, 1, 2, 3, 4, 5, 6}, hourglass_forms),
+    only("IHQ", {0, 1, 2, 3, 4, 5, 6, 8}, hourglass_forms),
     real_or_default("QM", 0.1, not_negative),
     unused("IBQ"),                // LS-DYNA does not use it either: solids always have bulk viscosity
     real("Q1", 0, not_negative),  // default CONTROL_BULK_VISCOSITY's
@@ -138,18 +141,17 @@ model::ShellFormulation shell_formulation(std::int64_t number) {
   }
 }
 
-std::int64_t checked_formulation(const Card& card, std::string_view field, Report& report) {
+bool is_shell_formulation(double number) {
   constexpr std::array<double, 9> supported = {0, 1, 2, 4, 5, 6, 9, 10, 16};
+  return std::find(supported.begin(), supported.end(), number) != supported.end();
+}
+
+std::int64_t checked_formulation(const Card& card, std::string_view field, Report& report) {
   const double number = card.real(field);
-  if (std::find(supported.begin(), supported.end(), number) != supported.end())
-    return static_cast<std::int64_t>(number);
-  report.field_unsupported(
-      card.where(),
-      {field, std::string(card.text(field)), "0, 1, 2, 4, 5, 6, 9, 10 or 16, the only values supported",
-       "1 is Hughes-Liu, 2 Belytschko-Tsay, 4 the C0 triangle, 5 the Belytschko-Tsay membrane, "
-       "6 Hughes-Liu selectively reduced, 9 the fully integrated membrane, 10 "
-       "Belytschko-Wong-Chiang, 16 fully integrated, 0 of sections what *CONTROL_SHELL says",
-       "formulation"});
+  if (is_shell_formulation(number)) return static_cast<std::int64_t>(number);
+  report.field_unsupported(card.where(),
+                           {field, std::string(card.text(field)), std::string(supported_formulations),
+                            std::string(meaning_of_formulations), "formulation"});
   return 0;
 }
 
@@ -165,7 +167,7 @@ void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Rep
 }
 
 model::HourglassForm hourglass_form(std::int64_t number) {
-  return number >= 4 ? model::HourglassForm::Stiffness : model::HourglassForm::Viscous;
+  return number >= 4 && number <= 6 ? model::HourglassForm::Stiffness : model::HourglassForm::Viscous;
 }
 
 model::SolidHourglassForm solid_hourglass_form(std::int64_t number) {
@@ -208,6 +210,7 @@ void read_parts(Cards& cards, RawDeck& deck, bool with_inertia) {
     part.where = card.where();
     if (with_inertia) part.inertia = read_inertia(cards);
     read_part_contact(cards, part);
+    if (cards.where().keyword.ends_with("_PRINT")) cards.next(part_print_card);
     if (card.good("PID")) deck.parts.push_back(std::move(part));
   }
 }

@@ -170,6 +170,21 @@ TEST(Contact, ThicknessOfOrientedShells) {
   EXPECT_TRUE(read("*CONTROL_CONTACT\n,,,2\n", "").rigid_shell_thickness);
 }
 
+TEST(Contact, ToolsOfFormingHaveNoThickness) {
+  const auto read = [](const std::string& form, const std::string& card_b) {
+    return read_contact("*CONTROL_CONTACT\n,,,2\n*CONTACT_FORMING_" + form + "\n1,2,3,3\n\n\n\n" + card_b)
+        .contacts.at(0);
+  };
+  for (const char* form : {"ONE_WAY_SURFACE_TO_SURFACE", "NODES_TO_SURFACE"})
+    EXPECT_EQ(read(form, "").kind, model::ContactKind::NodesToSurface);
+  const model::Contact contact = read("SURFACE_TO_SURFACE", ",0,2\n");
+  EXPECT_EQ(contact.kind, model::ContactKind::SurfaceToSurface);
+  EXPECT_TRUE(contact.oriented);
+  EXPECT_TRUE(contact.shell_thickness);
+  EXPECT_FALSE(contact.rigid_shell_thickness) << "SHLTHK of *CONTROL_CONTACT is not about them";
+  EXPECT_TRUE(read("SURFACE_TO_SURFACE", ",1,2\n").rigid_shell_thickness);
+}
+
 TEST(Contact, CardsOfOptionsAreSkipped) {
   for (const char* second : {"", "&,,1\n"}) {
     const model::Model model = read_contact("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_MPP_ID\n4,two\n0,200\n" +

@@ -24,12 +24,28 @@ std::vector<std::string> messages_of_deck(const SmallDeck& deck) {
 }
 
 TEST(WithoutEffect, AreAccepted) {
-  for (const char* cards :
-       {"*CONTROL_SOLUTION\n", "*CONTROL_SOLUTION\n         0\n", "*CONTROL_UNITS\nmm,ms,kg\n",
-        "*CONTROL_STRUCTURED\n", "*CONTROL_STRUCTURED_TERM\n", "*INTERFACE_SPRINGBACK_LSDYNA\n         1\n",
-        "*INTERFACE_COMPONENT_FILE\nf\n", "*SENSOR_DEFINE_NODE\n         1         1         2\n",
-        "*CONTROL_SOLID\n         1\n", "*CONTROL_SOLID\n         1\n         0\n",
-        "*PART\nmirror\n         7\n"})
+  for (const char* cards : {"*CONTROL_SOLUTION\n",
+                            "*CONTROL_SOLUTION\n         0\n",
+                            "*CONTROL_UNITS\nmm,ms,kg\n",
+                            "*CONTROL_STRUCTURED\n",
+                            "*CONTROL_STRUCTURED_TERM\n",
+                            "*INTERFACE_SPRINGBACK_LSDYNA\n         1\n",
+                            "*INTERFACE_COMPONENT_FILE\nf\n",
+                            "*SENSOR_DEFINE_NODE\n         1         1         2\n",
+                            "*CONTROL_SOLID\n         1\n",
+                            "*CONTROL_SOLID\n         1\n         0\n",
+                            "*PART\nmirror\n         7\n",
+                            "*CONTROL_SHELL\n20,0,-2,0,11\n1,0,1\n0,0,2\n",
+                            "*HOURGLASS\n         5         8\n",
+                            "*ELEMENT_PLOTEL\n       1       1       2\n",
+                            "*RIGIDWALL_PLANAR_DISPLAY\n0\n0,0,-1,0,0,1\n7\n",
+                            "*PART_PRINT\nmirror\n         7\n         1\n",
+                            "*PARAMETER\nC case    frontal\n",
+                            "*PARAMETER\nR a          0.010\nR a           0.01\n",
+                            "*PARAMETER_MUTABLE\nR a          0.010\nR a            2.0\n",
+                            "*MAT_ADD_FATIGUE\n1\n",
+                            "*CONTROL_TIMESTEP\n0.0\n       0.0         0         0       0.0       0.0      "
+                            " 0.0       0.0         0\n"})
     EXPECT_FALSE(has(messages_with(cards), ": error: ")) << cards << messages_with(cards)[0];
 }
 
@@ -39,6 +55,16 @@ TEST(WithoutEffect, AreAcceptedWithAWarning) {
     ASSERT_EQ(messages.size(), 1U) << cards;
     EXPECT_NE(messages[0].find(": warning: "), std::string::npos) << messages[0];
   }
+}
+
+/// NFAIL1 and NFAIL4 stand on the second card in older decks.
+TEST(WithoutEffect, WhatDeletesDistortedShellsIsWarnedOfOnEitherCard) {
+  for (const char* cards : {"*CONTROL_SHELL\n\n1,0,0,1,0,1,1\n", "*CONTROL_SHELL\n\n\n\n1,1\n"})
+    EXPECT_TRUE(has(messages_with(cards), "NFAIL1 is not zero")) << cards;
+}
+
+TEST(WithoutEffect, RemarksAreNotWorthAWord) {
+  EXPECT_TRUE(messages_with("*COMMENT *PART\nremark\n").empty());
 }
 
 TEST(WithoutEffect, AccelerometersAreTracedNodes) {
@@ -53,6 +79,22 @@ TEST(WithoutEffect, AreRefusedWhereTheyHaveAnEffect) {
       has(messages_with(
               "*CONTROL_SOLID\n\n\n*CONTROL_SOLID\n         0         0         0         0         3\n"),
           "field PSFAIL"));
+  SmallDeck offset;
+  offset.section = "*SECTION_SHELL\n1,2\n0.1,,,,1\n";
+  offset.more = "*CONTROL_SHELL\n\n\n0,0,2\n";
+  EXPECT_TRUE(has(messages_of_deck(offset), "field CNTCO: read \"2\""));
+  SmallDeck fibres;
+  fibres.section = "*SECTION_SHELL\n1,1\n0.1\n";
+  fibres.more = "*CONTROL_SHELL\n20,0,-2\n";
+  EXPECT_TRUE(has(messages_of_deck(fibres), "field IRNXX: read \"-2\""));
+  SmallDeck layers;
+  layers.section = "*SECTION_SHELL\n1,2,,2,,,1\n0.1\n0,90\n";
+  layers.more = "*CONTROL_SHELL\n\n1,0,1\n";
+  EXPECT_TRUE(has(messages_of_deck(layers), "field LAMSHT: read \"1\""));
+  SmallDeck open;
+  open.section = "*SECTION_SHELL\n1\n0.1\n";
+  open.more = "*CONTROL_SHELL\n20,0,-1,0,11\n";
+  EXPECT_TRUE(has(messages_of_deck(open), "field THEORY: read \"11\""));
   SmallDeck part;
   part.more = "*PART\nmirror\n         7\n*ELEMENT_SHELL\n      13       7       1       2       3       4\n";
   EXPECT_TRUE(has(messages_of_deck(part), "field SECID: read \"0\", expected the id of a section"));

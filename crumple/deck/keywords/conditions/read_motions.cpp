@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *BOUNDARY_PRESCRIBED_MOTION, *LOAD_BODY along an axis, *LOAD_RIGID_BODY.
 #include <cstdlib>
+#include <string>
 
 #include "deck/keywords/families.hpp"
 
@@ -19,6 +20,11 @@ constexpr Field motion_card[] = {
     reference("VID"),
     real_or_default("DEATH", 1e28, above_zero),
     real("BIRTH", 0, not_negative),
+};
+
+// Behind the card of a motion about an axis beside the node (DOF 9 to 11), or of two nodes (VAD 4).
+constexpr Field offset_card[] = {
+    unused("OFFSET1"), unused("OFFSET2"), unused("LRB"), unused("NODE1"), unused("NODE2"),
 };
 
 constexpr Field body_load_card[] = {
@@ -111,6 +117,11 @@ void read_motions(Cards& cards, RawDeck& deck, RawPrescribedMotion::Target targe
     raw.motion.scale = card.real("SF");
     raw.motion.birth = card.real("BIRTH");
     raw.motion.death = card.real("DEATH");
+    constexpr int first_with_offset = 9;
+    constexpr int of_two_nodes = 4;
+    const bool has_second_card = (magnitude >= first_with_offset && magnitude <= 11) ||
+                                 card.text("VAD") == std::to_string(of_two_nodes);
+    if (has_second_card && cards.has_line()) cards.next(offset_card);
     const bool of_body = target == RawPrescribedMotion::Target::Body;
     if (check_motion_direction(card, of_body, cards.report()) && card.good("NID") && card.good("LCID"))
       deck.prescribed_motions.push_back(raw);

@@ -205,6 +205,7 @@ void read_rigidwall_planar(Cards& cards, RawDeck& deck) {
       raw.wall.initial_velocity = moving.real("V0");
     }
     if (has_option(cards, "_FORCES")) cards.next(forces_card);
+    if (has_option(cards, "_DISPLAY") && cards.has_line()) cards.next(display_card);
     if (good(first)) deck.walls.push_back(std::move(raw));
   } while (cards.more());
 }

@@ -120,7 +120,7 @@ constexpr Field contact_card_c[] = {
     unused("IGAP"),    // implicit
     unused("IGNORE"),  // see docs/deck.md: initial penetrations are tracked
     only("DPRFAC", {0}, "penetration is not reduced over time"),
-    only("DTSTIF", {0}, "the penalty stiffness does not come from a time step"),
+    harmless("DTSTIF", {0}, "stiffness by mass (SOFT 1, 2) takes the step of the run"),
     unused("EDGEK"),
     unused("-"),
     harmless("FLANGL", {0}, "mesh normals smooth the surface"),
@@ -187,6 +187,7 @@ struct Form {
   model::ContactKind kind = model::ContactKind::SingleSurface;
   bool automatic = true;  ///< both sides of shells, with their thickness
   bool eroding = false;
+  bool forming = false;  ///< the blank has its thickness, rigid tools have none
   bool constrains = false;
   bool only_measures = false;
   model::ContactEdges edges = model::ContactEdges::None;
@@ -242,7 +243,7 @@ void read_optional_cards(Cards& cards, RawContact& raw) {
   raw.contact.solid_thickness = thickness.real("SLDTHK");
   raw.contact.symmetry_planes |= thickness.real("ISYM") == 1;
   raw.contact.solid_modulus = thickness.real("SLDSTF");
-  raw.takes_own_thickness_option = thickness.real("THKOPT") > 0;
+  if (thickness.real("THKOPT") > 0) raw.takes_own_thickness_option = true;
   if (thickness.real("THKOPT") == 1) raw.thickness_option = static_cast<int>(thickness.real("SHLTHK"));
   for (const Layout layout :
        {Layout(contact_card_c), Layout(contact_card_d), Layout(contact_card_e), Layout(contact_card_f)})
@@ -273,6 +274,9 @@ void read(Cards& cards, RawDeck& deck, const Form& form) {
   raw.contact.oriented = !form.automatic;
   raw.contact.edges = form.edges;
   raw.only_measures = form.only_measures;
+  constexpr int but_of_rigid_shells = 1;  // SHLTHK
+  raw.takes_own_thickness_option = form.forming;
+  if (form.forming) raw.thickness_option = but_of_rigid_shells;
   raw.where = first.where();
   raw.side[0] = side_of(first, first_fields);
   raw.contact.side[0].node_forces = first.integer(first_fields.node_forces) > 0;
@@ -320,6 +324,14 @@ void read_contact_automatic_surface_to_surface(Cards& cards, RawDeck& deck) {
 
 void read_contact_automatic_nodes_to_surface(Cards& cards, RawDeck& deck) {
   read(cards, deck, {.kind = model::ContactKind::NodesToSurface});
+}
+
+void read_contact_forming_surface_to_surface(Cards& cards, RawDeck& deck) {
+  read(cards, deck, {.kind = model::ContactKind::SurfaceToSurface, .automatic = false, .forming = true});
+}
+
+void read_contact_forming_nodes_to_surface(Cards& cards, RawDeck& deck) {
+  read(cards, deck, {.kind = model::ContactKind::NodesToSurface, .automatic = false, .forming = true});
 }
 
 void read_contact_surface_to_surface(Cards& cards, RawDeck& deck) {

@@ -42,7 +42,7 @@ constexpr Field energy_card[] = {unused("HGEN"),  unused("RWEN"),  unused("SLNTE
                                  unused("IRGEN"), unused("MATEN"), unused("DRLEN"),  unused("DISEN")};
 
 constexpr Field hourglass_card[] = {
-    only("IHQ", {0, 1, 2, 3, 4, 5, 6}, hourglass_forms),
+    only("IHQ", {0, 1, 2, 3, 4, 5, 6, 8}, hourglass_forms),
     real_or_default("QH", 0.1, not_negative),
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 using namespace row;
 
-constexpr std::string_view by_part = "there is no *PART_CONTACT";
+constexpr std::string_view by_part = "friction and thickness of parts are those of *PART_CONTACT";
 
 constexpr Field card_1[] = {
     real_or_default("SLSFAC", 0.1, above_zero),
@@ -27,7 +27,7 @@ constexpr Field card_2[] = {
     unused("NSBCS"),  // the search is repeated when motion demands it
     unused("INTERM"),
     unused("XPENE"),  // for other kinds of contact
-    only("SSTHK", {0}, "thickness is limited by the element size; give SST on *CONTACT to set it"),
+    harmless("SSTHK", {0}, "thickness is limited by the element size; give SST on *CONTACT to set it"),
     unused("ECDT"),
     harmless("TIEDPRJ", {0}, "nodes tied by constraint are put onto their segments; _OFFSET keeps gaps"),
 };

@@ -84,7 +84,8 @@ constexpr Field enhanced_fourth_card[] = {
 };
 
 constexpr Field enhanced_fifth_card[] = {
-    only("TFAIL", {0}, "shells are not deleted by their step; take the strains of failure"),
+    real("TFAIL", 0,
+         within(0, 0.1, "a step of shells that fail; as a ratio of steps, above 0.1, it is not supported")),
     real("ALPH", 0, not_negative),
     unused("SOFT"),  // of the crash front, which only TFAIL makes
     real("FBRT", 0, within(0, 1, "the share of XT that is left where the matrix has been crushed")),
@@ -233,6 +234,10 @@ void read_mat_enhanced_composite_damage(Cards& cards, RawDeck& deck) {
     const Card fourth = cards.next(enhanced_fourth_card);
     const Card fifth = cards.next(enhanced_fifth_card);
     const Card sixth = cards.next(enhanced_sixth_card);
+    if (fifth.good("TFAIL") && fifth.real("TFAIL") > 0)
+      cards.report().field_warning(
+          fifth.where(), {"TFAIL", std::string(fifth.text("TFAIL")), "0",
+                          "shells stay that need a smaller step than that: left out", "failing step"});
     // Further cards end with the keyword, so that only one material may have them.
     cards.next_or_default(front_card);
     cards.next_or_default(limits_card);

@@ -45,9 +45,10 @@ constexpr Field fabric_third_card[] = {
         "FORM", {0, 1},
         "0 and 1 add up strains in the axes of the yarns, which stay perpendicular; large strains, axes that "
         "do not stay perpendicular and curves of stress are not supported"),
-    only("FVOPT", {0, 1, 7},
-         "1 is orifices, 7 a curve of velocity; fabric that is covered by contact is not looked for, nor are "
-         "other formulas there"),
+    only("FVOPT", {0, 1, 2, 7, 8},
+         "1 is orifices, 7 a curve of velocity, 2 and 8 the same where fabric is covered by contact; other "
+         "formulas "
+         "there are not"),
     only("TSRFAC", {0}, "stress is not reduced"),
 };
 
@@ -120,6 +121,12 @@ void take_leakage(const Card& third, model::Fabric& law, RawMaterial& raw, Repor
   law.leakage.coefficient = std::max(0.0, third.real("FLC"));
   law.leakage.area = std::max(0.0, third.real("FAC"));
   law.leakage.venting = static_cast<int>(third.real("FVOPT"));
+  if (const int open = law.leakage.venting; open == 2 || open == 8) {
+    report.field_warning(third.where(),
+                         {"FVOPT", std::string(third.text("FVOPT")), "1 or 7",
+                          "fabric that is covered by contact leaks as if it were not", "covered"});
+    law.leakage.venting = open - 1;
+  }
   if (law.leakage.venting == 7 && law.leakage.area > 0)
     report.field_error(third.where(),
                        {"FAC", std::string(third.text("FAC")), "minus the number of a curve",
