@@ -132,8 +132,7 @@ TEST(Tied, Faults) {
   has("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n2,0,0\n", "a strength above zero");
   has("*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n9,1,4,3\n\n\n1,1\n*SET_NODE_LIST\n9\n5,6\n",
       "nodes alone have no area");
-  has("*CONTACT_TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET\n2,1,3,3\n\n\n",
-      "springs");
+  has("*CONTACT_TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET\n2,1,3,3\n\n\n", "springs");
 }
 
 }  // namespace
