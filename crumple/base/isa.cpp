@@ -12,6 +12,12 @@ namespace {
 
 constexpr std::array<std::string_view, 4> names{"scalar", "baseline", "avx2", "avx512"};
 
+#if defined(CRUMPLE_HAS_avx2) || defined(CRUMPLE_HAS_avx512)
+bool has_avx2() {
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}
+#endif
+
 }  // namespace
 
 std::string_view isa_name(Isa isa) {
@@ -19,15 +25,18 @@ std::string_view isa_name(Isa isa) {
 }
 
 std::vector<Isa> available_isas() {
-  std::vector<Isa> found{Isa::Scalar, Isa::Baseline};
-#if defined(CRUMPLE_FAST_KERNELS)
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-    found.push_back(Isa::Avx2);
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-        __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
-      found.push_back(Isa::Avx512);
-  }
+  std::vector<Isa> found{Isa::Scalar};
+#if defined(CRUMPLE_HAS_baseline)
+  found.push_back(Isa::Baseline);
+#endif
+#if defined(CRUMPLE_HAS_avx2)
+  if (has_avx2()) found.push_back(Isa::Avx2);
+#endif
+#if defined(CRUMPLE_HAS_avx512)
+  if (has_avx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    found.push_back(Isa::Avx512);
 #endif
   return found;
 }

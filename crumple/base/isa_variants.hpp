@@ -17,8 +17,8 @@
 //       return visit_isa(isa, []<Isa Variant>() { return kernel<Variant>(); });
 //     }
 //
-// CRUMPLE_FAST_KERNELS says whether the build has AVX2 and AVX-512: builds with sanitizers, with
-// CRUMPLE_PLAIN_KERNELS and for other processors have not. Targets that include this header define it.
+// The build has the variants whose CRUMPLE_HAS_<name> is defined, which it is for isa.cpp and the sources
+// that include this header: see CRUMPLE_KERNELS in CMakeLists.txt.
 
 #include "base/isa.hpp"
 
@@ -37,21 +37,25 @@ namespace isa_as_built {
 [[maybe_unused]] constexpr Isa compiled_isa = isa_as_built::CRUMPLE_ISA;
 #endif
 
-/// Returns visit.operator()<isa>(). A variant that the build lacks falls back to the baseline, which every
-/// processor of the target runs.
+/// Returns visit.operator()<isa>(). A variant that the build lacks falls back to the scalar one, which it
+/// always has.
 template <class Visit>
 auto visit_isa(Isa isa, const Visit& visit) {
   switch (isa) {
-#if defined(CRUMPLE_FAST_KERNELS)
+#if defined(CRUMPLE_HAS_avx512)
     case Isa::Avx512:
       return visit.template operator()<Isa::Avx512>();
+#endif
+#if defined(CRUMPLE_HAS_avx2)
     case Isa::Avx2:
       return visit.template operator()<Isa::Avx2>();
 #endif
-    case Isa::Scalar:
-      return visit.template operator()<Isa::Scalar>();
-    default:
+#if defined(CRUMPLE_HAS_baseline)
+    case Isa::Baseline:
       return visit.template operator()<Isa::Baseline>();
+#endif
+    default:
+      return visit.template operator()<Isa::Scalar>();
   }
 }
 
