@@ -49,8 +49,8 @@ Isa parse_isa(std::string_view name) {
   }
   const bool known = std::find(names.begin(), names.end(), name) != names.end();
   throw Error("The instruction set \"" + std::string(name) + "\" " +
-              (known ? "cannot run on this processor" : "is unknown") + "; the choices here are " + choices +
-              ".");
+              (known ? "is not in this program, or cannot run on this processor" : "is unknown") +
+              "; the choices here are " + choices + ".");
 }
 
 Isa default_isa() {
