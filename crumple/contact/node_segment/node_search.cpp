@@ -60,15 +60,40 @@ bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
          hold(other.segment, view_.nearest_point(view_.now.shape(other.segment), p_), &other) == 0;
 }
 
+/// The segments at the edge or corner where the nearest point of a segment is, itself among them.
+std::span<const Index> NodeSearch::around(Index segment, const NearestPoint& nearest) const {
+  const Topology& topology = surface_.topology;
+  if (nearest.feature == Feature::Edge) return topology.at_edge(topology.edges_of[segment][nearest.local]);
+  return topology.at_node(surface_.place[surface_.segment(segment)[nearest.local]]);
+}
+
+/// True if the node is on the wrong side of that segment of the same surface, and the nearest of both is the
+/// same point of an edge that they share: there they have one normal, and cannot differ about the side.
+bool NodeSearch::shares_foot(const RememberedPair& other, Index segment, const NearestPoint& nearest) const {
+  if (other.wrong == 0 || other.side == 0 || other.segment == segment || nearest.feature == Feature::Face ||
+      !same_sides(surface_, segment, other.segment))
+    return false;
+  const Vec3 foot = view_.nearest_point(view_.now.shape(other.segment), p_).point;
+  return norm(foot - nearest.point) <= tolerances::on_surface * std::sqrt(surface_.area[segment]);
+}
+
+/// The side from which the node went in this step through the segment, or through one of the same surface
+/// beside it where the nearest point is on its rim; 0 if it did not.
+int NodeSearch::crossed_around(Index segment, const NearestPoint& nearest) const {
+  const int own = crossed_from(view_.now, node_, segment, view_.step);
+  if (own != 0 || nearest.feature == Feature::Face) return own;
+  for (const Index other : around(segment, nearest)) {
+    if (other == segment || !same_sides(surface_, segment, other)) continue;
+    const int from = crossed_from(view_.now, node_, other, view_.step);
+    if (from != 0) return from;
+  }
+  return 0;
+}
+
 /// True if the solid's surface goes on beyond the rim of a face, bent by less than 60 degrees, in a face that
 /// has the node right behind it: that one takes the contact over at once, as on a shell.
 bool NodeSearch::goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const {
-  const Topology& topology = surface_.topology;
-  const Index corner = surface_.segment(segment)[nearest.local];
-  const auto around = nearest.feature == Feature::Edge
-                          ? topology.at_edge(topology.edges_of[segment][nearest.local])
-                          : topology.at_node(surface_.place[corner]);
-  for (const Index other : around) {
+  for (const Index other : around(segment, nearest)) {
     if (other == segment || !surface_.is_face(other) || !surface_.may_touch(place_, other) ||
         !same_sides(surface_, segment, other))
       continue;
@@ -145,7 +170,9 @@ int NodeSearch::kept_side(Index segment, const RememberedPair& memory, double di
 /// the wrong side of that or went through it in this step; or where it was before it went through this one;
 /// or where it is. Behind a face of a solid a node belongs in front of it if it was in front of one beside it
 /// a step ago; one that did not come through it is none of its business.
-int NodeSearch::side_of(Index segment, const RememberedPair* memory, double distance, int present) const {
+int NodeSearch::side_of(Index segment, const RememberedPair* memory, const NearestPoint& nearest,
+                        int present) const {
+  const double distance = std::sqrt(nearest.distance_squared);
   if (memory != nullptr && memory->side != 0)
     return surface_.is_face(segment) ? memory->side : kept_side(segment, *memory, distance, present);
   if (surface_.is_face(segment) && (present > 0 || starts_inside(segment, distance))) return 1;
@@ -153,14 +180,16 @@ int NodeSearch::side_of(Index segment, const RememberedPair* memory, double dist
   const bool face = surface_.is_face(segment);
   if (!astray_ && !may_cross && !face) return present;
   for (const RememberedPair& other : remembered_) {
-    if (!came_from(other, segment)) continue;
+    if (!came_from(other, segment) && !(!face && shares_foot(other, segment, nearest))) continue;
     if (face) return other.side;
     const bool was_wrong = other.wrong != 0;
     const bool crossed = crossed_from(view_.now, node_, other.segment, view_.step) != 0;
     // One that comes back while it passes on to this segment is on its own side again.
     if (was_wrong || crossed) return was_wrong != crossed ? -present : present;
   }
-  const int from = may_cross ? crossed_from(view_.now, node_, segment, view_.step) : 0;
+  const int from = !may_cross ? 0
+                   : face     ? crossed_from(view_.now, node_, segment, view_.step)
+                              : crossed_around(segment, nearest);
   if (from != 0) return from;
   // Right on the mid-surface it belongs where it comes from, not where it goes to.
   return present == 0 && may_cross ? side_before(view_.now, node_, segment, view_.step) : present;
@@ -246,7 +275,7 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
       over_rim ? normalised(area_normal(shape)) : side_normal(view_.now, segment, shape, nearest, away);
   const bool round = dot(normal, normal) == 0;
   const int present = round ? 0 : sign_of(dot(away, normal));
-  const int side = round ? 0 : side_of(segment, memory, distance, present);
+  const int side = round ? 0 : side_of(segment, memory, nearest, present);
   if (side < 0 && face) return 0;
   const bool wrong = present != 0 && side != 0 && present != side;
   // What is in front of a face is remembered, so that it is known later which way it came.

@@ -39,13 +39,16 @@ class NodeSearch {
   void smooth_direction(const SegmentShape& shape, const NearestPoint& nearest, ContactPair& pair) const;
   double examine(Index segment, double full, std::vector<ContactPair>& found);
   int kept_side(Index segment, const RememberedPair& memory, double distance, int present) const;
-  int side_of(Index segment, const RememberedPair* memory, double distance, int present) const;
+  int side_of(Index segment, const RememberedPair* memory, const NearestPoint& nearest, int present) const;
   void measure_faces();
   bool starts_inside(Index segment, double distance) const;
   double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
   void carry_on(ContactPair& pair, std::span<const ContactPair> present);
   bool came_from(const RememberedPair& other, Index segment) const;
+  std::span<const Index> around(Index segment, const NearestPoint& nearest) const;
+  bool shares_foot(const RememberedPair& other, Index segment, const NearestPoint& nearest) const;
+  int crossed_around(Index segment, const NearestPoint& nearest) const;
   double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
   bool goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const;
   double on_face(Index segment) const;
