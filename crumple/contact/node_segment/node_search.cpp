@@ -67,25 +67,31 @@ std::span<const Index> NodeSearch::around(Index segment, const NearestPoint& nea
   return topology.at_node(surface_.place[surface_.segment(segment)[nearest.local]]);
 }
 
-/// True if the node is on the wrong side of that segment of the same surface, and the nearest of both is the
-/// same point of an edge that they share: there they have one normal, and cannot differ about the side.
-bool NodeSearch::shares_foot(const RememberedPair& other, Index segment, const NearestPoint& nearest) const {
-  if (other.wrong == 0 || other.side == 0 || other.segment == segment || nearest.feature == Feature::Face ||
-      !same_sides(surface_, segment, other.segment))
-    return false;
-  const Vec3 foot = view_.nearest_point(view_.now.shape(other.segment), p_).point;
-  return norm(foot - nearest.point) <= tolerances::on_surface * std::sqrt(surface_.area[segment]);
+/// True if the node, near both, cannot be on different sides of them: of two segments of one surface that
+/// bends by less than 60 degrees between them, or that have the same nearest point, on an edge that they
+/// share.
+bool NodeSearch::agree(Index a, Index b, const NearestPoint& nearest_of_a) const {
+  if (a == b || !same_sides(surface_, a, b)) return false;
+  const SegmentShape shape = view_.now.shape(b);
+  const Vec3 normal = normalised(area_normal(view_.now.shape(a)));
+  if (dot(normal, normalised(area_normal(shape))) > tolerances::two_walls) return true;
+  if (nearest_of_a.feature == Feature::Face) return false;
+  const Vec3 apart = view_.nearest_point(shape, p_).point - nearest_of_a.point;
+  return norm(apart) <= tolerances::on_surface * std::sqrt(surface_.area[a]);
 }
 
-/// The side from which the node went in this step through the segment, or through one of the same surface
-/// beside it where the nearest point is on its rim; 0 if it did not.
+/// The side from which the node went in this step through the segment or through one beside it that must
+/// agree with it; 0 if it did not.
 int NodeSearch::crossed_around(Index segment, const NearestPoint& nearest) const {
   const int own = crossed_from(view_.now, node_, segment, view_.step);
-  if (own != 0 || nearest.feature == Feature::Face) return own;
-  for (const Index other : around(segment, nearest)) {
-    if (other == segment || !same_sides(surface_, segment, other)) continue;
-    const int from = crossed_from(view_.now, node_, other, view_.step);
-    if (from != 0) return from;
+  if (own != 0) return own;
+  for (const Index edge : surface_.topology.edges_of[segment]) {
+    if (edge == no_index) continue;
+    for (const Index other : surface_.topology.at_edge(edge)) {
+      if (!agree(segment, other, nearest)) continue;
+      const int from = crossed_from(view_.now, node_, other, view_.step);
+      if (from != 0) return from;
+    }
   }
   return 0;
 }
@@ -180,7 +186,9 @@ int NodeSearch::side_of(Index segment, const RememberedPair* memory, const Neare
   const bool face = surface_.is_face(segment);
   if (!astray_ && !may_cross && !face) return present;
   for (const RememberedPair& other : remembered_) {
-    if (!came_from(other, segment) && !(!face && shares_foot(other, segment, nearest))) continue;
+    const bool is_beside =
+        !face && other.wrong != 0 && other.side != 0 && agree(segment, other.segment, nearest);
+    if (!is_beside && !came_from(other, segment)) continue;
     if (face) return other.side;
     const bool was_wrong = other.wrong != 0;
     const bool crossed = crossed_from(view_.now, node_, other.segment, view_.step) != 0;

@@ -47,7 +47,7 @@ class NodeSearch {
   void carry_on(ContactPair& pair, std::span<const ContactPair> present);
   bool came_from(const RememberedPair& other, Index segment) const;
   std::span<const Index> around(Index segment, const NearestPoint& nearest) const;
-  bool shares_foot(const RememberedPair& other, Index segment, const NearestPoint& nearest) const;
+  bool agree(Index a, Index b, const NearestPoint& nearest_of_a) const;
   int crossed_around(Index segment, const NearestPoint& nearest) const;
   double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
   bool goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const;
