@@ -68,6 +68,17 @@ struct RestartRequests {
   int running_files = 1;    ///< NR: how many of these are kept beside the one before
 };
 
+/// *INTERFACE_SPRINGBACK_LSDYNA: parts whose state at the end of the run is written for another run.
+struct SpringbackRequest {
+  struct Hold {
+    Index node = no_index;
+    int translation = 0;  ///< TC, as *NODE has it
+    int rotation = 0;     ///< RC
+  };
+  std::vector<Index> parts;  ///< ascending; empty: nothing is written
+  std::vector<Hold> holds;   ///< supports of the other run
+};
+
 /// What to write and how often.
 struct OutputRequests {
   double state_interval = 0;  ///< *DATABASE_BINARY_D3PLOT [time]; 0 if the deck does not ask
@@ -80,6 +91,7 @@ struct OutputRequests {
   std::vector<CrossSection> cross_sections;
   StateExtent extent;
   RestartRequests restart;
+  SpringbackRequest springback;
 
   const HistoryRequest& of(HistoryFile file) const { return histories[static_cast<std::size_t>(file)]; }
   HistoryRequest& of(HistoryFile file) { return histories[static_cast<std::size_t>(file)]; }

@@ -2,6 +2,7 @@
 // Output requests.
 #include "deck/build/build.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace crumple::deck {
@@ -77,6 +78,21 @@ void build_histories(Build& build, HistoryItem item) {
   }
 }
 
+/// Several keywords add up, as several part sets would.
+void build_springback(Build& build) {
+  model::SpringbackRequest& request = build.model.output.springback;
+  for (const RawSpringback& raw : build.deck.springbacks) {
+    const std::vector<Index> parts = find_parts(build, true, {raw.parts, "PSID", raw.where});
+    request.parts.insert(request.parts.end(), parts.begin(), parts.end());
+    for (const RawSpringback::Hold& hold : raw.holds) {
+      const Index node = build.find(Item::Node, {hold.node, "NID", hold.where});
+      if (node != no_index) request.holds.push_back({node, hold.translation, hold.rotation});
+    }
+  }
+  std::sort(request.parts.begin(), request.parts.end());
+  request.parts.erase(std::unique(request.parts.begin(), request.parts.end()), request.parts.end());
+}
+
 }  // namespace
 
 void build_output(Build& build) {
@@ -86,6 +102,7 @@ void build_output(Build& build) {
   for (const HistoryItem item :
        {HistoryItem::Node, HistoryItem::Shell, HistoryItem::Solid, HistoryItem::Beam, HistoryItem::Discrete})
     build_histories(build, item);
+  build_springback(build);
 }
 
 }  // namespace crumple::deck

@@ -341,6 +341,29 @@ struct RawShellOption {
   std::string_view hint;
 };
 
+/// *INITIAL_STRESS_SHELL, _SOLID: of one element or of a set.
+struct RawInitialStress {
+  UserId element = 0;  ///< or the set
+  bool is_set = false;
+  model::InitialStress stress;    ///< without its element
+  bool has_histories = false;     ///< any history variable is not zero
+  bool more_histories = false;    ///< so is one beyond the first five
+  Where where;
+};
+
+/// *INTERFACE_SPRINGBACK_LSDYNA.
+struct RawSpringback {
+  struct Hold {
+    UserId node = 0;
+    int translation = 0;  ///< TC
+    int rotation = 0;     ///< RC
+    Where where;
+  };
+  UserId parts = 0;  ///< a set
+  std::vector<Hold> holds;
+  Where where;
+};
+
 struct RawDeck {
   std::size_t section_count() const {
     return sections.size() + solid_sections.size() + beam_sections.size() + discrete_sections.size();
@@ -364,6 +387,9 @@ struct RawDeck {
   std::vector<RawMaterial> materials;
   std::vector<RawSpringMaterial> spring_materials;
   std::vector<RawErosion> erosions;
+  std::vector<RawInitialStress> shell_stresses;
+  std::vector<RawInitialStress> solid_stresses;
+  std::vector<RawSpringback> springbacks;
   std::vector<RawOrientation> orientations;
   std::vector<RawEquationOfState> equations_of_state;
   std::vector<RawHourglass> hourglasses;
