@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *INITIAL_STRESS_SHELL, *INITIAL_STRESS_SOLID, both formats.
+// *INITIAL_STRESS_SHELL, *INITIAL_STRESS_SOLID, both formats, and *INTERFACE_SPRINGBACK_LSDYNA.
 #include <gtest/gtest.h>
 
 #include "deck/small_deck.hpp"
@@ -87,32 +87,145 @@ TEST(InitialStress, OfSolidsInBothFormats) {
   }
 }
 
-TEST(InitialStress, IsRefusedWhereItIsNotAll) {
+/// The one message of a deck.
+std::string only_message(const SmallDeck& deck) {
+  const std::vector<std::string> found = messages(deck);
+  EXPECT_EQ(found.size(), 1U) << listed(read_deck_text(deck.text()).diagnostics);
+  return found.empty() ? "" : found[0];
+}
+
+std::string with_shell(const std::vector<std::string>& head, const std::vector<std::string>& first = {"-1", "1.0"},
+                       const std::vector<std::string>& second = {"1", "1.0"}) {
+  return "*INITIAL_STRESS_SHELL\n" + line(head, 10) + line(first, 10) + line(second, 10);
+}
+
+TEST(InitialStress, OfSets) {
+  const model::Model model = read_with("*SET_SHELL_LIST\n7\n11,12\n*INITIAL_STRESS_SHELL_SET\n" +
+                                       line({"7", "1", "2"}, 10) + line({"-1", "1.0"}, 10) +
+                                       line({"1", "2.0"}, 10));
+  ASSERT_EQ(model.shell_stresses.size(), 2U);
+  EXPECT_EQ(model.shell_stresses[1].element, 1);
+  EXPECT_EQ(model.shell_stresses[1].points.at(1).stress[0], 2);
+  CubeDeck deck;
+  deck.more = "*SET_SOLID\n7\n21\n*INITIAL_STRESS_SOLID_SET\n" + line({"7", "1"}, 10) + line({"5.0"}, 10);
+  EXPECT_EQ(read_clean(deck.text()).solid_stresses.at(0).points.at(0).stress[0], 5);
+}
+
+/// Back stresses of *MAT_PLASTIC_KINEMATIC, and the volume that IVEFLG = 1 puts behind them.
+TEST(InitialStress, TakesHistoryVariablesThatAreKnown) {
+  SmallDeck shells;
+  shells.material = "*MAT_PLASTIC_KINEMATIC\n1,7.83E-6,207,0.3,0.2,1.0,0\n\n";
+  shells.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "2", "5"}, 10) +
+                line({"-1", "1.0", "0", "0", "0", "0", "0", "0.1"}, 10) +
+                line({"0.1", "0.2", "0.3", "0.4", "0.5"}, 10) + line({"1", "1.0"}, 10) + line({"0.6"}, 10);
+  const model::Model model = read_clean(shells.text());
+  const model::InitialStress& stress = model.shell_stresses.at(0);
+  EXPECT_TRUE(stress.has_back_stress);
+  EXPECT_EQ(stress.points.at(0).back_stress, (std::array<double, 5>{0.1, 0.2, 0.3, 0.4, 0.5}));
+  EXPECT_EQ(stress.points.at(1).back_stress[0], 0.6);
+  CubeDeck solids;
+  solids.material = shells.material;
+  solids.more = "*INITIAL_STRESS_SOLID\n" + line({"21", "1", "6", "1", "1"}, 10) +
+                line({"1.0", "2.0", "3.0", "4.0", "5.0"}, 16) + line({"6.0", "0.1", "0.1", "0.2", "0.3"}, 16) +
+                line({"0.4", "0.5", "1.01"}, 16);
+  const model::InitialStress solid = read_clean(solids.text()).solid_stresses.at(0);
+  EXPECT_EQ(solid.points.at(0).back_stress, (std::array<double, 5>{0.1, 0.2, 0.3, 0.4, 0.5}));
+  EXPECT_EQ(solid.volume, 1.01);
+}
+
+TEST(InitialStress, RefusesHistoryVariablesThatAreNot) {
   SmallDeck deck;
-  deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "1", "3"}, 10) + line({"0", "1.0"}, 10) +
-              line({"0.1", "0.2", "0.3"}, 10);
-  std::vector<std::string> found = messages(deck);
-  ASSERT_EQ(found.size(), 2U);
-  EXPECT_NE(found[0].find("field NHISV: read \"3\", expected 0"), std::string::npos) << found[0];
-  EXPECT_NE(found[1].find("field NTHICK"), std::string::npos) << found[1];
+  deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "2", "3"}, 10) + line({"-1", "1.0"}, 10) +
+              line({"0.1", "0.2", "0.3"}, 10) + line({"1", "1.0"}, 10) + line({"0", "0", "0"}, 10);
+  EXPECT_NE(only_message(deck).find("field NHISV: read \"history variables that are not zero\""), std::string::npos)
+      << only_message(deck);
+  deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "2", "3"}, 10) + line({"-1", "1.0"}, 10) +
+              line({"0", "0", "0"}, 10) + line({"1", "1.0"}, 10) + line({"0", "0", "0"}, 10);
+  EXPECT_TRUE(messages(deck).empty());
+  CubeDeck cube;
+  cube.more = "*INITIAL_STRESS_SOLID\n" + line({"21", "1", "2"}, 10) + line({"1.0"}, 10);
+  EXPECT_NE(only_message(cube).find("field NHISV: read \"2\", expected 0 with LARGE = 0"), std::string::npos)
+      << only_message(cube);
+}
+
+TEST(InitialStress, IsRefusedWhereTheLawDoesNotGoOnFromIt) {
+  SmallDeck deck;
+  deck.more = with_shell({"11", "1", "2"});
   deck.material = "*MAT_NULL\n         1   7.83E-6\n";
-  deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "2"}, 10) + line({"-1", "1.0"}, 10) +
-              line({"1", "1.0"}, 10);
-  found = messages(deck);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_NE(found[0].find("part 1: the material has no stress"), std::string::npos) << found[0];
+  EXPECT_NE(only_message(deck).find("part 1: the material has no stress"), std::string::npos);
+  const std::vector<std::string> flowed = {"-1", "1.0", "0", "0", "0", "0", "0", "0.1"};
+  deck.more = with_shell({"11", "1", "2"}, flowed);
   deck.material = "*MAT_PLASTIC_KINEMATIC\n1,7.83E-6,207,0.3,0.2,1.0,0\n\n";
-  deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "2"}, 10) +
-              line({"-1", "1.0", "0", "0", "0", "0", "0", "0.1"}, 10) + line({"1", "1.0"}, 10);
-  found = messages(deck);
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_NE(found[0].find("centre of the yield surface"), std::string::npos) << found[0];
+  EXPECT_NE(only_message(deck).find("centre of the yield surface"), std::string::npos);
+  deck.material = "*MAT_PLASTIC_KINEMATIC\n1,7.83E-6,207,0.3,0.2,1.0,1\n\n";
+  EXPECT_TRUE(messages(deck).empty());
+  deck.more = with_shell({"11", "1", "2"}, {"-1", "1.0", "0", "0", "0", "0", "0", "-0.1"});
+  EXPECT_NE(only_message(deck).find("plastic strain EPS is below zero"), std::string::npos);
+  deck.material = "*MAT_RIGID\n1,7.83E-6,207,0.3\n\n\n";
+  EXPECT_NE(only_message(deck).find("warning"), std::string::npos);
+  EXPECT_NE(only_message(deck).find("part 1 is rigid, its elements have no stress"), std::string::npos);
+  CubeDeck cube;
+  cube.material = "*MAT_BLATZ-KO_RUBBER\n1,1E-6,0.001\n";
+  cube.more = "*INITIAL_STRESS_SOLID\n" + line({"21", "1"}, 10) + line({"1.0"}, 10);
+  EXPECT_NE(only_message(cube).find("part 1: the law does not go on from a stress"), std::string::npos)
+      << only_message(cube);
+}
+
+TEST(InitialStress, ChecksPointsAndPlaces) {
+  SmallDeck deck;
+  deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "1"}, 10) + line({"0", "1.0"}, 10);
+  EXPECT_NE(only_message(deck).find("field NTHICK: read \"1\", expected 2"), std::string::npos);
+  deck.more = with_shell({"11", "1", "3"});
+  EXPECT_NE(only_message(deck).find("expected 3 points (NPLANE times NTHICK), found 2"), std::string::npos)
+      << only_message(deck);
+  deck.more = with_shell({"11", "1", "2"}, {"0.5", "1.0"}, {"0.5", "2.0"});
+  EXPECT_NE(only_message(deck).find("as many points at each T"), std::string::npos) << only_message(deck);
+  deck.more = with_shell({"11", "1", "2"}, {"-1.5", "1.0"});
+  EXPECT_NE(only_message(deck).find("field T: read \"-1.5\""), std::string::npos) << only_message(deck);
+  deck.more = with_shell({"13", "1", "2"});
+  EXPECT_NE(only_message(deck).find("field EID: read \"13\""), std::string::npos) << only_message(deck);
+  deck.section = "*SECTION_SHELL\n1,16,,2\n0.1\n";
+  deck.more = with_shell({"11", "2", "1"}, {"0", "1.0"}, {"0", "1.0"});
+  EXPECT_NE(messages(deck).at(0).find("field NPLANE: read \"2\", expected 1 or 4"), std::string::npos)
+      << messages(deck)[0];
+  CubeDeck cube;
+  cube.section = "*SECTION_SOLID\n1,2\n";
+  cube.more = "*INITIAL_STRESS_SOLID\n" + line({"21", "2"}, 10) + line({"1.0"}, 10) + line({"1.0"}, 10);
+  EXPECT_NE(only_message(cube).find("field NINT: read \"2\", expected 1 or 8"), std::string::npos)
+      << only_message(cube);
 }
 
 TEST(InitialStrain, HasNoEffect) {
   const auto found = messages_with("*INITIAL_STRAIN_SHELL\n         1         1         2\n");
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_NE(found[0].find("laws go on from the stress"), std::string::npos) << found[0];
+  EXPECT_TRUE(found.empty());
+}
+
+constexpr const char* set_of_part_1 = "*SET_PART_LIST\n5\n1\n";
+
+TEST(Springback, NamesPartsAndSupports) {
+  const model::Model model = read_with(std::string(set_of_part_1) +
+                                       "*INTERFACE_SPRINGBACK_LSDYNA\n5,100\nOPTCARD,0\n2,7,4\n3,1\n");
+  const model::SpringbackRequest& request = model.output.springback;
+  EXPECT_EQ(request.parts, (std::vector<Index>{0}));
+  ASSERT_EQ(request.holds.size(), 2U);
+  EXPECT_EQ(request.holds[0].node, 1);
+  EXPECT_EQ(request.holds[0].translation, 7);
+  EXPECT_EQ(request.holds[0].rotation, 4);
+  EXPECT_EQ(request.holds[1].translation, 1);
+}
+
+TEST(Springback, HasBadCards) {
+  SmallDeck deck;
+  deck.more = "*INTERFACE_SPRINGBACK_LSDYNA\n5\n";
+  EXPECT_NE(only_message(deck).find("the deck has no part set 5"), std::string::npos) << only_message(deck);
+  deck.more = std::string(set_of_part_1) + "*INTERFACE_SPRINGBACK_LSDYNA\n5,0,3\n";
+  EXPECT_NE(only_message(deck).find("field FTYPE: read \"3\""), std::string::npos) << only_message(deck);
+  deck.more = std::string(set_of_part_1) + "*INTERFACE_SPRINGBACK_LSDYNA\n5,0,0,,0,0,1\n";
+  EXPECT_NE(only_message(deck).find("masses and reference coordinates are not written"), std::string::npos);
+  deck.more = std::string(set_of_part_1) + "*INTERFACE_SPRINGBACK_LSDYNA\n5\n99,1\n";
+  EXPECT_NE(only_message(deck).find("the deck has no node 99"), std::string::npos) << only_message(deck);
+  deck.more = std::string(set_of_part_1) + "*INTERFACE_SPRINGBACK_LSDYNA\n5\n2,8\n";
+  EXPECT_NE(only_message(deck).find("field TC: read \"8\""), std::string::npos) << only_message(deck);
 }
 
 }  // namespace
