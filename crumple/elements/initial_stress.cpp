@@ -98,12 +98,12 @@ std::array<double, 5> turned_from_side(const std::array<double, 5>& b, const Vec
           c * s * (b[0] - b[1]) + (c * c - s * s) * b[2], c * b[3] + s * b[4], c * b[4] - s * b[3]};
 }
 
-const model::ConstitutiveLaw& law_of(const model::Model& model, const domain::ShellBlock& block, Index layer) {
-  const Index material = block.layup == no_index
-                             ? model.parts[static_cast<std::size_t>(block.part)].material
-                             : model.layups[static_cast<std::size_t>(block.layup)]
-                                   .layers[static_cast<std::size_t>(layer)]
-                                   .material;
+const model::ConstitutiveLaw& law_of(const model::Model& model, const domain::ShellBlock& block,
+                                     Index layer) {
+  const Index material = block.layup == no_index ? model.parts[static_cast<std::size_t>(block.part)].material
+                                                 : model.layups[static_cast<std::size_t>(block.layup)]
+                                                       .layers[static_cast<std::size_t>(layer)]
+                                                       .material;
   return model.materials[static_cast<std::size_t>(material)].law;
 }
 

@@ -135,7 +135,8 @@ struct SolidMass {
   double added = 0;  ///< by mass scaling [mass]
 };
 
-/// The volumes of mass that solids with stresses at time zero have; empty if none has, zero where there is none.
+/// The volumes of mass that solids with stresses at time zero have; empty if none has, zero where there is
+/// none.
 std::vector<double> initial_volumes(const model::Model& model) {
   std::vector<double> volumes;
   if (!model.solid_stresses.empty()) volumes.resize(model.solids.size(), 0.0);

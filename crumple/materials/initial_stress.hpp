@@ -8,11 +8,11 @@
 
 namespace crumple::materials {
 
-/// What a point begins with. Tensors are as the block keeps them: of shells xx, yy, xy, yz, zx in lamina axes,
-/// of solids six components in global axes.
+/// What a point begins with. Tensors are as the block keeps them: of shells xx, yy, xy, yz, zx in lamina
+/// axes, of solids six components in global axes.
 struct PointStart {
   std::span<const double> stress;
-  double plastic_strain = 0;                ///< effective [-]; laws without one leave it
+  double plastic_strain = 0;                 ///< effective [-]; laws without one leave it
   std::span<const double> back_stress = {};  ///< centre of the yield surface; laws without one leave it
 };
 

@@ -38,16 +38,17 @@ struct Refusal {
   std::string operator()(const JohnsonCook& law) const {
     const bool damages = std::any_of(law.damage.begin(), law.damage.end(), [](double d) { return d != 0; });
     const bool heats = law.heat_capacity > 0 && law.thermal_exponent != 0;
-    return plastic_refusal(stress, damages || heats
-                                       ? "the damage and the heat that belong to the plastic strain are not known"
-                                       : nullptr);
+    return plastic_refusal(
+        stress, damages || heats ? "the damage and the heat that belong to the plastic strain are not known"
+                                 : nullptr);
   }
   std::string operator()(const PlasticKinematic& law) const {
     return plastic_refusal(
-        stress, has_back_stress(law) && !stress.has_back_stress
-                    ? "the centre of the yield surface that belongs to the plastic strain is not known; give it "
-                      "with NHISV = 5, or use BETA = 1"
-                    : nullptr);
+        stress,
+        has_back_stress(law) && !stress.has_back_stress
+            ? "the centre of the yield surface that belongs to the plastic strain is not known; give it "
+              "with NHISV = 5, or use BETA = 1"
+            : nullptr);
   }
 };
 

@@ -32,20 +32,18 @@ struct Pieces {
   std::string motion;  ///< of the first run alone
 };
 
-constexpr const char* plastic_mat_24 =
-    "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.85E-6,210,0.3,0.25,2.0\n\n\n\n";
+constexpr const char* plastic_mat_24 = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n1,7.85E-6,210,0.3,0.25,2.0\n\n\n\n";
 constexpr const char* kinematic_mat_3 = "*MAT_PLASTIC_KINEMATIC\n1,7.85E-6,210,0.3,0.25,5.0,0.3\n\n";
 
 /// Without what acts on hourglass modes alone and on the rate of the volume: hourglass stresses are not
 /// written, and viscosities at the first moment have the velocity of another half step.
-constexpr const char* no_viscosity =
-    "*CONTROL_BULK_VISCOSITY\n1E-20,1E-20\n*CONTROL_HOURGLASS\n1,1E-20\n";
+constexpr const char* no_viscosity = "*CONTROL_BULK_VISCOSITY\n1E-20,1E-20\n*CONTROL_HOURGLASS\n1,1E-20\n";
 
 /// A block that is squeezed, sheared and yields.
 Pieces squeezed_block(int elform, const std::string& material, bool tetrahedra) {
   Pieces pieces;
-  pieces.properties = fmt::format("{}*SECTION_SOLID\n1,{}\n*PART\nblock\n1,1,1\n{}", no_viscosity, elform,
-                                  material);
+  pieces.properties =
+      fmt::format("{}*SECTION_SOLID\n1,{}\n*PART\nblock\n1,1,1\n{}", no_viscosity, elform, material);
   pieces.mesh = "*NODE\n";
   constexpr int n[3] = {3, 2, 2};
   const auto node = [&](int i, int j, int k) { return 1 + i + (n[0] + 1) * (j + (n[1] + 1) * k); };
@@ -64,9 +62,9 @@ Pieces squeezed_block(int elform, const std::string& material, bool tetrahedra) 
   for (int k = 0; k < n[2]; ++k)
     for (int j = 0; j < n[1]; ++j)
       for (int i = 0; i < n[0]; ++i) {
-        const int c[8] = {node(i, j, k),         node(i + 1, j, k),         node(i + 1, j + 1, k),
-                          node(i, j + 1, k),     node(i, j, k + 1),         node(i + 1, j, k + 1),
-                          node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
+        const int c[8] = {
+            node(i, j, k),     node(i + 1, j, k),     node(i + 1, j + 1, k),     node(i, j + 1, k),
+            node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
         if (!tetrahedra) {
           pieces.mesh += fmt::format("{},1,{},{},{},{},{},{},{},{}\n", ++id, c[0], c[1], c[2], c[3], c[4],
                                      c[5], c[6], c[7]);
@@ -74,8 +72,8 @@ Pieces squeezed_block(int elform, const std::string& material, bool tetrahedra) 
         }
         constexpr int paths[6][2] = {{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}};
         for (const auto& path : paths)
-          pieces.mesh += fmt::format("{},1,{},{},{},{},{},{},{},{}\n", ++id, c[0], c[path[0]], c[path[1]], c[6],
-                                     c[6], c[6], c[6], c[6]);
+          pieces.mesh += fmt::format("{},1,{},{},{},{},{},{},{},{}\n", ++id, c[0], c[path[0]], c[path[1]],
+                                     c[6], c[6], c[6], c[6], c[6]);
       }
   pieces.motion = velocities;
   return pieces;
@@ -90,9 +88,9 @@ struct Motion {
 /// A plate of 4 x 3 shells, tilted, that is bent, stretched and sheared, and yields.
 Pieces bent_plate(int elform, const std::string& material, const Motion& motion) {
   Pieces pieces;
-  pieces.properties = fmt::format(
-      "{}*CONTROL_SHELL\n20,,,1\n*SECTION_SHELL\n1,{},,3\n1.5\n*PART\nplate\n1,1,1\n{}", no_viscosity, elform,
-      material);
+  pieces.properties =
+      fmt::format("{}*CONTROL_SHELL\n20,,,1\n*SECTION_SHELL\n1,{},,3\n1.5\n*PART\nplate\n1,1,1\n{}",
+                  no_viscosity, elform, material);
   pieces.mesh = "*NODE\n";
   std::string velocities = "*INITIAL_VELOCITY_NODE\n";
   constexpr int columns = 4;
@@ -140,9 +138,8 @@ model::Model first_model(const Pieces& pieces, long cycles) {
 }
 
 model::Model second_model(const Pieces& pieces, long cycles, const std::string& dynain) {
-  return model_of(
-      "*KEYWORD\n" + termination(cycles) + pieces.properties + "*INCLUDE\ndynain\n*END\n",
-      {{"dynain", dynain}});
+  return model_of("*KEYWORD\n" + termination(cycles) + pieces.properties + "*INCLUDE\ndynain\n*END\n",
+                  {{"dynain", dynain}});
 }
 
 /// Runs to the end; what the dynain file holds then.
@@ -215,8 +212,7 @@ double largest_of(const std::vector<double>& values) {
 
 double relative_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double difference = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    difference = test::larger_of(difference, std::fabs(a[i] - b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i) difference = test::larger_of(difference, std::fabs(a[i] - b[i]));
   return difference / largest_of(a);
 }
 
@@ -274,8 +270,7 @@ Apart continued(const Pieces& pieces, long half, bool with_unwritten) {
   if (with_unwritten) take_unwritten(stopped.domain(), again.domain());
   test::run(again);
   const Apart result = apart(one_go, again);
-  const double most =
-      largest_of(plastic_strains(one_go.domain(), whole.shells.size() + whole.solids.size()));
+  const double most = largest_of(plastic_strains(one_go.domain(), whole.shells.size() + whole.solids.size()));
   EXPECT_GT(most, 0.002) << "it has to yield";
   return result;
 }
@@ -396,9 +391,9 @@ TEST(Dynain, ACantileverStaysBent) {
                         load * length / (5.0 / 6 * 0.5 * modulus * width * thickness);
   test::verified("cantilever that settles: deflection at the tip", "beam theory, 10 elements")
       .within(rest.moved, closed, 1e-3);
-  const model::Model second = model_of("*KEYWORD\n*CONTROL_TERMINATION\n5\n" + properties +
-                                           "*INCLUDE\ndynain\n*END\n",
-                                       {{"dynain", rest.dynain.text}});
+  const model::Model second =
+      model_of("*KEYWORD\n*CONTROL_TERMINATION\n5\n" + properties + "*INCLUDE\ndynain\n*END\n",
+               {{"dynain", rest.dynain.text}});
   test::verified("cantilever that begins bent: largest departure over the deflection", "static equilibrium")
       .below(largest_departure(second, 11, 2, rest.moved, rest.moved) / closed, 1e-6);
 }
@@ -438,11 +433,12 @@ TEST(Dynain, ABarStaysStretched) {
     const double closed = load * length / (modulus * side * side);
     test::verified(fmt::format("bar of ELFORM {} that settles: elongation", elform), "F L / (E A)")
         .within(rest.moved, closed, 2e-3);
-    const model::Model second = model_of("*KEYWORD\n*CONTROL_TERMINATION\n0.5\n" + properties +
-                                             "*INCLUDE\ndynain\n*END\n",
-                                         {{"dynain", rest.dynain.text}});
-    test::verified(fmt::format("bar of ELFORM {} that begins stretched: largest departure over the elongation", elform),
-                   "static equilibrium")
+    const model::Model second =
+        model_of("*KEYWORD\n*CONTROL_TERMINATION\n0.5\n" + properties + "*INCLUDE\ndynain\n*END\n",
+                 {{"dynain", rest.dynain.text}});
+    test::verified(
+        fmt::format("bar of ELFORM {} that begins stretched: largest departure over the elongation", elform),
+        "static equilibrium")
         .below(largest_departure(second, 11, 0, rest.moved, rest.moved) / closed, 1e-6);
   }
 }
@@ -451,8 +447,8 @@ class DynainProgram : public ProgramTest {};
 
 TEST_F(DynainProgram, WritesTheFileAndRemovesTheEarlierOne) {
   const Pieces pieces = bent_plate(2, plastic_mat_24, {1, 0.5, 0.1});
-  const std::string deck = write("plate.k", "*KEYWORD\n" + termination(10) + pieces.properties + pieces.mesh +
-                                                pieces.motion + "*END\n");
+  const std::string deck = write(
+      "plate.k", "*KEYWORD\n" + termination(10) + pieces.properties + pieces.mesh + pieces.motion + "*END\n");
   const Result first = run({"run", deck, "-o", path("out"), "--dynain"});
   EXPECT_EQ(first.code, ExitCode::Normal) << first.err;
   EXPECT_NE(first.out.find("dynain"), std::string::npos);

@@ -14,8 +14,8 @@ namespace {
 /// The elements that an entry is about, one or those of a set.
 std::vector<Index> elements_of(const RawInitialStress& raw, bool shells, Build& build) {
   const std::string_view field = raw.is_set ? "SID" : "EID";
-  const Item item = shells ? (raw.is_set ? Item::ShellSet : Item::Shell)
-                           : (raw.is_set ? Item::SolidSet : Item::Solid);
+  const Item item =
+      shells ? (raw.is_set ? Item::ShellSet : Item::Shell) : (raw.is_set ? Item::SolidSet : Item::Solid);
   const Index index = build.find(item, {raw.element, field, raw.where});
   if (index == no_index) return {};
   if (!raw.is_set) return {index};
@@ -65,13 +65,11 @@ class StressBuilder {
                         fmt::format("part {} is rigid, its elements have no stress", part.id), "rigid"});
       return false;
     }
-    const std::string refusal =
-        model::refusal_of_initial_stress(build_.model, part, layup, raw.stress);
+    const std::string refusal = model::refusal_of_initial_stress(build_.model, part, layup, raw.stress);
     if (!refusal.empty()) {
-      build_.report.field_unsupported(raw.where,
-                                      {field, std::to_string(raw.element),
-                                       "an element that can begin with these stresses",
-                                       fmt::format("part {}: {}", part.id, refusal), "law"});
+      build_.report.field_unsupported(
+          raw.where, {field, std::to_string(raw.element), "an element that can begin with these stresses",
+                      fmt::format("part {}: {}", part.id, refusal), "law"});
       return false;
     }
     check_histories(raw, part, layup == no_index && model::has_back_stress(material.law));
@@ -95,8 +93,7 @@ class StressBuilder {
   bool check_planes(const RawInitialStress& raw, const model::ShellElement& shell) {
     const model::Part& part = build_.model.parts[static_cast<std::size_t>(shell.part)];
     if (part.section == no_index) return false;
-    const model::ShellSection& section =
-        build_.model.shell_sections[static_cast<std::size_t>(part.section)];
+    const model::ShellSection& section = build_.model.shell_sections[static_cast<std::size_t>(part.section)];
     const int planes = raw.stress.planes;
     if (planes != 1 && planes != 4 && model::repeated_entry(shell.node) < 0 &&
         has_four_planes(section.formulation)) {
@@ -111,9 +108,8 @@ class StressBuilder {
                                 : build_.model.layups[static_cast<std::size_t>(layup)].layers.size();
     const std::size_t layers = raw.stress.points.size() / static_cast<std::size_t>(planes);
     if (layers != own && !std::exchange(warned_of_layers_, true))
-      build_.report.field_warning(raw.where,
-                                  {"NTHICK", std::to_string(layers), std::to_string(own),
-                                   "stresses are interpolated through the thickness", "points"});
+      build_.report.field_warning(raw.where, {"NTHICK", std::to_string(layers), std::to_string(own),
+                                              "stresses are interpolated through the thickness", "points"});
     return true;
   }
 
@@ -123,16 +119,18 @@ class StressBuilder {
     const auto formulation =
         build_.model.solid_sections[static_cast<std::size_t>(part.solid_section)].formulation;
     const std::size_t points = raw.stress.points.size();
-    if (formulation != model::SolidFormulation::SelectiveHexahedron || points == 1 || points == 8) return true;
-    build_.report.field_error(
-        raw.where, {"NINT", std::to_string(points), "1 or 8",
-                    fmt::format("solids of part {} have eight points", part.id), "points"});
+    if (formulation != model::SolidFormulation::SelectiveHexahedron || points == 1 || points == 8)
+      return true;
+    build_.report.field_error(raw.where,
+                              {"NINT", std::to_string(points), "1 or 8",
+                               fmt::format("solids of part {} have eight points", part.id), "points"});
     return false;
   }
 
   static bool has_four_planes(model::ShellFormulation formulation) {
     using Formulation = model::ShellFormulation;
-    return formulation == Formulation::FullyIntegrated || formulation == Formulation::FullyIntegratedMembrane ||
+    return formulation == Formulation::FullyIntegrated ||
+           formulation == Formulation::FullyIntegratedMembrane ||
            formulation == Formulation::HughesLiuSelectiveReduced;
   }
 

@@ -13,7 +13,8 @@ constexpr std::string_view is_definition = "a definition that nothing supported 
 constexpr std::string_view is_mesh_check = "the mesh is always checked";
 constexpr std::string_view is_of_threads = "threads are chosen on the command line";
 constexpr std::string_view is_of_other_elements = "it is about elements that are not supported";
-constexpr std::string_view is_of_strain = "strains at time zero are for output alone; laws go on from the stress";
+constexpr std::string_view is_of_strain =
+    "strains at time zero are for output alone; laws go on from the stress";
 constexpr std::string_view is_thermal = "there is no thermal solution";
 
 constexpr IgnoredRow ignored_rows[] = {

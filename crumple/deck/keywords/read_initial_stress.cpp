@@ -14,7 +14,8 @@ namespace {
 using namespace row;
 
 constexpr Field stress_planes_field = integer_or_default("NPLANE", 1, within(1, 4, "points in plane"));
-constexpr Field layers_field = integer_or_default("NTHICK", 1, within(1, 100, "points through the thickness"));
+constexpr Field layers_field =
+    integer_or_default("NTHICK", 1, within(1, 100, "points through the thickness"));
 constexpr Field points_field = integer_or_default("NINT", 1, within(1, 64, "integration points"));
 constexpr Field histories_field = integer("NHISV", 0, within(0, 1000, "history variables of each point"));
 constexpr Field tensors_field = only("NTENSR", {0}, "tensors of history are not read");
@@ -24,13 +25,14 @@ constexpr Field group_field = only("IALEGP", {0}, "there are no ALE groups");
 constexpr Field thermal_field = harmless("NTHINT", {0}, "there is no thermal solution");
 
 constexpr Field shell_stress_card[] = {id("EID"),     stress_planes_field, layers_field,  histories_field,
-                                tensors_field, large_field,  thermal_field, unused("NTHHSV")};
-constexpr Field shell_set_stress_card[] = {id("SID"),     stress_planes_field, layers_field,  histories_field,
-                                    tensors_field, large_field,  thermal_field, unused("NTHHSV")};
+                                       tensors_field, large_field,         thermal_field, unused("NTHHSV")};
+constexpr Field shell_set_stress_card[] = {id("SID"),       stress_planes_field, layers_field,
+                                           histories_field, tensors_field,       large_field,
+                                           thermal_field,   unused("NTHHSV")};
 constexpr Field solid_stress_card[] = {id("EID"),    points_field, histories_field, large_field,
-                                volume_field, group_field,  thermal_field,   unused("NTHHSV")};
+                                       volume_field, group_field,  thermal_field,   unused("NTHHSV")};
 constexpr Field solid_set_stress_card[] = {id("SID"),    points_field, histories_field, large_field,
-                                    volume_field, group_field,  thermal_field,   unused("NTHHSV")};
+                                           volume_field, group_field,  thermal_field,   unused("NTHHSV")};
 
 // A rotation of the file would turn the tensor.
 constexpr Field shell_point[] = {
@@ -202,10 +204,10 @@ void read_solid_stresses(Cards& cards, Layout layout, bool is_set, RawDeck& deck
     const bool volume = card.real("IVEFLG") == 1;
     if ((!large && histories > 0) || (volume && histories == 0)) {
       cards.report().field_error(
-          card.where(), {"NHISV", std::string(card.text("NHISV")),
-                         large ? "1 or more with IVEFLG = 1" : "0 with LARGE = 0",
-                         large ? "the volume is the last history variable" : "LARGE = 1 has history variables",
-                         "histories"});
+          card.where(),
+          {"NHISV", std::string(card.text("NHISV")), large ? "1 or more with IVEFLG = 1" : "0 with LARGE = 0",
+           large ? "the volume is the last history variable" : "LARGE = 1 has history variables",
+           "histories"});
       if (!large) histories = 0;
     }
     const auto count = static_cast<std::size_t>(card.integer("NINT"));

@@ -45,7 +45,8 @@ void read_interface_springback_lsdyna(Cards& cards, RawDeck& deck) {
   RawSpringback raw;
   raw.parts = card.integer("PSID");
   raw.where = card.where();
-  if (cards.more() && cards.peek().find("OPTCARD") != std::string_view::npos) cards.next_filled(springback_option_card);
+  if (cards.more() && cards.peek().find("OPTCARD") != std::string_view::npos)
+    cards.next_filled(springback_option_card);
   while (cards.more()) {
     const Card hold = cards.next_filled(springback_support_card);
     if (!hold.good("NID")) continue;

@@ -45,10 +45,12 @@ class Writer {
         node_is_written_(view.model.nodes.id.size(), request.all ? 1 : 0) {}
 
   Dynain write() {
-    result_.text = fmt::format("{} of a run at time {:.9g}; use it in place of nodes and elements\n*KEYWORD\n",
-                               dynain_mark, view_.domain.clock.time);
+    result_.text =
+        fmt::format("{} of a run at time {:.9g}; use it in place of nodes and elements\n*KEYWORD\n",
+                    dynain_mark, view_.domain.clock.time);
     if (widest_id() > largest_id) {
-      result_.notes.emplace_back("dynain: ids of more than 8 digits do not fit into its columns; it is empty.");
+      result_.notes.emplace_back(
+          "dynain: ids of more than 8 digits do not fit into its columns; it is empty.");
       return std::move(result_);
     }
     write_shells();
@@ -60,6 +62,8 @@ class Writer {
     write_stresses();
     if (request_.velocities) write_velocities();
     result_.text += "*END\n";
+    note_lines(view_.domain.beams);
+    note_lines(view_.domain.discretes);
     if (failed_ > 0)
       result_.notes.push_back(fmt::format("dynain: {} elements have failed and are left out.", failed_));
     return std::move(result_);
@@ -117,11 +121,9 @@ class Writer {
       }
       if (std::exchange(first, false)) result_.text += "*ELEMENT_SHELL_THICKNESS\n";
       write_element(shell.id, block.part, shell.node);
-      const std::string thickness =
-          number_in_columns(ShellResults(view_.model, block).thickness(place), 16);
+      const std::string thickness = number_in_columns(ShellResults(view_.model, block).thickness(place), 16);
       for (int k = 0; k < 4; ++k) result_.text += thickness;
-      if (shell.material_angle != 0)
-        result_.text += number_in_columns(shell.material_angle * degrees, 16);
+      if (shell.material_angle != 0) result_.text += number_in_columns(shell.material_angle * degrees, 16);
       result_.text += '\n';
     }
     if (layered > 0)
@@ -163,7 +165,8 @@ class Writer {
     const std::string refusal = refusal_of_stress(view_.model, block);
     if (!refusal.empty())
       result_.notes.push_back(fmt::format("dynain: no stresses of part {}: {}.",
-                                          view_.model.parts[static_cast<std::size_t>(block.part)].id, refusal));
+                                          view_.model.parts[static_cast<std::size_t>(block.part)].id,
+                                          refusal));
     return refusal.empty();
   }
 
@@ -182,11 +185,21 @@ class Writer {
   }
 
   void write_stresses() {
-    write_stresses_of(view_.domain.shells, shells_, "*INITIAL_STRESS_SHELL\n",
-                      [this](const View& view, const domain::ShellBlock& block, Index place, std::string& text) {
-                        if (!block.has_own_layup) append_shell_stress(view, block, place, text);
-                      });
+    write_stresses_of(
+        view_.domain.shells, shells_, "*INITIAL_STRESS_SHELL\n",
+        [this](const View& view, const domain::ShellBlock& block, Index place, std::string& text) {
+          if (!block.has_own_layup) append_shell_stress(view, block, place, text);
+        });
     write_stresses_of(view_.domain.solids, solids_, "*INITIAL_STRESS_SOLID\n", append_solid_stress);
+  }
+
+  /// Beams, springs and dampers stay in the deck.
+  template <class Blocks>
+  void note_lines(const Blocks& blocks) {
+    for (const auto& block : blocks)
+      if (has_part(block.part) && !block.rigid)
+        result_.notes.push_back(fmt::format("dynain: elements and forces of part {} are left out.",
+                                            view_.model.parts[static_cast<std::size_t>(block.part)].id));
   }
 
   void write_velocities() {
@@ -225,8 +238,8 @@ class Writer {
 std::string number_in_columns(double value, std::size_t columns) {
   std::array<char, 40> digits{};
   for (int precision = 17; precision > 0; --precision) {
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general,
-                                   precision)
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                   std::chars_format::general, precision)
                          .ptr;
     const auto length = static_cast<std::size_t>(end - digits.data());
     if (length <= columns) return std::string(columns - length, ' ') + std::string(digits.data(), length);

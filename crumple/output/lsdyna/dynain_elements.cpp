@@ -80,7 +80,8 @@ BackStress back_stress_of(const domain::StateItem& item, const domain::ElementBl
   constexpr std::array<Index, 5> of_six = {0, 1, 3, 4, 5};
   BackStress back{};
   for (std::size_t k = 0; k < back.size(); ++k)
-    back[k] = block.state(place, item.first + (solid ? 6 * point + of_six[k] : 5 * point + static_cast<Index>(k)));
+    back[k] =
+        block.state(place, item.first + (solid ? 6 * point + of_six[k] : 5 * point + static_cast<Index>(k)));
   return back;
 }
 
@@ -97,14 +98,9 @@ void append_shell_stress(const View& view, const domain::ShellBlock& block, Inde
     for (Index plane = 0; plane < block.plane_points; ++plane) {
       const Index point = plane * block.thickness_points + layer;
       const Tensor s = in_global_axes(axes, stress_of<5>(block, place, point));
-      std::vector<double> numbers = {block.point_place[static_cast<std::size_t>(layer)],
-                                     s[0],
-                                     s[1],
-                                     s[2],
-                                     s[3],
-                                     s[4],
-                                     s[5],
-                                     whole_plastic_strain(block, place, point)};
+      std::vector<double> numbers = {
+          block.point_place[static_cast<std::size_t>(layer)], s[0], s[1], s[2], s[3], s[4], s[5],
+          whole_plastic_strain(block, place, point)};
       if (back_stress) {
         const BackStress back = turned_to_side(
             back_stress_of(*block.find("back_stress"), block, place, point, false), side, axes);

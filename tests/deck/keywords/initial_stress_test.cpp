@@ -94,15 +94,16 @@ std::string only_message(const SmallDeck& deck) {
   return found.empty() ? "" : found[0];
 }
 
-std::string with_shell(const std::vector<std::string>& head, const std::vector<std::string>& first = {"-1", "1.0"},
+std::string with_shell(const std::vector<std::string>& head,
+                       const std::vector<std::string>& first = {"-1", "1.0"},
                        const std::vector<std::string>& second = {"1", "1.0"}) {
   return "*INITIAL_STRESS_SHELL\n" + line(head, 10) + line(first, 10) + line(second, 10);
 }
 
 TEST(InitialStress, OfSets) {
-  const model::Model model = read_with("*SET_SHELL_LIST\n7\n11,12\n*INITIAL_STRESS_SHELL_SET\n" +
-                                       line({"7", "1", "2"}, 10) + line({"-1", "1.0"}, 10) +
-                                       line({"1", "2.0"}, 10));
+  const model::Model model =
+      read_with("*SET_SHELL_LIST\n7\n11,12\n*INITIAL_STRESS_SHELL_SET\n" + line({"7", "1", "2"}, 10) +
+                line({"-1", "1.0"}, 10) + line({"1", "2.0"}, 10));
   ASSERT_EQ(model.shell_stresses.size(), 2U);
   EXPECT_EQ(model.shell_stresses[1].element, 1);
   EXPECT_EQ(model.shell_stresses[1].points.at(1).stress[0], 2);
@@ -126,8 +127,8 @@ TEST(InitialStress, TakesHistoryVariablesThatAreKnown) {
   CubeDeck solids;
   solids.material = shells.material;
   solids.more = "*INITIAL_STRESS_SOLID\n" + line({"21", "1", "6", "1", "1"}, 10) +
-                line({"1.0", "2.0", "3.0", "4.0", "5.0"}, 16) + line({"6.0", "0.1", "0.1", "0.2", "0.3"}, 16) +
-                line({"0.4", "0.5", "1.01"}, 16);
+                line({"1.0", "2.0", "3.0", "4.0", "5.0"}, 16) +
+                line({"6.0", "0.1", "0.1", "0.2", "0.3"}, 16) + line({"0.4", "0.5", "1.01"}, 16);
   const model::InitialStress solid = read_clean(solids.text()).solid_stresses.at(0);
   EXPECT_EQ(solid.points.at(0).back_stress, (std::array<double, 5>{0.1, 0.2, 0.3, 0.4, 0.5}));
   EXPECT_EQ(solid.volume, 1.01);
@@ -137,7 +138,8 @@ TEST(InitialStress, RefusesHistoryVariablesThatAreNot) {
   SmallDeck deck;
   deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "2", "3"}, 10) + line({"-1", "1.0"}, 10) +
               line({"0.1", "0.2", "0.3"}, 10) + line({"1", "1.0"}, 10) + line({"0", "0", "0"}, 10);
-  EXPECT_NE(only_message(deck).find("field NHISV: read \"history variables that are not zero\""), std::string::npos)
+  EXPECT_NE(only_message(deck).find("field NHISV: read \"history variables that are not zero\""),
+            std::string::npos)
       << only_message(deck);
   deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "2", "3"}, 10) + line({"-1", "1.0"}, 10) +
               line({"0", "0", "0"}, 10) + line({"1", "1.0"}, 10) + line({"0", "0", "0"}, 10);
@@ -197,14 +199,15 @@ TEST(InitialStress, ChecksPointsAndPlaces) {
 
 TEST(InitialStrain, HasNoEffect) {
   const auto found = messages_with("*INITIAL_STRAIN_SHELL\n         1         1         2\n");
-  EXPECT_TRUE(found.empty());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].find("laws go on from the stress"), std::string::npos) << found[0];
 }
 
 constexpr const char* set_of_part_1 = "*SET_PART_LIST\n5\n1\n";
 
 TEST(Springback, NamesPartsAndSupports) {
-  const model::Model model = read_with(std::string(set_of_part_1) +
-                                       "*INTERFACE_SPRINGBACK_LSDYNA\n5,100\nOPTCARD,0\n2,7,4\n3,1\n");
+  const model::Model model =
+      read_with(std::string(set_of_part_1) + "*INTERFACE_SPRINGBACK_LSDYNA\n5,100\nOPTCARD,0\n2,7,4\n3,1\n");
   const model::SpringbackRequest& request = model.output.springback;
   EXPECT_EQ(request.parts, (std::vector<Index>{0}));
   ASSERT_EQ(request.holds.size(), 2U);
