@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <utility>
+#include <vector>
 
 #include "deck/build/build.hpp"
 #include "model/initial_stress.hpp"
@@ -33,7 +34,7 @@ class StressBuilder {
       const model::ShellElement& shell = build_.model.shells[static_cast<std::size_t>(element)];
       if (!accepts(raw, shell.part, model::layup_of(build_.model, shell))) continue;
       if (!check_planes(raw, shell)) continue;
-      take(raw, element, build_.model.shell_stresses);
+      take(raw, element, taken_shells_, build_.model.shell_stresses);
     }
   }
 
@@ -41,12 +42,20 @@ class StressBuilder {
     for (const Index element : elements_of(raw, false, build_)) {
       const model::SolidElement& solid = build_.model.solids[static_cast<std::size_t>(element)];
       if (!accepts(raw, solid.part, no_index) || !check_points(raw, solid)) continue;
-      take(raw, element, build_.model.solid_stresses);
+      take(raw, element, taken_solids_, build_.model.solid_stresses);
     }
   }
 
  private:
-  static void take(const RawInitialStress& raw, Index element, std::vector<model::InitialStress>& into) {
+  void take(const RawInitialStress& raw, Index element, std::vector<bool>& taken,
+            std::vector<model::InitialStress>& into) {
+    const auto at = static_cast<std::size_t>(element);
+    if (at >= taken.size()) taken.resize(at + 1);
+    if (taken[at])
+      build_.report.field_warning(
+          raw.where, {raw.is_set ? "SID" : "EID", std::to_string(raw.element), "an element without stresses",
+                      "an element has them already; the later ones count", "twice"});
+    taken[at] = true;
     into.push_back(raw.stress);
     into.back().element = element;
   }
@@ -135,6 +144,8 @@ class StressBuilder {
   }
 
   Build& build_;
+  std::vector<bool> taken_shells_;  ///< by element
+  std::vector<bool> taken_solids_;
   bool warned_of_rigid_ = false;
   bool warned_of_layers_ = false;
 };

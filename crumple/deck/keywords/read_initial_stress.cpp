@@ -20,7 +20,8 @@ constexpr Field points_field = integer_or_default("NINT", 1, within(1, 64, "inte
 constexpr Field histories_field = integer("NHISV", 0, within(0, 1000, "history variables of each point"));
 constexpr Field tensors_field = only("NTENSR", {0}, "tensors of history are not read");
 constexpr Field large_field = only("LARGE", {0, 1}, "1 has fields of 16 columns");
-constexpr Field volume_field = only("IVEFLG", {0, 1}, "1: the last history variable is the volume at first");
+constexpr Field volume_field =
+    only("IVEFLG", {0, 1}, "1: the last history variable is the volume of the mass");
 constexpr Field group_field = only("IALEGP", {0}, "there are no ALE groups");
 constexpr Field thermal_field = harmless("NTHINT", {0}, "there is no thermal solution");
 

@@ -174,6 +174,7 @@ class Writer {
   void write_stresses_of(const Blocks& blocks, const BlockPlaces& places, const char* keyword,
                          const Append& append) {
     std::vector<char> wanted;
+    wanted.reserve(blocks.size());
     for (const auto& block : blocks) wanted.push_back(has_stresses(block) ? 1 : 0);
     bool first = true;
     for (const auto& [b, place] : places) {
@@ -185,11 +186,10 @@ class Writer {
   }
 
   void write_stresses() {
-    write_stresses_of(
-        view_.domain.shells, shells_, "*INITIAL_STRESS_SHELL\n",
-        [this](const View& view, const domain::ShellBlock& block, Index place, std::string& text) {
-          if (!block.has_own_layup) append_shell_stress(view, block, place, text);
-        });
+    write_stresses_of(view_.domain.shells, shells_, "*INITIAL_STRESS_SHELL\n",
+                      [](const View& view, const domain::ShellBlock& block, Index place, std::string& text) {
+                        if (!block.has_own_layup) append_shell_stress(view, block, place, text);
+                      });
     write_stresses_of(view_.domain.solids, solids_, "*INITIAL_STRESS_SOLID\n", append_solid_stress);
   }
 

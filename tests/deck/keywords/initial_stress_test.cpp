@@ -184,6 +184,8 @@ TEST(InitialStress, ChecksPointsAndPlaces) {
   EXPECT_NE(only_message(deck).find("as many points at each T"), std::string::npos) << only_message(deck);
   deck.more = with_shell({"11", "1", "2"}, {"-1.5", "1.0"});
   EXPECT_NE(only_message(deck).find("field T: read \"-1.5\""), std::string::npos) << only_message(deck);
+  deck.more = with_shell({"11", "1", "2"}) + with_shell({"11", "1", "2"});
+  EXPECT_NE(only_message(deck).find("has them already"), std::string::npos) << only_message(deck);
   deck.more = with_shell({"13", "1", "2"});
   EXPECT_NE(only_message(deck).find("field EID: read \"13\""), std::string::npos) << only_message(deck);
   deck.section = "*SECTION_SHELL\n1,16,,2\n0.1\n";
