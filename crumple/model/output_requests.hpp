@@ -79,11 +79,21 @@ struct SpringbackRequest {
   std::vector<Hold> holds;   ///< supports of the other run
 };
 
+/// Axes in which the motion of a node is written (*DATABASE_HISTORY_NODE_LOCAL).
+struct NodeAxes {
+  Index node = no_index;
+  std::array<std::array<double, 3>, 3> axes{};  ///< of unit length, in global components; at time zero
+  /// Nodes whose present places give the axes, x from the first to the second, the third in the plane x, y;
+  /// no_index: the axes stay.
+  std::array<Index, 3> moving{no_index, no_index, no_index};
+};
+
 /// What to write and how often.
 struct OutputRequests {
   double state_interval = 0;  ///< *DATABASE_BINARY_D3PLOT [time]; 0 if the deck does not ask
   std::array<HistoryRequest, history_files> histories;
   std::vector<Index> history_nodes;      ///< *DATABASE_HISTORY_NODE
+  std::vector<NodeAxes> history_axes;    ///< of some of these, by ascending node, each once
   std::vector<Index> history_shells;     ///< *DATABASE_HISTORY_SHELL
   std::vector<Index> history_solids;     ///< *DATABASE_HISTORY_SOLID
   std::vector<Index> history_beams;      ///< *DATABASE_HISTORY_BEAM

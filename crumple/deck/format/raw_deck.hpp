@@ -283,6 +283,8 @@ struct RawHistory {
   bool is_set = false;
   Where where;
   HistoryItem item = HistoryItem::Node;
+  UserId system = 0;    ///< of nodes: the coordinate system of their motion; 0 is global axes
+  bool moving = false;  ///< REF = 1: it moves with its nodes
 };
 
 /// A plane through the elements of some parts.

@@ -172,6 +172,8 @@ void read_database(Cards& cards, RawDeck& deck) {
 void read_database_history_ids(Cards& cards, RawDeck& deck, HistoryItem item);
 void read_database_history_named(Cards& cards, RawDeck& deck, HistoryItem item);
 void read_database_history_sets(Cards& cards, RawDeck& deck, HistoryItem item);
+void read_database_history_node_local(Cards& cards, RawDeck& deck);
+void read_database_history_node_set_local(Cards& cards, RawDeck& deck);
 template <HistoryItem Kind>
 void read_history(Cards& cards, RawDeck& deck) {
   read_database_history_ids(cards, deck, Kind);

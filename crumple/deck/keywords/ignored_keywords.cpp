@@ -120,8 +120,6 @@ constexpr IgnoredRow ignored_rows[] = {
     {"DATABASE_HISTORY_ACOUSTIC", true, is_output},
     {"DATABASE_HISTORY_CPM", true, is_output},
     {"DATABASE_HISTORY_DES", true, is_output},
-    {"DATABASE_HISTORY_NODE_LOCAL", true, is_output},
-    {"DATABASE_HISTORY_NODE_SET_LOCAL", true, is_output},
     {"DATABASE_HISTORY_SEATBELT", true, is_output},
     {"DATABASE_HISTORY_SPH", true, is_output},
     {"DATABASE_HISTORY_TSHELL", true, is_output},

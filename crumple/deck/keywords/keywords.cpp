@@ -396,6 +396,8 @@ constexpr Keyword table[] = {
     {"DATABASE_HISTORY_NODE", read_history<Traced::Node>},
     {"DATABASE_HISTORY_NODE_ID", read_named_history<Traced::Node>},
     {"DATABASE_HISTORY_NODE_SET", read_history_set<Traced::Node>},
+    {"DATABASE_HISTORY_NODE_LOCAL", read_database_history_node_local},
+    {"DATABASE_HISTORY_NODE_SET_LOCAL", read_database_history_node_set_local},
     {"DATABASE_HISTORY_SHELL", read_history<Traced::Shell>},
     {"DATABASE_HISTORY_SHELL_ID", read_named_history<Traced::Shell>},
     {"DATABASE_HISTORY_SHELL_SET", read_history_set<Traced::Shell>},
