@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "elements/elements.hpp"
+#include "elements/initial_stress.hpp"
 #include "materials/common/shell_material.hpp"
 
 namespace crumple::elements {
@@ -116,6 +117,7 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   finish_part_masses(model, domain);
   set_discrete_beam_steps(model, domain);
   prepare_discretes(model, domain);
+  set_initial_stresses(model, domain);
   limit_by_rigid_elements(model, domain);
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "elements/common/erosion_check.hpp"
@@ -134,9 +135,21 @@ struct SolidMass {
   double added = 0;  ///< by mass scaling [mass]
 };
 
+/// The volumes of mass that solids with stresses at time zero have; empty if none has, zero where there is
+/// none.
+std::vector<double> initial_volumes(const model::Model& model) {
+  std::vector<double> volumes;
+  if (!model.solid_stresses.empty()) volumes.resize(model.solids.size(), 0.0);
+  for (const model::InitialStress& stress : model.solid_stresses)
+    volumes[static_cast<std::size_t>(stress.element)] = stress.volume;
+  return volumes;
+}
+
 SolidMass prepare_element(const model::Model& model, const domain::Domain& domain, SolidBlock& block,
-                          const SolidConstants<double>& constants, Index place) {
-  const model::SolidElement& solid = model.solids[block.element[std::min(place, block.elements - 1)]];
+                          const SolidConstants<double>& constants, Index place,
+                          const std::vector<double>& initial_volume) {
+  const Index index = block.element[std::min(place, block.elements - 1)];
+  const model::SolidElement& solid = model.solids[index];
   const SolidSize size = solid_size(domain, block, place, constants);
   if (!(size.volume > 0) || !(size.length > 0))
     throw Error(
@@ -147,7 +160,9 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
   const double step = size.length / constants.wave_speed;
   const double factor = block.rigid ? 1 : mass_factor(model.control.mass_scaling_step, step);
   const Index own = constants.own;
-  block.set_state(place, own + solid_state::reference_volume, size.volume);
+  const bool given = !initial_volume.empty() && initial_volume[static_cast<std::size_t>(index)] > 0;
+  const double volume = given ? initial_volume[static_cast<std::size_t>(index)] : size.volume;
+  block.set_state(place, own + solid_state::reference_volume, volume);
   block.set_state(place, own + solid_state::active, place < block.elements ? 1 : 0);
   block.set_state(place, own + solid_state::step_scale, std::sqrt(factor));
   if (constants.present_wave_speed > 0)
@@ -156,18 +171,19 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
   const std::array<Index, 8> node = block.nodes_of(place);
   for (std::size_t k = 0; k < 8; ++k) corners[k] = domain.nodes.position[node[k]];
   materials::prepare_solid_element(law, corners, solid.id, block, constants.history, place);
-  const double mass = constants.density * size.volume;
+  const double mass = constants.density * volume;
   return {factor * mass, (factor - 1) * mass};
 }
 
 }  // namespace
 
 void prepare_solids(const model::Model& model, domain::Domain& domain) {
+  const std::vector<double> volumes = initial_volumes(model);
   for (SolidBlock& block : domain.solids) {
     const SolidConstants<double> constants = prepare_block(model, domain, block);
     const bool scales = scales_mass(model, domain, block);
     for (Index place = 0; place < block.groups() * lanes; ++place) {
-      const SolidMass solid = prepare_element(model, domain, block, constants, place);
+      const SolidMass solid = prepare_element(model, domain, block, constants, place, volumes);
       if (place >= block.elements) continue;
       for (Index corner = 0; corner < block.corners; ++corner)
         add_mass(domain, block.part, block.node_of(place, corner), solid.mass / block.corners);

@@ -34,6 +34,25 @@ struct InitialVelocity {
   std::array<double, 3> angular_velocity{};  ///< [1/time]
 };
 
+/// Stress of a point of an element at time zero.
+struct InitialPointStress {
+  double place = 0;  ///< of shells, through the thickness: -1 the lower, 1 the upper surface [-]
+  std::array<double, 6> stress{};  ///< xx, yy, zz, xy, yz, zx in global axes [stress]
+  double plastic_strain = 0;       ///< effective [-]
+  /// Centre of the yield surface of *MAT_PLASTIC_KINEMATIC: xx, yy, xy, yz, zx, of shells along the side from
+  /// the first to the second node and the normal, of solids in global axes [stress].
+  std::array<double, 5> back_stress{};
+};
+
+/// Stresses of an element at time zero (*INITIAL_STRESS_SHELL, _SOLID).
+struct InitialStress {
+  Index element = no_index;  ///< in Model::shells or Model::solids
+  int planes = 1;            ///< of shells: points in plane, each with points through the thickness
+  bool has_back_stress = false;
+  double volume = 0;  ///< of solids: that of their mass; 0 is the present one [length^3]
+  std::vector<InitialPointStress> points;
+};
+
 /// Three nodes whose plane a load follows: it acts along (x2 - x1) x (x3 - x1).
 struct FollowedPlane {
   std::array<Index, 3> node{no_index, no_index, no_index};

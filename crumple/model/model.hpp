@@ -63,6 +63,8 @@ struct Model {
   std::vector<FixedNode> fixed_nodes;
   std::vector<LocalSupport> local_supports;
   std::vector<InitialVelocity> initial_velocities;
+  std::vector<InitialStress> shell_stresses;  ///< of an element that has several the last counts
+  std::vector<InitialStress> solid_stresses;
   std::vector<NodalLoad> nodal_loads;
   std::vector<PressureLoad> pressure_loads;
   std::vector<ControlVolume> control_volumes;

@@ -68,11 +68,32 @@ struct RestartRequests {
   int running_files = 1;    ///< NR: how many of these are kept beside the one before
 };
 
+/// *INTERFACE_SPRINGBACK_LSDYNA: parts whose state at the end of the run is written for another run.
+struct SpringbackRequest {
+  struct Hold {
+    Index node = no_index;
+    int translation = 0;  ///< TC, as *NODE has it
+    int rotation = 0;     ///< RC
+  };
+  std::vector<Index> parts;  ///< ascending; empty: nothing is written
+  std::vector<Hold> holds;   ///< supports of the other run
+};
+
+/// Axes in which the motion of a node is written (*DATABASE_HISTORY_NODE_LOCAL).
+struct NodeAxes {
+  Index node = no_index;
+  std::array<std::array<double, 3>, 3> axes{};  ///< of unit length, in global components; at time zero
+  /// Nodes whose present places give the axes, x from the first to the second, the third in the plane x, y;
+  /// no_index: the axes stay.
+  std::array<Index, 3> moving{no_index, no_index, no_index};
+};
+
 /// What to write and how often.
 struct OutputRequests {
   double state_interval = 0;  ///< *DATABASE_BINARY_D3PLOT [time]; 0 if the deck does not ask
   std::array<HistoryRequest, history_files> histories;
   std::vector<Index> history_nodes;      ///< *DATABASE_HISTORY_NODE
+  std::vector<NodeAxes> history_axes;    ///< of some of these, by ascending node, each once
   std::vector<Index> history_shells;     ///< *DATABASE_HISTORY_SHELL
   std::vector<Index> history_solids;     ///< *DATABASE_HISTORY_SOLID
   std::vector<Index> history_beams;      ///< *DATABASE_HISTORY_BEAM
@@ -80,6 +101,7 @@ struct OutputRequests {
   std::vector<CrossSection> cross_sections;
   StateExtent extent;
   RestartRequests restart;
+  SpringbackRequest springback;
 
   const HistoryRequest& of(HistoryFile file) const { return histories[static_cast<std::size_t>(file)]; }
   HistoryRequest& of(HistoryFile file) { return histories[static_cast<std::size_t>(file)]; }

@@ -9,6 +9,7 @@
 #include "files/input_file.hpp"
 #include "output/files/own_file.hpp"
 #include "output/lsdyna/binout.hpp"
+#include "output/lsdyna/dynain.hpp"
 #include "output/lsdyna/text_file.hpp"
 
 namespace crumple::output {
@@ -48,6 +49,7 @@ void remove_earlier_results(const std::filesystem::path& folder) {
   for (const std::string_view name : shared_names)
     if (mentions(folder / name, program_mark)) std::filesystem::remove(folder / name, ignored);
   if (mentions(folder / binout_name, binout_mark)) std::filesystem::remove(folder / binout_name, ignored);
+  if (mentions(folder / dynain_name, dynain_mark)) std::filesystem::remove(folder / dynain_name, ignored);
 }
 
 }  // namespace crumple::output

@@ -168,6 +168,9 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_option("-o,--output", options.folder, "Folder of the results [the deck's name with .out, here]");
   run.add_flag("--d3plot", options.d3plot,
                "Write the frames as LS-DYNA's d3plot files, too; these take about three times the room");
+  run.add_flag(
+      "--dynain", options.dynain,
+      "Write dynain at the end: nodes, shells, solids, their stresses and velocities for another run");
   add_machine_options(run, options);
   run.add_option("--precision", options.precision, "Arithmetic of elements and contact [double]")
       ->check(CLI::IsMember({"mixed", "double"}));

@@ -21,6 +21,7 @@
 #include "output/files/folder_lock.hpp"
 #include "output/files/set_aside.hpp"
 #include "output/files/write_error.hpp"
+#include "output/lsdyna/dynain.hpp"
 #include "output/run_record.hpp"
 #include "timeloop/fitting_state.hpp"
 
@@ -99,6 +100,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
 }
 
 void RunSession::begin() {
+  if (options_.dynain) earlier_.keep(simulation_.domain().nodes);
   simulation_.start();
   first_step_ = simulation_.next_step();
   const domain::Domain& domain = simulation_.domain();
@@ -186,6 +188,8 @@ output::View RunSession::view() const {
   if (options_.trace_energy > 0) view.energy_trace = [this] { return simulation_.energy_trace(); };
   view.contact_node_forces = [this] { return simulation_.contact_node_forces(); };
   view.sections = simulation_.sections();
+  view.earlier_velocity = earlier_.velocity;
+  view.earlier_angular_velocity = earlier_.angular_velocity;
   return view;
 }
 
@@ -242,6 +246,7 @@ Ending RunSession::follow() {
       return {"normal", simulation_.ended_by().value_or("termination time reached"), ExitCode::Normal};
     if (const auto ending = asked_to_stop()) return *ending;
     if (const auto ending = limit_passed()) return *ending;
+    if (options_.dynain) earlier_.keep(simulation_.domain().nodes);
     simulation_.step();
   }
 }
@@ -301,7 +306,20 @@ void RunSession::write_record(const Ending& ending) {
 std::vector<std::filesystem::path> RunSession::written_files() const {
   std::vector<std::filesystem::path> files = recorder_->files();
   for (std::filesystem::path& file : restart_writer_->files()) files.push_back(std::move(file));
+  if (dynain_) files.push_back(*dynain_);
   return files;
+}
+
+/// The deck that another run goes on from, if it is asked for.
+void RunSession::write_dynain() {
+  output::DynainRequest request;
+  request.springback = simulation_.model().output.springback;
+  request.all = request.velocities = options_.dynain;
+  if (!request.wanted()) return;
+  const output::Dynain dynain = output::dynain_of(view(), request);
+  dynain_ = folder_ / output::dynain_name;
+  output::write_atomically(*dynain_, dynain.text);
+  for (const std::string& note : dynain.notes) warn(note);
 }
 
 /// Writes what is still to be written. If that fails where all else went well, the ending becomes an error.
@@ -314,6 +332,7 @@ void RunSession::finish(Ending& ending) {
       // somewhere.
       if (positions_are_finite(simulation_.domain().nodes) && ending.code != ExitCode::Output)
         recorder_->write_last(view());
+      if (ending.code == ExitCode::Normal || ending.code == ExitCode::Stopped) write_dynain();
     }
     // What is written last is output of the run, too.
     loop_seconds_ = monitor_->seconds();

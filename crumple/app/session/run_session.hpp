@@ -18,6 +18,7 @@
 #include "app/session/switch_file.hpp"
 #include "base/stopwatch.hpp"
 #include "deck/reader.hpp"
+#include "domain/earlier_velocities.hpp"
 #include "live/run_status.hpp"
 #include "output/checks.hpp"
 #include "output/files/folder_lock.hpp"
@@ -68,6 +69,7 @@ class RunSession {
   std::optional<Ending> limit_passed() const;
   void finish(Ending& ending);
   void write_record(const Ending& ending);
+  void write_dynain();
   std::vector<std::filesystem::path> written_files() const;
 
   const Options& options_;
@@ -86,6 +88,8 @@ class RunSession {
   RestartSettings restart_settings_;
   GoodState good_state_;
   output::PeakValues peaks_;
+  domain::EarlierVelocities earlier_;
+  std::optional<std::filesystem::path> dynain_;  ///< once it is written
   std::vector<std::string> warnings_;
   double first_step_ = 0;    ///< [time]
   double total_mass_ = 0;    ///< at time zero [mass]

@@ -166,6 +166,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_joint_stiffnesses(build);
   build_fixed_nodes(build);
   build_velocities(build);
+  build_initial_stresses(build);
   build_loads(build);
   build_airbags(build);
   build_motions(build);

@@ -220,6 +220,8 @@ void build_part_masses(Build& build);
 void build_fixed_nodes(Build& build);
 // build_conditions.cpp
 void build_velocities(Build& build);
+// build_initial_stress.cpp
+void build_initial_stresses(Build& build);
 // build_connections.cpp
 void build_connections(Build& build);
 /// A spot weld, rivet or constrained set, to a node that it moves.

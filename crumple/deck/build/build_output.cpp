@@ -2,6 +2,9 @@
 // Output requests.
 #include "deck/build/build.hpp"
 
+#include <algorithm>
+#include <map>
+#include <optional>
 #include <vector>
 
 namespace crumple::deck {
@@ -77,6 +80,58 @@ void build_histories(Build& build, HistoryItem item) {
   }
 }
 
+/// The axes in which the motion of nodes is written; absent, with a message, if there are none.
+std::optional<model::NodeAxes> axes_of(const RawHistory& raw, Build& build) {
+  const auto axes = find_axes(build, raw.system, "CID", raw.where);
+  if (!axes) return std::nullopt;
+  model::NodeAxes found;
+  found.axes = *axes;
+  if (!raw.moving) return found;
+  const auto index =
+      static_cast<std::size_t>(build.find_quietly(Item::CoordinateSystem, raw.system));
+  const RawCoordinateSystem& system = build.deck.coordinate_systems[index];
+  if (system.node[0] == 0) {
+    build.report.field_error(raw.where, {"REF", "1", "0, or a system of *DEFINE_COORDINATE_NODES",
+                                         "axes move with nodes only", "axes"});
+    return std::nullopt;
+  }
+  for (std::size_t k = 0; k < 3; ++k) found.moving[k] = build.find_quietly(Item::Node, system.node[k]);
+  return found;
+}
+
+/// What is named in global axes, too, is written in those of the last keyword that names it with axes.
+void build_history_axes(Build& build) {
+  std::map<Index, model::NodeAxes> by_node;
+  for (const RawHistory& raw : build.deck.histories) {
+    if (raw.item != HistoryItem::Node || raw.system == 0) continue;
+    const Index index = build.find_quietly(raw.is_set ? Item::NodeSet : Item::Node, raw.id);
+    if (index == no_index) continue;  // which has been said
+    const auto axes = axes_of(raw, build);
+    if (!axes) continue;
+    const std::vector<Index> one = {index};
+    for (const Index node : raw.is_set ? members_of(build, Item::NodeSet, index) : one) {
+      model::NodeAxes& own = by_node[node] = *axes;
+      own.node = node;
+    }
+  }
+  for (const auto& [node, axes] : by_node) build.model.output.history_axes.push_back(axes);
+}
+
+/// Several keywords add up, as several part sets would.
+void build_springback(Build& build) {
+  model::SpringbackRequest& request = build.model.output.springback;
+  for (const RawSpringback& raw : build.deck.springbacks) {
+    const std::vector<Index> parts = find_parts(build, true, {raw.parts, "PSID", raw.where});
+    request.parts.insert(request.parts.end(), parts.begin(), parts.end());
+    for (const RawSpringback::Hold& hold : raw.holds) {
+      const Index node = build.find(Item::Node, {hold.node, "NID", hold.where});
+      if (node != no_index) request.holds.push_back({node, hold.translation, hold.rotation});
+    }
+  }
+  std::sort(request.parts.begin(), request.parts.end());
+  request.parts.erase(std::unique(request.parts.begin(), request.parts.end()), request.parts.end());
+}
+
 }  // namespace
 
 void build_output(Build& build) {
@@ -86,6 +141,8 @@ void build_output(Build& build) {
   for (const HistoryItem item :
        {HistoryItem::Node, HistoryItem::Shell, HistoryItem::Solid, HistoryItem::Beam, HistoryItem::Discrete})
     build_histories(build, item);
+  build_history_axes(build);
+  build_springback(build);
 }
 
 }  // namespace crumple::deck

@@ -283,6 +283,8 @@ struct RawHistory {
   bool is_set = false;
   Where where;
   HistoryItem item = HistoryItem::Node;
+  UserId system = 0;    ///< of nodes: the coordinate system of their motion; 0 is global axes
+  bool moving = false;  ///< REF = 1: it moves with its nodes
 };
 
 /// A plane through the elements of some parts.
@@ -341,6 +343,29 @@ struct RawShellOption {
   std::string_view hint;
 };
 
+/// *INITIAL_STRESS_SHELL, _SOLID: of one element or of a set.
+struct RawInitialStress {
+  UserId element = 0;  ///< or the set
+  bool is_set = false;
+  model::InitialStress stress;  ///< without its element
+  bool has_histories = false;   ///< any history variable is not zero
+  bool more_histories = false;  ///< so is one beyond the first five
+  Where where;
+};
+
+/// *INTERFACE_SPRINGBACK_LSDYNA.
+struct RawSpringback {
+  struct Hold {
+    UserId node = 0;
+    int translation = 0;  ///< TC
+    int rotation = 0;     ///< RC
+    Where where;
+  };
+  UserId parts = 0;  ///< a set
+  std::vector<Hold> holds;
+  Where where;
+};
+
 struct RawDeck {
   std::size_t section_count() const {
     return sections.size() + solid_sections.size() + beam_sections.size() + discrete_sections.size();
@@ -364,6 +389,9 @@ struct RawDeck {
   std::vector<RawMaterial> materials;
   std::vector<RawSpringMaterial> spring_materials;
   std::vector<RawErosion> erosions;
+  std::vector<RawInitialStress> shell_stresses;
+  std::vector<RawInitialStress> solid_stresses;
+  std::vector<RawSpringback> springbacks;
   std::vector<RawOrientation> orientations;
   std::vector<RawEquationOfState> equations_of_state;
   std::vector<RawHourglass> hourglasses;

@@ -172,6 +172,8 @@ void read_database(Cards& cards, RawDeck& deck) {
 void read_database_history_ids(Cards& cards, RawDeck& deck, HistoryItem item);
 void read_database_history_named(Cards& cards, RawDeck& deck, HistoryItem item);
 void read_database_history_sets(Cards& cards, RawDeck& deck, HistoryItem item);
+void read_database_history_node_local(Cards& cards, RawDeck& deck);
+void read_database_history_node_set_local(Cards& cards, RawDeck& deck);
 template <HistoryItem Kind>
 void read_history(Cards& cards, RawDeck& deck) {
   read_database_history_ids(cards, deck, Kind);
@@ -201,6 +203,13 @@ void read_boundary_spc_set_birth_death(Cards& cards, RawDeck& deck);
 void read_initial_velocity(Cards& cards, RawDeck& deck);
 void read_initial_velocity_node(Cards& cards, RawDeck& deck);
 void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
+// read_initial_stress.cpp
+void read_initial_stress_shell(Cards& cards, RawDeck& deck);
+void read_initial_stress_shell_set(Cards& cards, RawDeck& deck);
+void read_initial_stress_solid(Cards& cards, RawDeck& deck);
+void read_initial_stress_solid_set(Cards& cards, RawDeck& deck);
+// read_springback.cpp
+void read_interface_springback_lsdyna(Cards& cards, RawDeck& deck);
 
 // read_connections.cpp
 void read_constrained_spotweld(Cards& cards, RawDeck& deck);

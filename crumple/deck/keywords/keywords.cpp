@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "deck/keywords/keywords.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <vector>
+
+#include "deck/keywords/keyword_names.hpp"
 
 namespace crumple::deck {
 
@@ -244,6 +244,11 @@ constexpr Keyword table[] = {
     {"INITIAL_VELOCITY_NODE", read_initial_velocity_node},
     {"INITIAL_VELOCITY_RIGID_BODY", read_initial_velocity_rigid_body},
     {"INITIAL_VELOCITY_GENERATION", read_initial_velocity_generation},
+    {"INITIAL_STRESS_SHELL", read_initial_stress_shell},
+    {"INITIAL_STRESS_SHELL_SET", read_initial_stress_shell_set},
+    {"INITIAL_STRESS_SOLID", read_initial_stress_solid},
+    {"INITIAL_STRESS_SOLID_SET", read_initial_stress_solid_set},
+    {"INTERFACE_SPRINGBACK_LSDYNA", read_interface_springback_lsdyna},
     {"LOAD_NODE_POINT", read_load_node_point},
     {"LOAD_NODE_SET", read_load_node_set},
     {"LOAD_SEGMENT", read_load_segment, identity},
@@ -391,6 +396,8 @@ constexpr Keyword table[] = {
     {"DATABASE_HISTORY_NODE", read_history<Traced::Node>},
     {"DATABASE_HISTORY_NODE_ID", read_named_history<Traced::Node>},
     {"DATABASE_HISTORY_NODE_SET", read_history_set<Traced::Node>},
+    {"DATABASE_HISTORY_NODE_LOCAL", read_database_history_node_local},
+    {"DATABASE_HISTORY_NODE_SET_LOCAL", read_database_history_node_set_local},
     {"DATABASE_HISTORY_SHELL", read_history<Traced::Shell>},
     {"DATABASE_HISTORY_SHELL_ID", read_named_history<Traced::Shell>},
     {"DATABASE_HISTORY_SHELL_SET", read_history_set<Traced::Shell>},
@@ -410,49 +417,6 @@ constexpr Keyword table[] = {
     {"DATABASE_BINARY_D3DUMP", read_database_binary_d3dump, none, false},
     {"DATABASE_BINARY_RUNRSF", read_database_binary_runrsf, none, false},
 };
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-/// `MAT_3` and `MAT_03` are MAT_003, and likewise of EOS.
-std::string with_three_digits(std::string_view name) {
-  constexpr std::string_view prefix = "MAT_";
-  if (!name.starts_with(prefix) && !name.starts_with("EOS_")) return std::string(name);
-  std::string_view rest = name.substr(prefix.size());
-  std::size_t digits = 0;
-  while (digits < rest.size() && is_digit(rest[digits])) ++digits;
-  if (digits == 0 || digits >= 3 || (digits < rest.size() && rest[digits] != '_')) return std::string(name);
-  return fmt::format("{}{:0>3}{}", name.substr(0, prefix.size()), rest.substr(0, digits),
-                     rest.substr(digits));
-}
-
-/// An option that may stand anywhere in a name, taken out.
-std::string without_option(std::string name, std::string_view family, std::string_view option) {
-  const std::size_t at = name.starts_with(family) ? name.find(option) : std::string::npos;
-  const bool is_option =
-      at != std::string::npos && (at + option.size() == name.size() || name[at + option.size()] == '_');
-  return is_option ? name.erase(at, option.size()) : name;
-}
-
-/// The words of a name, those behind the first two sorted: options stand in any order. "NODES_TO_SURFACE" is
-/// one.
-std::vector<std::string> words_in_order(std::string_view name) {
-  std::vector<std::string> words;
-  bool goes_on = false;
-  for (std::size_t start = 0; start <= name.size();) {
-    const std::size_t end = std::min(name.find('_', start), name.size());
-    const std::string word(name.substr(start, end - start));
-    if (goes_on || (word == "TO" && !words.empty()))
-      words.back() += "_" + word;
-    else
-      words.push_back(word);
-    goes_on = word == "TO";
-    start = end + 1;
-  }
-  if (words.size() > 2) std::sort(words.begin() + 2, words.end());
-  return words;
-}
 
 const Keyword* find_exact(std::string_view name) {
   const auto found =

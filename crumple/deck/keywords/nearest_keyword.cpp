@@ -125,7 +125,7 @@ constexpr Substitute substitutes[] = {
     {"ELEMENT_DISCRETE_", "ELEMENT_DISCRETE", "the spring is straight between its nodes"},
     {"PART_COMPOSITE_", "PART_COMPOSITE", "layers of shells with one integration point each"},
     {"PART_", "PART", "the part lacks what the option adds"},
-    {"INITIAL_STRESS_", "", "the run begins without the stresses and strains of forming"},
+    {"INITIAL_STRESS_", "INITIAL_STRESS_SHELL", "stresses are given one by one, of shells and of solids"},
     {"INITIAL_STRAIN_", "", "the run begins without the stresses and strains of forming"},
     {"INITIAL_VELOCITY_GENERATION_START_TIME", "INITIAL_VELOCITY_GENERATION",
      "the velocity holds from time zero"},

@@ -68,6 +68,12 @@ constexpr Field history_card[] = {
     reference("ID7", kind_of_history), reference("ID8", kind_of_history),
 };
 
+constexpr Field reference_axes =
+    only("REF", {0, 1}, "0: axes at time zero, 1: axes that move with the three nodes of the system");
+constexpr Field high_frequency = harmless("HFO", {0}, "there is one file for all times");
+constexpr Field local_node_card[] = {id("ID", IdKind::Node), reference("CID"), reference_axes, high_frequency};
+constexpr Field local_set_card[] = {id("ID", IdKind::Set), reference("CID"), reference_axes, high_frequency};
+
 constexpr Field named_history_card[] = {id("ID", kind_of_history), text("HEADING", 70)};
 
 void read_histories(Cards& cards, RawDeck& deck, HistoryItem item, bool is_set) {
@@ -79,7 +85,28 @@ void read_histories(Cards& cards, RawDeck& deck, HistoryItem item, bool is_set) 
   }
 }
 
+void read_local_history(Cards& cards, Layout layout, bool is_set, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(layout);
+    RawHistory raw;
+    raw.id = card.integer("ID");
+    raw.is_set = is_set;
+    raw.where = card.where();
+    raw.system = card.integer("CID");
+    raw.moving = card.real("REF") == 1;
+    if (card.good("ID") && card.good("CID") && card.good("REF")) deck.histories.push_back(raw);
+  }
+}
+
 }  // namespace
+
+void read_database_history_node_local(Cards& cards, RawDeck& deck) {
+  read_local_history(cards, local_node_card, false, deck);
+}
+
+void read_database_history_node_set_local(Cards& cards, RawDeck& deck) {
+  read_local_history(cards, local_set_card, true, deck);
+}
 
 void read_database_history_file(Cards& cards, RawDeck& deck, model::HistoryFile file) {
   const Card card = cards.next(interval_card);

@@ -50,7 +50,7 @@ constexpr Field element_layer_card[] = {
     reference("MID2", IdKind::Material), real("THICK2", 0, not_negative), real("B2"), unused("PLYID2"),
 };
 
-constexpr Field rule_card[] = {
+constexpr Field shell_rule_card[] = {
     id("IRID", IdKind::Other),
     integer("NIP", 0, within(1, 20, "points through the thickness")),
     only("ESOP", {0, 1}, "0 lists the points, 1 makes NIP layers of the same thickness"),
@@ -161,7 +161,7 @@ void read_element_shell_composite(Cards& cards, RawDeck& deck) {
 
 void read_integration_shell(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
-    const Card card = cards.next(rule_card);
+    const Card card = cards.next(shell_rule_card);
     RawIntegrationRule rule;
     rule.id = card.integer("IRID");
     rule.unfailing_layers_hold = card.real("FAILOPT") == 1;

@@ -27,6 +27,9 @@ struct View {
   std::function<std::vector<domain::ContactNodeForce>()> contact_node_forces = {};
   /// Forces in the cross-sections of the model, in its order; none if the deck does not ask for them.
   std::span<const domain::SectionReport> sections = {};
+  /// Of every domain node at n - 1/2, those of the domain being at n + 1/2; none where they are not kept.
+  std::span<const math::Vec3> earlier_velocity = {};
+  std::span<const math::Vec3> earlier_angular_velocity = {};
 };
 
 }  // namespace crumple::output

@@ -168,6 +168,40 @@ TEST(StepCurve, IsThatOfLctm) {
   EXPECT_EQ(model.control.step_curve, 0);
 }
 
+TEST(LocalHistories, HaveAxesThatStayOrMove) {
+  const model::Model model =
+      read_with(system + "*DEFINE_COORDINATE_NODES\n8,1,2,4\n*SET_NODE_LIST\n4\n5,6\n"
+                         "*DATABASE_HISTORY_NODE\n1,3\n*DATABASE_HISTORY_NODE_LOCAL\n3,9\n2,8,1\n4\n"
+                         "*DATABASE_HISTORY_NODE_SET_LOCAL\n4,9\n");
+  EXPECT_EQ(model.output.history_nodes, (std::vector<Index>{0, 2, 1, 3, 4, 5}));
+  const std::vector<model::NodeAxes>& axes = model.output.history_axes;
+  ASSERT_EQ(axes.size(), 4U);
+  EXPECT_EQ(axes[0].node, 1);
+  EXPECT_EQ(axes[0].moving, (std::array<Index, 3>{0, 1, 3}));
+  EXPECT_EQ(axes[1].node, 2);
+  EXPECT_EQ(axes[1].moving[0], no_index);
+  expect_vector(axes[1].axes[0], {half, half, 0});
+  EXPECT_EQ(axes[2].node, 4);
+  EXPECT_EQ(axes[3].node, 5);
+}
+
+TEST(LocalHistories, HaveBadCards) {
+  const auto only = [](const std::string& cards) {
+    const std::vector<std::string> found = messages_with(system + cards);
+    EXPECT_EQ(found.size(), 1U) << cards;
+    return found.empty() ? "" : found[0];
+  };
+  const auto expect = [&](const std::string& cards, const std::string& text) {
+    EXPECT_NE(only("*DATABASE_HISTORY_NODE_LOCAL\n" + cards).find(text), std::string::npos)
+        << only("*DATABASE_HISTORY_NODE_LOCAL\n" + cards);
+  };
+  expect("3,9,1\n", "field REF: read \"1\", expected 0, or a system of *DEFINE_COORDINATE_NODES");
+  expect("3,9,2\n", "field REF: read \"2\"");
+  expect("3,7\n", "field CID: read \"7\"");
+  expect("33,9\n", "field ID: read \"33\"");
+  expect("3,9,0,1\n", "warning");
+}
+
 TEST(LocalAxes, TurnWithTheFile) {
   SmallDeck deck;
   deck.more = system + curve + "*BOUNDARY_SPC_NODE\n2,9,1\n*LOAD_NODE_POINT\n3,1,1,3,9\n" +

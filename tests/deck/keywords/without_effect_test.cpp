@@ -29,7 +29,7 @@ TEST(WithoutEffect, AreAccepted) {
                             "*CONTROL_UNITS\nmm,ms,kg\n",
                             "*CONTROL_STRUCTURED\n",
                             "*CONTROL_STRUCTURED_TERM\n",
-                            "*INTERFACE_SPRINGBACK_LSDYNA\n         1\n",
+                            "*INTERFACE_SPRINGBACK_NASTRAN\n         1\n",
                             "*INTERFACE_COMPONENT_FILE\nf\n",
                             "*SENSOR_DEFINE_NODE\n         1         1         2\n",
                             "*CONTROL_SOLID\n         1\n",

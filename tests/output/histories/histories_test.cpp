@@ -219,6 +219,37 @@ TEST_F(HistoriesTest, NodeRowsFollowTheDecksListAndIds) {
   EXPECT_EQ(cells(lines(folder_ / "nodout.csv")[2])[1], "60");
 }
 
+// Displacements, velocities and accelerations are along local axes, coordinates are not.
+TEST_F(HistoriesTest, NodesHaveAxesOfTheirOwn) {
+  model_.output.history_axes = {{.node = 5, .axes = {{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}}}};
+  const Index node = domain_.nodes.domain_node[5];
+  domain_.nodes.position[node] += math::Vec3{0.5, 0, 0};
+  domain_.nodes.velocity[node] = {1, 2, 3};
+  domain_.nodes.acceleration[node] = {0, 9, 0};
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  EXPECT_EQ(lines(folder_ / "nodout.csv")[1], "0,10,0,-0.5,0,2,-1,3,9,0,0,2.5,1,0");
+  EXPECT_EQ(cells(lines(folder_ / "nodout.csv")[2])[1], "60");
+}
+
+TEST_F(HistoriesTest, AxesMoveWithThreeNodes) {
+  model_.output.history_axes = {
+      {.node = 5, .axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, .moving = {0, 1, 3}}};
+  const auto place = [&](Index node, const math::Vec3& x) {
+    domain_.nodes.position[domain_.nodes.domain_node[static_cast<std::size_t>(node)]] = x;
+  };
+  // A quarter turn about z.
+  place(0, {7, 7, 0});
+  place(1, {7, 9, 0});
+  place(3, {6, 7.5, 0});
+  const Index node = domain_.nodes.domain_node[5];
+  domain_.nodes.position[node] += math::Vec3{0.5, 0, 0};
+  domain_.nodes.velocity[node] = {1, 2, 3};
+  Recorder recorder(folder_, "run", view());
+  record(recorder, 0, 0);
+  EXPECT_EQ(lines(folder_ / "nodout.csv")[1], "0,10,0,-0.5,0,2,-1,3,0,0,0,2.5,1,0");
+}
+
 TEST_F(SampleTest, AModelWithoutWallsContactsAndHistoryNodesHasNoSuchFiles) {
   const Recorder recorder(folder_, "run", view());
   EXPECT_TRUE(std::filesystem::exists(folder_ / "glstat.csv"));

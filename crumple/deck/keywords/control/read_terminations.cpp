@@ -9,7 +9,7 @@ namespace {
 using namespace row;
 using Kind = model::Termination::Kind;
 
-constexpr Field node_card[] = {
+constexpr Field ended_node_card[] = {
     id("NID"),
     axes(integer("STOP", 1, within(1, 4, "1, 2, 3 bound its place along x, y, z, 4 ends at a contact"))),
     real("MAXC"),
@@ -53,7 +53,7 @@ void take_bounds(const Card& card, bool zero_is_none, model::Termination& termin
 void read_bounded(Cards& cards, RawDeck& deck, bool is_node) {
   const std::string_view name = is_node ? "NID" : "PID";
   while (cards.more()) {
-    const Card card = is_node ? cards.next_filled(node_card) : cards.next_filled(body_card);
+    const Card card = is_node ? cards.next_filled(ended_node_card) : cards.next_filled(body_card);
     RawTermination raw;
     model::Termination& termination = raw.termination;
     const auto stop = card.integer("STOP");
