@@ -51,19 +51,19 @@ package:
 	@$(use_ccache) tools/package
 
 test:
-	@tools/setup build viewer test
+	@tools/setup build python viewer test
 	@$(use_ccache) tools/test
 
 test-full:
-	@tools/setup build viewer test check picture report docs
+	@tools/setup build python viewer test check picture report docs
 	@$(use_ccache) tools/test_full
 
 nightly:
-	@tools/setup build viewer package test check docs
+	@tools/setup build python viewer package test check docs
 	@$(use_ccache) tools/nightly
 
 check:
-	@tools/setup build test check docs
+	@tools/setup build python test check docs
 	@$(use_ccache) tools/check
 
 docs:

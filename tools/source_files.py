@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 CPP_ENDINGS = (".hpp", ".cpp")
-CPP_FOLDERS = ("cellsearch", "crumple", "tests", "bench", "examples")
+CPP_FOLDERS = ("cellsearch", "crumple", "python", "tests", "bench", "examples")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>|(\S+))')
 COMMENT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'', re.S)
@@ -58,7 +58,7 @@ def includes(path):
 
 def include_folders(root):
     """Where the compilers look for the headers of the project."""
-    return (root / "crumple", root / "cellsearch" / "include", root / "cellsearch" / "src", root / "tests",
+    return (root / "crumple", root / "python", root / "cellsearch" / "include", root / "cellsearch" / "src", root / "tests",
             root / "cellsearch" / "tests", root / "cellsearch" / "bench")
 
 

@@ -36,8 +36,14 @@ struct Ending {
   ExitCode code = ExitCode::Normal;
 };
 
+/// Who hears the signals that ask a run to end.
+enum class Signals {
+  Heard,         ///< the session, while it lives
+  LeftToCaller,  ///< a program of which the session is a part, as Python
+};
+
 /// One run of a model, from time zero or a restart file to its end, with all that is printed and written on
-/// the way. It owns the loop.
+/// the way. It owns the loop, or a caller has it advance step by step.
 class RunSession {
  public:
   /// Builds the simulation, prints what it holds and makes the folder of the results. The deck, whose model
@@ -45,11 +51,25 @@ class RunSession {
   /// Others read on the board, which may be null and must outlive the session, too, how far it is. Throws
   /// Error, WriteError.
   RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-             const Stopwatch& wall, const Restart* restart = nullptr, live::StatusBoard* board = nullptr);
+             const Stopwatch& wall, const Restart* restart = nullptr, live::StatusBoard* board = nullptr,
+             Signals signals = Signals::Heard);
 
   /// Runs to the end, writes the last state and run.json, and prints the summary. Throws nothing of its own:
   /// what goes wrong is told on the console and by the exit code.
   ExitCode run();
+
+  /// One round of the loop: writes what is due, then takes a step unless the run is at its end. False if it
+  /// is, or has failed; then there is an ending(). Throws nothing of its own.
+  bool advance();
+  /// Ends a run that has not come to its end, as an interrupted one.
+  void interrupt(std::string reason);
+  /// The last part of run(), once, when there is an ending(): last state, run.json, summary.
+  ExitCode close();
+
+  const std::optional<Ending>& ending() const { return ending_; }
+  timeloop::Simulation& simulation() { return simulation_; }
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   output::View view() const;
@@ -61,8 +81,8 @@ class RunSession {
   void write_restart(RestartKind kind);
   void save_for_restart(Ending& ending);
   Ending gone_wrong(const std::string& reason);
-  Ending follow();
-  Ending follow_guarded();
+  std::optional<Ending> follow();
+  std::optional<Ending> follow_guarded();
   void observe();
   std::optional<Ending> asked_to_stop();
   std::optional<Ending> limit_passed() const;
@@ -80,13 +100,14 @@ class RunSession {
   std::unique_ptr<output::FolderLock> lock_;  ///< longer than all that writes into the folder
   std::unique_ptr<output::Recorder> recorder_;
   std::unique_ptr<Monitor> monitor_;
-  StopSignals signals_;
+  std::unique_ptr<StopSignals> signals_;  ///< null if they are left to the caller
   SwitchFile switches_;
   std::unique_ptr<RestartWriter> restart_writer_;
   RestartSettings restart_settings_;
   GoodState good_state_;
   output::PeakValues peaks_;
   std::vector<std::string> warnings_;
+  std::optional<Ending> ending_;
   double first_step_ = 0;    ///< [time]
   double total_mass_ = 0;    ///< at time zero [mass]
   double loop_seconds_ = 0;  ///< wall time of the cycles, those before a restart included [s]
