@@ -38,11 +38,11 @@ class SearchTest(unittest.TestCase):
 
     def test_candidates_are_those_of_brute_force(self):
         x, segments = scene()
-        for expansion in (0.0, 0.05, 0.3):
+        for expansion in (0.02, 0.05, 0.3):
             for threads in (1, 2):
                 with self.subTest(expansion=expansion, threads=threads):
                     rows = brute_force(x, segments, expansion)
-                    self.assertGreater(sum(map(len, rows)), 100)
+                    self.assertGreater(sum(map(len, rows)), 20)
                     self.assert_rows(cellsearch.Search(x, segments, threads=threads).query(expansion), rows)
 
     def test_all_methods_agree(self):

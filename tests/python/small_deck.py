@@ -19,7 +19,8 @@ plate
 *MAT_PLASTIC_KINEMATIC
          1   7.83E-6     207.0       0.3      0.25       1.0       1.0
 *INITIAL_VELOCITY_GENERATION
-         7         2               0.0       0.0&speed
+7,2,0.0,0.0,0.0,&speed
+
 *RIGIDWALL_PLANAR
          0
        0.0       0.0       0.0       0.0       0.0       1.0       0.0
