@@ -201,6 +201,7 @@ class SimulationTest(FolderTest):
         _, errors = process.communicate(timeout=60)
         self.assertIn("KeyboardInterrupt", errors)
         self.assertEqual(crumple.Result(self.folder / "out").termination, "interrupted")
+        self.assertTrue((self.folder / "out/restart/latest.restart").exists())
 
 
 if __name__ == "__main__":
