@@ -17,9 +17,10 @@ class HicTest(unittest.TestCase):
 
     def test_square_pulse_shorter_than_the_window(self):
         # HIC = T A^2.5: a longer window only lowers it.
-        t = numpy.linspace(0, 0.05, 50001)
-        pulse = numpy.where((t >= 0.02) & (t <= 0.03), 100.0, 0.0)
-        self.assertAlmostEqual(crumple.hic(t, pulse, 0.015) / (0.010 * 100.0**2.5), 1.0, 3)
+        t = numpy.linspace(0, 0.05, 5001)
+        pulse = numpy.zeros(5001)
+        pulse[2000:3001] = 100.0
+        self.assertAlmostEqual(crumple.hic(t, pulse, 0.015) / (0.010 * 100.0**2.5), 1.0, 9)
 
     def test_half_sine(self):
         # C.C. Chou, G.W. Nyquist, Analytical Studies of the Head Injury Criterion (HIC), SAE 740082 (1974): 0.4146 T A^2.5.
@@ -31,14 +32,14 @@ class HicTest(unittest.TestCase):
         closed = 2 / math.pi * u**-1.5 * math.sin(u) ** 2.5
         self.assertAlmostEqual(closed, 0.4146, 4)
         for duration in (0.010, 0.020):
-            t = numpy.linspace(0, duration, 4001)
+            t = numpy.linspace(0, duration, 3001)
             pulse = 150.0 * numpy.sin(math.pi * t / duration)
             self.assertAlmostEqual(crumple.hic(t, pulse, 0.036) / (closed * duration * 150.0**2.5), 1.0, 6)
 
     def test_half_sine_longer_than_the_window(self):
         # The window is the longest one: w (A 2 T / (pi w) sin(pi w / (2 T)))^2.5.
         duration, window, peak = 0.060, 0.015, 80.0
-        t = numpy.linspace(0, duration, 6001)
+        t = numpy.linspace(0, duration, 2401)
         mean = peak * 2 * duration / (math.pi * window) * math.sin(math.pi * window / (2 * duration))
         found = crumple.hic(t, peak * numpy.sin(math.pi * t / duration), window)
         self.assertAlmostEqual(found / (window * mean**2.5), 1.0, 6)
