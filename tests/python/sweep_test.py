@@ -169,6 +169,17 @@ crumple.sweep(sys.argv[1], {{"thick": [1.0 + 0.1 * k for k in range({count})]}},
     def test_ended_by_ctrl_c(self):
         self.kill_and_take_up(signal.SIGINT)
 
+    def test_runs_end_with_a_killed_study(self):
+        # Hours of computing, were they left alone.
+        deck = write_plate(self.folder, cells=12, **{"      0.05\n*": "     1.0e6\n*"})
+        process = self.start(deck)
+        self.wait_for(lambda: len(self.running()) == 2)
+        process.kill()
+        process.wait()
+        process.stderr.close()
+        self.wait_for(lambda: not self.running())
+        self.assertEqual(self.done(), {})
+
     def test_two_studies_in_a_folder(self):
         deck = write_plate(self.folder, cells=12, **{"      0.05\n*": "       0.3\n*"})
         process = self.start(deck)
