@@ -65,7 +65,7 @@ class RecordedLoop : public Loop {
   RecordedLoop(const app::Options& options, const DeckReading& deck)
       : options_(options),
         console_{text_, text_},
-        session_(options_, deck.result, console_, wall_, nullptr, nullptr, app::Signals::LeftToCaller) {}
+        session_(options_, deck.result, console_, wall_, {.signals = app::Signals::LeftToCaller}) {}
 
   bool advance() override { return session_.advance(); }
   void interrupt(const std::string& reason) override { session_.interrupt(reason); }

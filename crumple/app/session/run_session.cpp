@@ -58,21 +58,21 @@ std::filesystem::path result_folder(const Options& options) {
 }
 
 RunSession::RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-                       const Stopwatch& wall, const Restart* restart, live::StatusBoard* board,
-                       Signals signals)
+                       const Stopwatch& wall, const Surroundings& around)
     : options_(options),
       deck_(deck),
       console_(console),
       wall_(wall),
-      board_(board),
+      board_(around.board),
       folder_(result_folder(options)),
       simulation_(*deck.model, choose_execution(options, *deck.model)),
-      signals_(signals == Signals::Heard ? std::make_unique<StopSignals>() : nullptr),
+      signals_(around.signals == Signals::Heard ? std::make_unique<StopSignals>() : nullptr),
       switches_({std::filesystem::path("."), folder_}) {
   simulation_.verify_search_every(options.verify_search);
   if (options.d3plot || options.accelerations) simulation_.keep_accelerations();
   if (options.trace_energy > 0) simulation_.trace_energy();
   if (options.allow_negative_contact_energy) simulation_.allow_negative_contact_energy();
+  const Restart* const restart = around.restart;
   if (restart == nullptr)
     begin();
   else

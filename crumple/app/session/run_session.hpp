@@ -42,17 +42,21 @@ enum class Signals {
   LeftToCaller,  ///< a program of which the session is a part, as Python
 };
 
+/// What is around a session. What is pointed to must outlive it.
+struct Surroundings {
+  const Restart* restart = nullptr;    ///< to take a run up from; null for a new one
+  live::StatusBoard* board = nullptr;  ///< where others read how far the run is; may be null
+  Signals signals = Signals::Heard;
+};
+
 /// One run of a model, from time zero or a restart file to its end, with all that is printed and written on
 /// the way. It owns the loop, or a caller has it advance step by step.
 class RunSession {
  public:
   /// Builds the simulation, prints what it holds and makes the folder of the results. The deck, whose model
-  /// must be there, the console and the watch must outlive the session; `restart` is null for a new run.
-  /// Others read on the board, which may be null and must outlive the session, too, how far it is. Throws
-  /// Error, WriteError.
+  /// must be there, the console and the watch must outlive the session. Throws Error, WriteError.
   RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-             const Stopwatch& wall, const Restart* restart = nullptr, live::StatusBoard* board = nullptr,
-             Signals signals = Signals::Heard);
+             const Stopwatch& wall, const Surroundings& around = {});
 
   /// Runs to the end, writes the last state and run.json, and prints the summary. Throws nothing of its own:
   /// what goes wrong is told on the console and by the exit code.
