@@ -3,7 +3,7 @@
 # The work is done by CMake (CMakePresets.json) and by the scripts in tools/.
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
-.PHONY: help demo paper validation build package test test-full nightly check docs format clean
+.PHONY: help demo paper validation build package python test test-full nightly check docs format clean
 
 # CMake takes the launcher from the environment; ccache only where it is installed.
 use_ccache = export CMAKE_CXX_COMPILER_LAUNCHER=$$(command -v ccache || true);
@@ -14,6 +14,7 @@ help:
 	@echo "make validation DECKS=folder  run others' models with reference results, write docs/validation.md (30 minutes)"
 	@echo "make build      release programs and the pages of crumple report and compare: build/release, build/viewer"
 	@echo "make package    Debian packages; tar files of a program that needs only the C library"
+	@echo "make python     the Python packages crumple and cellsearch, tested: build/python/python"
 	@echo "make test       release build and all quick tests"
 	@echo "make test-full  after make test: clang, sanitizers, golden hashes, all checks"
 	@echo "make nightly    long property runs and fuzzing"
@@ -50,20 +51,26 @@ package:
 	@tools/setup build viewer package
 	@$(use_ccache) tools/package
 
+python:
+	@tools/setup build python
+	@$(use_ccache) cmake --preset python && cmake --build --preset python
+	@ctest --test-dir build/python --output-on-failure -R '^python\.'
+	@echo "Built and tested: export PYTHONPATH=$(CURDIR)/build/python/python"
+
 test:
-	@tools/setup build viewer test
+	@tools/setup build python viewer test
 	@$(use_ccache) tools/test
 
 test-full:
-	@tools/setup build viewer test check picture report docs
+	@tools/setup build python viewer test check picture report docs
 	@$(use_ccache) tools/test_full
 
 nightly:
-	@tools/setup build viewer package test check docs
+	@tools/setup build python viewer package test check docs
 	@$(use_ccache) tools/nightly
 
 check:
-	@tools/setup build test check docs
+	@tools/setup build python test check docs
 	@$(use_ccache) tools/check
 
 docs:

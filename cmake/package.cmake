@@ -43,4 +43,19 @@ set(CPACK_DEBIAN_CELLSEARCH_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_CELLSEARCH_PACKAGE_SUGGESTS "g++, cmake, gfortran")
 set(CPACK_DEBIAN_CELLSEARCH_DESCRIPTION "contact search between nodes and segments of finite element meshes
 A static library with headers for C++ and C, and a module for Fortran.")
+if(CRUMPLE_PYTHON)
+  install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION share/doc/python3-crumple COMPONENT python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  # The modules are for one version of Python.
+  math(EXPR following_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-crumple)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), \
+python3 (<< ${Python_VERSION_MAJOR}.${following_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas")
+  set(CPACK_DEBIAN_PYTHON_DESCRIPTION "crumple and cellsearch for Python
+Decks, runs with the bits of the program, results and studies of many runs; and
+the contact search over arrays of NumPy.")
+endif()
 include(CPack)

@@ -48,6 +48,7 @@ struct Options {
   bool token = true;                 ///< its address has a random token
   bool d3plot = false;               ///< write d3plot files beside ParaView's
   bool dynain = false;               ///< write a deck that goes on from the end of the run
+  bool accelerations = false;        ///< keep those of the nodes, for a caller that looks at them
   int trace_energy = 0;              ///< follow the energy balance by groups of so many elements; 0: not
   bool move_apart = false;           ///< move nodes that overlap at the start
   long verify_search = 0;            ///< cycles between comparisons with brute force; 0 is never

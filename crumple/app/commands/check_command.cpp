@@ -53,11 +53,9 @@ nlohmann::json json_of(const deck::Diagnostic& diagnostic) {
   const char* const severity = diagnostic.severity == deck::Severity::Error     ? "error"
                                : diagnostic.severity == deck::Severity::Warning ? "warning"
                                                                                 : "note";
-  return {{"severity", severity},
-          {"file", diagnostic.file},
-          {"line", diagnostic.line},
-          {"message", diagnostic.message},
-          {"count", diagnostic.count}};
+  return {{"severity", severity},          {"file", diagnostic.file},  {"line", diagnostic.line},
+          {"keyword", diagnostic.keyword}, {"card", diagnostic.card},  {"field", diagnostic.field},
+          {"message", diagnostic.message}, {"count", diagnostic.count}};
 }
 
 nlohmann::json parameters_of(const deck::ReadResult& deck) {

@@ -34,7 +34,7 @@ ExitCode end_with(ExitCode code, const Console& console) {
 ExitCode run_model(const Options& options, const deck::ReadResult& deck, const Console& console,
                    const Stopwatch& wall, const Restart* restart, live::StatusBoard* board) {
   try {
-    RunSession session(options, deck, console, wall, restart, board);
+    RunSession session(options, deck, console, wall, {.restart = restart, .board = board});
     return session.run();
   } catch (const output::WriteError& fault) {
     print(console.err, "crumple: error: {}\n", fault.what());

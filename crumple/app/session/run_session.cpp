@@ -59,19 +59,21 @@ std::filesystem::path result_folder(const Options& options) {
 }
 
 RunSession::RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-                       const Stopwatch& wall, const Restart* restart, live::StatusBoard* board)
+                       const Stopwatch& wall, const Surroundings& around)
     : options_(options),
       deck_(deck),
       console_(console),
       wall_(wall),
-      board_(board),
+      board_(around.board),
       folder_(result_folder(options)),
       simulation_(*deck.model, choose_execution(options, *deck.model)),
+      signals_(around.signals == Signals::Heard ? std::make_unique<StopSignals>() : nullptr),
       switches_({std::filesystem::path("."), folder_}) {
   simulation_.verify_search_every(options.verify_search);
-  if (options.d3plot) simulation_.keep_accelerations();
+  if (options.d3plot || options.accelerations) simulation_.keep_accelerations();
   if (options.trace_energy > 0) simulation_.trace_energy();
   if (options.allow_negative_contact_energy) simulation_.allow_negative_contact_energy();
+  const Restart* const restart = around.restart;
   if (restart == nullptr)
     begin();
   else
@@ -206,10 +208,11 @@ void RunSession::observe() {
 }
 
 std::optional<Ending> RunSession::asked_to_stop() {
-  if (const int signal = signals_.received(); signal != 0)
+  if (const int signal = signals_ ? signals_->received() : 0; signal != 0)
     return Ending{"interrupted", signal == SIGINT ? "Ctrl-C (SIGINT)." : "SIGTERM.",
                   signal == SIGINT ? ExitCode::Interrupt : ExitCode::Terminate};
-  const std::optional<Switch> thrown = signals_.asked_for_restart() ? Switch::Restart : switches_.poll();
+  const std::optional<Switch> thrown =
+      signals_ && signals_->asked_for_restart() ? Switch::Restart : switches_.poll();
   if (!thrown) return std::nullopt;
   monitor_->clear_bar();
   switch (*thrown) {
@@ -239,24 +242,24 @@ std::optional<Ending> RunSession::limit_passed() const {
   return Ending{"error", *reason, ExitCode::Numerical};
 }
 
-Ending RunSession::follow() {
-  for (;;) {
-    observe();
-    if (simulation_.finished())
-      return {"normal", simulation_.ended_by().value_or("termination time reached"), ExitCode::Normal};
-    if (const auto ending = asked_to_stop()) return *ending;
-    if (const auto ending = limit_passed()) return *ending;
-    if (options_.dynain) earlier_.keep(simulation_.domain().nodes);
-    simulation_.step();
-  }
+/// One round of the loop.
+std::optional<Ending> RunSession::follow() {
+  observe();
+  if (simulation_.finished())
+    return Ending{"normal", simulation_.ended_by().value_or("termination time reached"), ExitCode::Normal};
+  if (auto ending = asked_to_stop()) return ending;
+  if (auto ending = limit_passed()) return ending;
+  if (options_.dynain) earlier_.keep(simulation_.domain().nodes);
+  simulation_.step();
+  return std::nullopt;
 }
 
-/// The loop, with everything that can end it turned into an ending.
-Ending RunSession::follow_guarded() {
+/// The same, with everything that can end the loop turned into an ending.
+std::optional<Ending> RunSession::follow_guarded() {
   try {
     return follow();
   } catch (const output::WriteError& fault) {
-    return {"error", fault.what(), ExitCode::Output};
+    return Ending{"error", fault.what(), ExitCode::Output};
   } catch (const Error& fault) {
     return gone_wrong(fault.what());
   }
@@ -342,8 +345,23 @@ void RunSession::finish(Ending& ending) {
   }
 }
 
+bool RunSession::advance() {
+  if (!ending_) ending_ = follow_guarded();
+  return !ending_;
+}
+
+void RunSession::interrupt(std::string reason) {
+  if (!ending_) ending_ = Ending{"interrupted", std::move(reason), ExitCode::Stopped};
+}
+
 ExitCode RunSession::run() {
-  Ending ending = follow_guarded();
+  while (advance()) {
+  }
+  return close();
+}
+
+ExitCode RunSession::close() {
+  Ending& ending = *ending_;
   loop_seconds_ = monitor_->seconds();
   save_for_restart(ending);
   monitor_->clear_bar();
@@ -368,6 +386,8 @@ ExitCode RunSession::run() {
     print(console_.out, "\n *** {} ***\n", ending.reason);
   else
     print(console_.err, "\ncrumple: {}: {}\n", ending.termination, ending.reason);
+  // Nothing is written from here on, and the caller may keep the session to look at its state.
+  lock_.reset();
   return ending.code;
 }
 

@@ -37,20 +37,44 @@ struct Ending {
   ExitCode code = ExitCode::Normal;
 };
 
+/// Who hears the signals that ask a run to end.
+enum class Signals {
+  Heard,         ///< the session, while it lives
+  LeftToCaller,  ///< a program of which the session is a part, as Python
+};
+
+/// What is around a session. What is pointed to must outlive it.
+struct Surroundings {
+  const Restart* restart = nullptr;    ///< to take a run up from; null for a new one
+  live::StatusBoard* board = nullptr;  ///< where others read how far the run is; may be null
+  Signals signals = Signals::Heard;
+};
+
 /// One run of a model, from time zero or a restart file to its end, with all that is printed and written on
-/// the way. It owns the loop.
+/// the way. It owns the loop, or a caller has it advance step by step.
 class RunSession {
  public:
   /// Builds the simulation, prints what it holds and makes the folder of the results. The deck, whose model
-  /// must be there, the console and the watch must outlive the session; `restart` is null for a new run.
-  /// Others read on the board, which may be null and must outlive the session, too, how far it is. Throws
-  /// Error, WriteError.
+  /// must be there, the console and the watch must outlive the session. Throws Error, WriteError.
   RunSession(const Options& options, const deck::ReadResult& deck, const Console& console,
-             const Stopwatch& wall, const Restart* restart = nullptr, live::StatusBoard* board = nullptr);
+             const Stopwatch& wall, const Surroundings& around = {});
 
   /// Runs to the end, writes the last state and run.json, and prints the summary. Throws nothing of its own:
   /// what goes wrong is told on the console and by the exit code.
   ExitCode run();
+
+  /// One round of the loop: writes what is due, then takes a step unless the run is at its end. False if it
+  /// is, or has failed; then there is an ending(). Throws nothing of its own.
+  bool advance();
+  /// Ends a run that has not come to its end, as an interrupted one.
+  void interrupt(std::string reason);
+  /// The last part of run(), once, when there is an ending(): last state, run.json, summary.
+  ExitCode close();
+
+  const std::optional<Ending>& ending() const { return ending_; }
+  timeloop::Simulation& simulation() { return simulation_; }
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   output::View view() const;
@@ -62,8 +86,8 @@ class RunSession {
   void write_restart(RestartKind kind);
   void save_for_restart(Ending& ending);
   Ending gone_wrong(const std::string& reason);
-  Ending follow();
-  Ending follow_guarded();
+  std::optional<Ending> follow();
+  std::optional<Ending> follow_guarded();
   void observe();
   std::optional<Ending> asked_to_stop();
   std::optional<Ending> limit_passed() const;
@@ -82,7 +106,7 @@ class RunSession {
   std::unique_ptr<output::FolderLock> lock_;  ///< longer than all that writes into the folder
   std::unique_ptr<output::Recorder> recorder_;
   std::unique_ptr<Monitor> monitor_;
-  StopSignals signals_;
+  std::unique_ptr<StopSignals> signals_;  ///< null if they are left to the caller
   SwitchFile switches_;
   std::unique_ptr<RestartWriter> restart_writer_;
   RestartSettings restart_settings_;
@@ -91,6 +115,7 @@ class RunSession {
   domain::EarlierVelocities earlier_;
   std::optional<std::filesystem::path> dynain_;  ///< once it is written
   std::vector<std::string> warnings_;
+  std::optional<Ending> ending_;
   double first_step_ = 0;    ///< [time]
   double total_mass_ = 0;    ///< at time zero [mass]
   double loop_seconds_ = 0;  ///< wall time of the cycles, those before a restart included [s]

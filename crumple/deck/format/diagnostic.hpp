@@ -20,6 +20,9 @@ struct Diagnostic {
   int count = 1;        ///< for how many of one kind it stands
   /// What crumple lacks, such as "*SECTION_SHELL ELFORM 13"; empty if the deck is at fault.
   std::string missing{};
+  std::string keyword{};  ///< with its asterisk, upper case; empty if it is about none
+  int card = 0;           ///< data card of the keyword, counted from 1; 0 is the keyword as a whole
+  std::string field{};    ///< empty if it is about none
 };
 
 /// `file:line: error: message`, the form that editors and compilers' users know. No newline.

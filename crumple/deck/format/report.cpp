@@ -60,6 +60,10 @@ void Report::add_entry(Severity severity, const Where& where, std::string_view k
   if (++counted.count > shown_per_kind) return;
   diagnostic.message = shortened(std::move(diagnostic.message), longest_message);
   diagnostic.severity = severity;
+  if (diagnostic.keyword.empty()) {
+    diagnostic.keyword = where.keyword;
+    diagnostic.card = where.card;
+  }
   diagnostic.file = file_name(where.file);
   diagnostic.line = where.line;
   entries_.push_back({where, std::move(diagnostic), &counted, counted.count == 1});
@@ -105,6 +109,9 @@ void Report::add_field(Severity severity, const Where& where, const FieldFault& 
   kind += code;
   Diagnostic diagnostic;
   diagnostic.message = std::move(message);
+  diagnostic.keyword = where.keyword;
+  diagnostic.card = where.card;
+  diagnostic.field = fault.field;
   if (is_missing) diagnostic.missing = fmt::format("{} {}{}", where.keyword, fault.field, code);
   add_entry(severity, bare, kind, std::move(diagnostic));
 }
