@@ -100,7 +100,7 @@ TEST(Blasts, UnitsGiveTheSameScaledDistance) {
     ASSERT_TRUE(result.model) << listed(result.diagnostics);
     model::AirBlast blast = result.model->air_blasts.at(0);
     blast.mass = each.mass;
-    EXPECT_NEAR(model::scaled_distance(blast, each.distance), 2.5207265, 1e-6) << each.card;
+    EXPECT_NEAR(model::scaled_distance(blast, each.distance), 2.520810993592768, 1e-12) << each.card;
     EXPECT_NEAR(each.time * blast.units.milliseconds, 1000, 1e-9) << each.card;
   }
 }
