@@ -16,8 +16,11 @@ constexpr Field blast_card[] = {
     point(real("YBO")),
     point(real("ZBO")),
     real("TBO"),
-    real_or_default("UNIT", 2,
-                    check_of(Check::Kind::Only, {2, 1, 3, 4, 5, 6, 7, 8}, "the units of LS-DYNA's manual")),
+    real_or_default(
+        "UNIT", 2,
+        check_of(Check::Kind::Only, {2, 1, 3, 4, 5, 6, 7, 8},
+                 "1 ft, lb, s, psi; 2 m, kg, s, Pa; 3 in, lbf s^2/in, s, psi; 4 cm, g, us, Mbar; 5 CFM, CFL, "
+                 "CFT, CFP; 6 mm, kg, ms, GPa; 7 mm, t, s, MPa; 8 mm, g, ms, MPa")),
     real_or_default("BLAST", 2,
                     check_of(Check::Kind::Only, {2, 1},
                              "2 is a spherical burst in free air, 1 a hemispherical one on the ground; 3, a "
