@@ -20,7 +20,6 @@ using Traced = HistoryItem;
 // the reader's.
 constexpr Keyword table[] = {
     {"TITLE", read_title},
-
     {"NODE", read_node},
     {"NODE_TRANSFORM", read_node_transform},
     {"ELEMENT_SHELL", read_element_shell},
