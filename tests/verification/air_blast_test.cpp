@@ -11,6 +11,7 @@
 #include "loads/kingery_bulmash.hpp"
 #include "support/imbalance.hpp"
 #include "support/rigid.hpp"
+#include "support/run.hpp"
 #include "support/verified.hpp"
 
 namespace crumple::air_blast_plate_test {
