@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <vector>
 
-#include "domain/domain.hpp"
-#include "model/model.hpp"
+#include "loads/segment_pressure.hpp"
 
 namespace crumple::loads {
 
@@ -26,8 +24,8 @@ class PressureLoads {
 
  private:
   struct Load {
-    std::array<Index, 4> node{};  ///< domain nodes; a triangle repeats its third one
-    double pressure = 0;          ///< at a factor of one [stress]
+    SegmentNodes node{};
+    double pressure = 0;  ///< at a factor of one [stress]
     Index curve = no_index;
     double arrival = 0;      ///< [time]
     Index shell = no_index;  ///< in the model
@@ -39,7 +37,7 @@ class PressureLoads {
 
   const model::Model* model_;
   std::vector<Load> loads_;
-  Index eroded_ = 0;  ///< shells that had eroded when `ended` was set
+  ErodedShells eroded_;  ///< when `ended` was set
 };
 
 }  // namespace crumple::loads

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/air_blast.hpp"
 #include "model/conditions.hpp"
 #include "model/connections.hpp"
 #include "model/contact.hpp"
@@ -67,6 +68,8 @@ struct Model {
   std::vector<InitialStress> solid_stresses;
   std::vector<NodalLoad> nodal_loads;
   std::vector<PressureLoad> pressure_loads;
+  std::vector<AirBlast> air_blasts;
+  std::vector<BlastSegment> blast_segments;
   std::vector<ControlVolume> control_volumes;
   std::vector<BodyLoad> body_loads;
   std::vector<InertiaField> inertia_fields;

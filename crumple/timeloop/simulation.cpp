@@ -52,6 +52,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       supports_(model, domain_),
       nodal_loads_(model, domain_),
       pressure_loads_(model, domain_),
+      air_blasts_(model, domain_),
       control_volumes_(model, domain_),
       body_loads_(model),
       rigid_body_loads_(model),
@@ -104,6 +105,7 @@ domain::StateList Simulation::state() {
   for (constraints::RigidWall& wall : walls_) wall.declare(list);
   nodal_loads_.declare(list);
   pressure_loads_.declare(list);
+  air_blasts_.declare(list);
   control_volumes_.declare(list);
   body_loads_.declare(list);
   rigid_body_loads_.declare(list);

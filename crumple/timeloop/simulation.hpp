@@ -52,6 +52,7 @@
 #include "domain/energy_residual.hpp"
 #include "elements/energy_trace.hpp"
 #include "elements/section_forces.hpp"
+#include "loads/air_blast.hpp"
 #include "loads/body_loads.hpp"
 #include "loads/control_volumes.hpp"
 #include "loads/follower_loads.hpp"
@@ -173,6 +174,7 @@ class Simulation {
   Supports supports_;
   loads::NodalLoads nodal_loads_;
   loads::PressureLoads pressure_loads_;
+  loads::AirBlasts air_blasts_;
   loads::ControlVolumes control_volumes_;
   loads::BodyLoads body_loads_;
   loads::RigidBodyLoads rigid_body_loads_;

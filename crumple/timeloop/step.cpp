@@ -100,6 +100,7 @@ void Simulation::compute_forces() {
   joints_.add_forces(domain_);
   joint_stiffnesses_.add_forces(domain_);
   pressure_loads_.add_forces(domain_);
+  air_blasts_.add_forces(domain_);
   control_volumes_.add_forces(domain_);
   nodal_loads_.add_forces(domain_);
   body_loads_.add_forces(domain_);

@@ -134,6 +134,9 @@ void print_conditions(std::ostream& out, const model::Model& model) {
   print(out, "  initial velocities    {}\n", model.initial_velocities.size());
   if (!model.nodal_loads.empty()) print(out, "  nodal loads           {}\n", model.nodal_loads.size());
   if (!model.pressure_loads.empty()) print(out, "  pressure loads        {}\n", model.pressure_loads.size());
+  if (!model.blast_segments.empty())
+    print(out, "  segments under blast  {}, of {}\n", model.blast_segments.size(),
+          counted(model.air_blasts.size(), "charge"));
   if (!model.control_volumes.empty())
     print(out, "  airbags               {}\n", model.control_volumes.size());
   if (!model.body_loads.empty()) print(out, "  body loads            {}\n", model.body_loads.size());

@@ -51,6 +51,7 @@ const ItemWords& words(Item item) {
       {"airbag", "*AIRBAG_SIMPLE_AIRBAG_MODEL_ID", "*AIRBAG_", ""},
       {"vector", "*DEFINE_VECTOR", "*DEFINE_VECTOR_", ""},
       {"integration rule", "*INTEGRATION_SHELL", "*INTEGRATION_", ""},
+      {"blast", "*LOAD_BLAST_ENHANCED", "*LOAD_BLAST_ENHANCED_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }

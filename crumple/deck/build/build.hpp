@@ -71,6 +71,7 @@ enum class Item {
   ControlVolume,
   DefinedVector,
   IntegrationRule,
+  AirBlast,
   Count,  ///< how many there are
 };
 
@@ -255,6 +256,9 @@ void build_inertia_fields(Build& build);
 std::vector<Index> find_parts(Build& build, bool is_set, const Reference& reference);
 // build_loads.cpp
 void build_loads(Build& build);
+// build_blasts.cpp
+/// Charges and the segments that they load, but for the shells which these are.
+void build_blasts(Build& build);
 // build_airbags.cpp
 void build_airbags(Build& build);
 /// Force and moment on a node or a body at a factor of one.

@@ -87,15 +87,19 @@ std::array<Index, 4> sorted(std::array<Index, 4> node) {
 /// A segment that is a shell is loaded as long as that shell is there.
 void find_loaded_shells(model::Model& model) {
   const auto segment = [](const model::PressureLoad& load) { return load.shell == no_index; };
-  if (std::none_of(model.pressure_loads.begin(), model.pressure_loads.end(), segment)) return;
+  if (model.blast_segments.empty() &&
+      std::none_of(model.pressure_loads.begin(), model.pressure_loads.end(), segment))
+    return;
   std::map<std::array<Index, 4>, Index> shells;
   for (std::size_t i = 0; i < model.shells.size(); ++i)
     shells.emplace(sorted(model.shells[i].node), static_cast<Index>(i));
-  for (model::PressureLoad& load : model.pressure_loads) {
-    if (!segment(load)) continue;
-    const auto found = shells.find(sorted(load.node));
-    if (found != shells.end()) load.shell = found->second;
-  }
+  const auto shell_of = [&](const std::array<Index, 4>& node) {
+    const auto found = shells.find(sorted(node));
+    return found == shells.end() ? no_index : found->second;
+  };
+  for (model::PressureLoad& load : model.pressure_loads)
+    if (segment(load)) load.shell = shell_of(load.node);
+  for (model::BlastSegment& load : model.blast_segments) load.shell = shell_of(load.node);
 }
 
 }  // namespace
@@ -126,6 +130,7 @@ std::optional<ForceAndMoment> find_force(Build& build, int direction, double sca
 void build_loads(Build& build) {
   for (const RawNodalLoad& raw : build.deck.nodal_loads) build_nodal_load(raw, build);
   for (const RawPressureLoad& raw : build.deck.pressure_loads) build_pressure_load(raw, build);
+  build_blasts(build);
   find_loaded_shells(build.model);
 }
 

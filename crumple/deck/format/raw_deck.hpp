@@ -412,6 +412,8 @@ struct RawDeck {
   std::vector<RawVelocity> velocities;
   std::vector<RawNodalLoad> nodal_loads;
   std::vector<RawPressureLoad> pressure_loads;
+  std::vector<RawAirBlast> air_blasts;
+  std::vector<RawBlastSegment> blast_segments;
   std::vector<RawControlVolume> control_volumes;
   std::vector<RawRigidMerge> rigid_merges;
   std::vector<RawRigidPart> rigid_parts;

@@ -35,6 +35,24 @@ struct RawPressureLoad {
   Where where;
 };
 
+/// A charge whose node is still an id.
+struct RawAirBlast {
+  model::AirBlast blast;
+  UserId node = 0;  ///< NIDBO; 0 is none
+  int units = 0;    ///< UNIT
+  Where where;
+  Where more_where;  ///< of the second card
+};
+
+/// Segments that a blast loads.
+struct RawBlastSegment {
+  UserId blast = 0;  ///< BID
+  std::array<UserId, 4> node{};
+  UserId segment_set = 0;  ///< on all segments of a set; 0: the nodes are given
+  double scale = 1;
+  Where where;
+};
+
 /// A control volume whose segments and curves are still ids.
 struct RawControlVolume {
   model::ControlVolume volume;

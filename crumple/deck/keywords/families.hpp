@@ -280,6 +280,11 @@ void read_load_segment_set(Cards& cards, RawDeck& deck);
 void read_load_shell_element(Cards& cards, RawDeck& deck);
 void read_load_shell_set(Cards& cards, RawDeck& deck);
 
+// read_blasts.cpp
+void read_load_blast_enhanced(Cards& cards, RawDeck& deck);
+void read_load_blast_segment(Cards& cards, RawDeck& deck);
+void read_load_blast_segment_set(Cards& cards, RawDeck& deck);
+
 // read_airbags.cpp
 void read_airbag_simple_pressure_volume(Cards& cards, RawDeck& deck);
 void read_airbag_adiabatic_gas_model(Cards& cards, RawDeck& deck);

@@ -20,7 +20,6 @@ using Traced = HistoryItem;
 // the reader's.
 constexpr Keyword table[] = {
     {"TITLE", read_title},
-
     {"NODE", read_node},
     {"NODE_TRANSFORM", read_node_transform},
     {"ELEMENT_SHELL", read_element_shell},
@@ -255,6 +254,9 @@ constexpr Keyword table[] = {
     {"LOAD_SEGMENT_SET", read_load_segment_set, identity},
     {"LOAD_SHELL_ELEMENT", read_load_shell_element, identity},
     {"LOAD_SHELL_SET", read_load_shell_set, identity},
+    {"LOAD_BLAST_ENHANCED", read_load_blast_enhanced},
+    {"LOAD_BLAST_SEGMENT", read_load_blast_segment},
+    {"LOAD_BLAST_SEGMENT_SET", read_load_blast_segment_set},
     {"AIRBAG_SIMPLE_PRESSURE_VOLUME", read_airbag_simple_pressure_volume, identity},
     {"AIRBAG_ADIABATIC_GAS_MODEL", read_airbag_adiabatic_gas_model, identity},
     {"AIRBAG_LINEAR_FLUID", read_airbag_linear_fluid, identity},

@@ -16,7 +16,7 @@ namespace {
 
 using namespace row;
 
-constexpr Field rule_card[] = {
+constexpr Field beam_rule_card[] = {
     id("IRID", IdKind::Other),
     integer("NIP", 0, not_negative),
     real("RA", 0, not_negative),
@@ -162,7 +162,7 @@ void take_rule_points(Cards& cards, const Card& rule, RawBeamRule& raw) {
 void read_integration_beam(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     RawBeamRule raw;
-    const Card card = cards.next(rule_card);
+    const Card card = cards.next(beam_rule_card);
     raw.id = card.integer("IRID");
     raw.where = card.where();
     const std::int64_t shape = card.integer("ICST");

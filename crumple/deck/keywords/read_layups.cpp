@@ -58,7 +58,7 @@ constexpr Field shell_rule_card[] = {
          "0: a shell goes when all layers have failed that can fail, 1: not if there are others"),
 };
 
-constexpr Field point_card[] = {
+constexpr Field layup_point_card[] = {
     real("S", 0, within(-1, 1, "-1 is the lower surface, 1 the upper one")),
     real("WF", 0, above_zero),
     reference("PID"),
@@ -174,7 +174,7 @@ void read_integration_shell(Cards& cards, RawDeck& deck) {
       point.place = (2.0 * i + 1) / count - 1;
       point.where = card.where();
       if (!equal) {
-        const Card given = cards.next(point_card);
+        const Card given = cards.next(layup_point_card);
         point.place = given.real("S");
         point.share = given.real("WF");
         point.part = given.good("PID") ? given.integer("PID") : 0;

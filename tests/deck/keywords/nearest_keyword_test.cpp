@@ -59,7 +59,9 @@ TEST(NearestKeyword, IsItselfSupported) {
                            "INTERFACE_SSI",
                            "DEFINE_FUNCTION",
                            "DEFORMABLE_TO_RIGID_AUTOMATIC",
-                           "LOAD_BLAST_ENHANCED",
+                           "LOAD_BLAST",
+                           "LOAD_BLAST_CLEARING",
+                           "LOAD_BRODE",
                            "BOUNDARY_SPC_SYMMETRY_PLANE"}) {
     const NearestKeyword nearest = nearest_keyword(name);
     EXPECT_TRUE(find_keyword(nearest.keyword)) << name << " " << nearest.keyword;

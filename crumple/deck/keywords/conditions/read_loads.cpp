@@ -9,7 +9,7 @@ namespace {
 
 using namespace row;
 
-constexpr Field node_card[] = {
+constexpr Field loaded_node_card[] = {
     id("NID", kind_of_target),
     local(axes(
         integer("DOF", 0,
@@ -55,7 +55,7 @@ void read_pressures(Cards& cards, Layout layout, UserId RawPressureLoad::*target
 
 void read_nodal(Cards& cards, RawDeck& deck, bool is_set) {
   while (cards.more()) {
-    const Card card = cards.next_filled(node_card);
+    const Card card = cards.next_filled(loaded_node_card);
     RawNodalLoad load;
     load.target = card.integer("NID");
     load.is_set = is_set;

@@ -23,7 +23,7 @@ constexpr Field motion_card[] = {
 };
 
 // Behind the card of a motion about an axis beside the node (DOF 9 to 11), or of two nodes (VAD 4).
-constexpr Field offset_card[] = {
+constexpr Field motion_offset_card[] = {
     unused("OFFSET1"), unused("OFFSET2"), unused("LRB"), unused("NODE1"), unused("NODE2"),
 };
 
@@ -121,7 +121,7 @@ void read_motions(Cards& cards, RawDeck& deck, RawPrescribedMotion::Target targe
     constexpr int of_two_nodes = 4;
     const bool has_second_card = (magnitude >= first_with_offset && magnitude <= 11) ||
                                  card.text("VAD") == std::to_string(of_two_nodes);
-    if (has_second_card && cards.has_line()) cards.next(offset_card);
+    if (has_second_card && cards.has_line()) cards.next(motion_offset_card);
     const bool of_body = target == RawPrescribedMotion::Target::Body;
     if (check_motion_direction(card, of_body, cards.report()) && card.good("NID") && card.good("LCID"))
       deck.prescribed_motions.push_back(raw);
