@@ -87,8 +87,7 @@ std::optional<model::NodeAxes> axes_of(const RawHistory& raw, Build& build) {
   model::NodeAxes found;
   found.axes = *axes;
   if (!raw.moving) return found;
-  const auto index =
-      static_cast<std::size_t>(build.find_quietly(Item::CoordinateSystem, raw.system));
+  const auto index = static_cast<std::size_t>(build.find_quietly(Item::CoordinateSystem, raw.system));
   const RawCoordinateSystem& system = build.deck.coordinate_systems[index];
   if (system.node[0] == 0) {
     build.report.field_error(raw.where, {"REF", "1", "0, or a system of *DEFINE_COORDINATE_NODES",

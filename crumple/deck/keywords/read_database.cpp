@@ -71,7 +71,8 @@ constexpr Field history_card[] = {
 constexpr Field reference_axes =
     only("REF", {0, 1}, "0: axes at time zero, 1: axes that move with the three nodes of the system");
 constexpr Field high_frequency = harmless("HFO", {0}, "there is one file for all times");
-constexpr Field local_node_card[] = {id("ID", IdKind::Node), reference("CID"), reference_axes, high_frequency};
+constexpr Field local_node_card[] = {id("ID", IdKind::Node), reference("CID"), reference_axes,
+                                     high_frequency};
 constexpr Field local_set_card[] = {id("ID", IdKind::Set), reference("CID"), reference_axes, high_frequency};
 
 constexpr Field named_history_card[] = {id("ID", kind_of_history), text("HEADING", 70)};

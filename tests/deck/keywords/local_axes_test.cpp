@@ -170,9 +170,10 @@ TEST(StepCurve, IsThatOfLctm) {
 
 TEST(LocalHistories, HaveAxesThatStayOrMove) {
   const model::Model model =
-      read_with(system + "*DEFINE_COORDINATE_NODES\n8,1,2,4\n*SET_NODE_LIST\n4\n5,6\n"
-                         "*DATABASE_HISTORY_NODE\n1,3\n*DATABASE_HISTORY_NODE_LOCAL\n3,9\n2,8,1\n4\n"
-                         "*DATABASE_HISTORY_NODE_SET_LOCAL\n4,9\n");
+      read_with(system +
+                "*DEFINE_COORDINATE_NODES\n8,1,2,4\n*SET_NODE_LIST\n4\n5,6\n"
+                "*DATABASE_HISTORY_NODE\n1,3\n*DATABASE_HISTORY_NODE_LOCAL\n3,9\n2,8,1\n4\n"
+                "*DATABASE_HISTORY_NODE_SET_LOCAL\n4,9\n");
   EXPECT_EQ(model.output.history_nodes, (std::vector<Index>{0, 2, 1, 3, 4, 5}));
   const std::vector<model::NodeAxes>& axes = model.output.history_axes;
   ASSERT_EQ(axes.size(), 4U);
