@@ -101,7 +101,8 @@ TEST(AirBlast, TakesBackWhatTheNegativePhaseHas) {
   double imbalance = 0;
   const double momentum = momentum_of(model, 0, imbalance);
   const double impulse = peak * (decay - 1) / (decay * decay) * root_of_pounds * gigapascals;
-  EXPECT_LT(impulse, 0.95 * wave.reflected_impulse * root_of_pounds * gigapascals);
+  // Ten times what the comparison below may be off.
+  EXPECT_LT(impulse, 0.995 * wave.reflected_impulse * root_of_pounds * gigapascals);
   test::verified("air burst with negative phase, free plate: momentum", "Friedlander's pulse")
       .within(momentum, impulse * area, 5e-4);
 }
