@@ -209,9 +209,8 @@ void GlobalSearch::keep_behind(const SurfaceAt& now, std::span<const RememberedP
             dot(normalised(area_normal(now.shape(beside))), normal) > tolerances::two_walls)
           kept_.push_back({pair.node, beside});
   }
-  std::ranges::sort(kept_);
-  const auto doubled = std::ranges::unique(kept_);
-  kept_.erase(doubled.begin(), doubled.end());
+  std::sort(kept_.begin(), kept_.end());
+  kept_.erase(std::unique(kept_.begin(), kept_.end()), kept_.end());
 }
 
 void GlobalSearch::search(const Kinematics& motion, bool surface_changed,

@@ -154,7 +154,11 @@ class GlobalSearch {
   struct Pair {
     Index node = no_index;
     Index segment = no_index;
-    auto operator<=>(const Pair&) const = default;
+
+    bool operator==(const Pair&) const = default;
+    bool operator<(const Pair& other) const {
+      return node != other.node ? node < other.node : segment < other.segment;
+    }
   };
   std::vector<Pair> kept_;            ///< ascending
   cellsearch::MotionTracker motion_;  ///< of the surface's nodes, by place, since the last search
