@@ -40,7 +40,7 @@ async function waitForFrames(page: Page, most: number): Promise<number> {
   await page.waitForFunction((known) => {
     const shown = document.querySelector<HTMLIFrameElement>("#reports iframe:not(.coming)")?.contentWindow;
     return (shown?.crumple?.run.frames ?? 0) > known;
-  }, most, { timeout: 60000 });
+  }, most, { timeout: 180000 });
   return frames(page);
 }
 
