@@ -21,7 +21,7 @@ FINAL_CODES = (0, 1, 3)
 
 
 def write_whole(path: pathlib.Path, text: str) -> None:
-    """Whoever opens the file, also after a kill or a power cut, finds the old text or all of the new one."""
+    """Replaces a text file as a whole: at any moment, also after a kill or a power cut, it holds the old text or the new one."""
     beside = path.with_name(f".{path.name}.{os.getpid()}.part")
     with open(beside, "w", encoding="utf-8") as stream:
         stream.write(text)
