@@ -347,9 +347,9 @@ struct RawShellOption {
 struct RawInitialStress {
   UserId element = 0;  ///< or the set
   bool is_set = false;
-  model::InitialStress stress;  ///< without its element
-  bool has_histories = false;   ///< any history variable is not zero
-  bool more_histories = false;  ///< so is one beyond the first five
+  model::InitialStress stress{};  ///< without its element
+  bool has_histories = false;     ///< any history variable is not zero
+  bool more_histories = false;    ///< so is one beyond the first five
   Where where;
 };
 

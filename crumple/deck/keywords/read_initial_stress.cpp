@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *INITIAL_STRESS_SHELL, *INITIAL_STRESS_SOLID and their sets.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -159,14 +161,19 @@ bool sort_points(std::size_t planes, model::InitialStress& stress) {
   return true;
 }
 
+/// Whether all points were there that the card asks for by `fields`; reports it if not.
+bool has_points(std::size_t count, std::string_view fields, const RawInitialStress& raw, Report& report) {
+  if (raw.stress.points.size() == count) return true;
+  report.error(raw.where, "points",
+               fmt::format("expected {} points ({}), found {}", count, fields, raw.stress.points.size()));
+  return false;
+}
+
 void read_shell_stresses(Cards& cards, Layout layout, bool is_set, RawDeck& deck) {
   const std::string_view name = is_set ? "SID" : "EID";
   while (cards.more()) {
     const Card card = cards.next_filled(layout);
-    RawInitialStress raw;
-    raw.element = card.integer(name);
-    raw.is_set = is_set;
-    raw.where = card.where();
+    RawInitialStress raw{.element = card.integer(name), .is_set = is_set, .where = card.where()};
     const Layouts& layouts = card.real("LARGE") == 1 ? large_shell_layouts : shell_layouts;
     const auto histories = static_cast<std::size_t>(card.integer("NHISV"));
     const auto planes = static_cast<std::size_t>(card.integer("NPLANE"));
@@ -176,12 +183,7 @@ void read_shell_stresses(Cards& cards, Layout layout, bool is_set, RawDeck& deck
       take_histories(read.histories, histories, read, raw);
       raw.stress.points.push_back(read.point);
     }
-    if (raw.stress.points.size() < count) {
-      cards.report().error(card.where(), "points",
-                           "expected " + std::to_string(count) + " points (NPLANE times NTHICK), found " +
-                               std::to_string(raw.stress.points.size()));
-      continue;
-    }
+    if (!has_points(count, "NPLANE times NTHICK", raw, cards.report())) continue;
     if (!sort_points(planes, raw.stress)) {
       cards.report().field_error(card.where(), {"NPLANE", std::string(card.text("NPLANE")),
                                                 "as many points at each T as there are in plane",
@@ -196,10 +198,7 @@ void read_solid_stresses(Cards& cards, Layout layout, bool is_set, RawDeck& deck
   const std::string_view name = is_set ? "SID" : "EID";
   while (cards.more()) {
     const Card card = cards.next_filled(layout);
-    RawInitialStress raw;
-    raw.element = card.integer(name);
-    raw.is_set = is_set;
-    raw.where = card.where();
+    RawInitialStress raw{.element = card.integer(name), .is_set = is_set, .where = card.where()};
     const bool large = card.real("LARGE") == 1;
     auto histories = static_cast<std::size_t>(card.integer("NHISV"));
     const bool volume = card.real("IVEFLG") == 1;
@@ -219,12 +218,7 @@ void read_solid_stresses(Cards& cards, Layout layout, bool is_set, RawDeck& deck
       take_histories(read.histories, histories - (has_volume ? 1 : 0), read, raw);
       raw.stress.points.push_back(read.point);
     }
-    if (raw.stress.points.size() < count) {
-      cards.report().error(card.where(), "points",
-                           "expected " + std::to_string(count) + " points (NINT), found " +
-                               std::to_string(raw.stress.points.size()));
-      continue;
-    }
+    if (!has_points(count, "NINT", raw, cards.report())) continue;
     raw.stress.volume /= static_cast<double>(count);
     if (card.good(name)) deck.solid_stresses.push_back(std::move(raw));
   }
