@@ -171,20 +171,24 @@ TEST(Filling, VesselEmptiesAsTheClosedFormOfIsentropicBlowDownSays) {
   EXPECT_NEAR(error[0] / error[1], 4, 0.3);
 }
 
-/// A vessel of which `law` lets gas out through a fabric of an area; absolute pressure after a time.
-double pressure_after(const model::InflatedGas& gas, const model::PorousFabric& fabric, double area,
-                      const std::vector<model::Curve>& curves, double start, double rho, double end,
-                      int steps) {
+/// A gas as it is at the start.
+struct Charge {
+  double pressure = 0;  ///< absolute [pressure]
+  double density = 0;   ///< [mass/volume]
+};
+
+/// A vessel out of which a gas flows through a fabric; absolute pressure after a time, in so many steps.
+double pressure_after(const model::InflatedGas& gas, const std::vector<model::Curve>& curves,
+                      const loads::PorousArea& fabric, const Charge& start, double end, int steps) {
   const model::VolumeFilling law = gas;
   const double volume = 0.05;
   FillingState state = Filling(law, curves).initial(volume);
-  state.mass = rho * volume;
-  state.energy = start * volume / (exponent - 1);
-  state.pressure = start - gas.ambient;
-  state.temperature = start / (rho * gas_constant);
-  const loads::PorousArea porous{&fabric, area};
+  state.mass = start.density * volume;
+  state.energy = start.pressure * volume / (exponent - 1);
+  state.pressure = start.pressure - gas.ambient;
+  state.temperature = start.pressure / (start.density * gas_constant);
   for (int i = 1; i <= steps; ++i)
-    Filling(law, curves).advance(state, {i * end / steps, end / steps, volume, {&porous, 1}});
+    Filling(law, curves).advance(state, {i * end / steps, end / steps, volume, {&fabric, 1}});
   return state.pressure + gas.ambient;
 }
 
@@ -205,15 +209,15 @@ TEST(Filling, PorousFabricIsAnOrificeOfItsEffectiveArea) {
   const model::PorousFabric constant{.segments = {}, .coefficient = 0.5, .area = 0.02};
   const model::PorousFabric by_curves{.segments = {}, .coefficient_time = 0, .area_pressure = 1};
   test::verified("vessel that empties through porous fabric, choked: pressure", "closed form of blow-down")
-      .within(pressure_after(gas, constant, area, curves, start, rho, end, 400), exact, 1e-4);
-  EXPECT_EQ(pressure_after(gas, by_curves, area, curves, start, rho, end, 400),
-            pressure_after(gas, constant, area, curves, start, rho, end, 400));
+      .within(pressure_after(gas, curves, {&constant, area}, {start, rho}, end, 400), exact, 1e-4);
+  EXPECT_EQ(pressure_after(gas, curves, {&by_curves, area}, {start, rho}, end, 400),
+            pressure_after(gas, curves, {&constant, area}, {start, rho}, end, 400));
   // Nothing passes before the pressure that opens it, nor into a vessel below the ambient pressure.
   gas.opening_pressure = 1e6;
-  EXPECT_NEAR(pressure_after(gas, constant, area, curves, start, rho, end, 10), start, 1e-6 * start);
+  EXPECT_NEAR(pressure_after(gas, curves, {&constant, area}, {start, rho}, end, 10), start, 1e-6 * start);
   gas.opening_pressure = 0;
   gas.ambient = 1e6;
-  EXPECT_NEAR(pressure_after(gas, constant, area, curves, start, rho, end, 10), start, 1e-6 * start);
+  EXPECT_NEAR(pressure_after(gas, curves, {&constant, area}, {start, rho}, end, 10), start, 1e-6 * start);
 }
 
 // By a curve of velocity v the volume FLC v A leaves in a unit of time: the density falls exponentially, and
@@ -229,9 +233,10 @@ TEST(Filling, PorousFabricLetsThroughTheVolumeOfItsCurve) {
   const double end = 1 / rate;
   double error[2] = {};
   for (const int fine : {0, 1})
-    error[fine] = std::fabs(pressure_after(gas, fabric, area, curves, 8e5, 6, end, fine == 0 ? 200 : 400) /
-                                (8e5 * std::exp(-exponent)) -
-                            1);
+    error[fine] =
+        std::fabs(pressure_after(gas, curves, {&fabric, area}, {8e5, 6}, end, fine == 0 ? 200 : 400) /
+                      (8e5 * std::exp(-exponent)) -
+                  1);
   test::verified("vessel that empties through fabric by a velocity: pressure, relative error",
                  "P0 exp(-gamma Q t / V)")
       .below(error[1], 1e-5);

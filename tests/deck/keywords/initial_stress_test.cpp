@@ -65,7 +65,8 @@ TEST(InitialStress, OfShellsInTheLargeFormat) {
     EXPECT_EQ(stress.planes, 4);
     ASSERT_EQ(stress.points.size(), 12U);
     for (std::size_t k = 0; k < 12; ++k) {
-      EXPECT_EQ(stress.points[k].stress[0], 0.5 + static_cast<double>(k / 3));
+      const std::size_t plane = k / 3;
+      EXPECT_EQ(stress.points[k].stress[0], 0.5 + static_cast<double>(plane));
       EXPECT_EQ(stress.points[k].stress[5], 9);
       EXPECT_EQ(stress.points[k].plastic_strain, 0.01);
     }

@@ -8,7 +8,6 @@ namespace crumple::deck::integrated_beams_test {
 namespace {
 
 using test::messages_with;
-using test::read_clean;
 using test::read_with;
 
 std::string with_section(const std::string& section) {

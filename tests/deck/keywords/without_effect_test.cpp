@@ -44,8 +44,7 @@ TEST(WithoutEffect, AreAccepted) {
                             "*PARAMETER\nR a          0.010\nR a           0.01\n",
                             "*PARAMETER_MUTABLE\nR a          0.010\nR a            2.0\n",
                             "*MAT_ADD_FATIGUE\n1\n",
-                            "*CONTROL_TIMESTEP\n0.0\n       0.0         0         0       0.0       0.0      "
-                            " 0.0       0.0         0\n"})
+                            "*CONTROL_TIMESTEP\n0.0\n0,0,0,0,0,0,0,0\n"})
     EXPECT_FALSE(has(messages_with(cards), ": error: ")) << cards << messages_with(cards)[0];
 }
 

@@ -139,16 +139,16 @@ Six measured(const model::Model& model) {
   constexpr double size = 1e-7;
   Six found{};
   for (std::size_t column = 0; column < 6; ++column) {
-    Driven plate_(model, doubles);
-    const Mode motion = mode_of(plate_.domain, column, size);
+    Driven loaded(model, doubles);
+    const Mode motion = mode_of(loaded.domain, column, size);
     std::array<Mode, 6> tests;
-    for (std::size_t row = 0; row < 6; ++row) tests[row] = mode_of(plate_.domain, row, 1);
-    plate_.step(1e-6, motion.u, motion.turn);
+    for (std::size_t row = 0; row < 6; ++row) tests[row] = mode_of(loaded.domain, row, 1);
+    loaded.step(1e-6, motion.u, motion.turn);
     for (std::size_t row = 0; row < 6; ++row) {
       double work = 0;
-      for (Index i = 0; i < plate_.domain.nodes.count(); ++i)
-        work += dot(plate_.force(i), tests[row].u[static_cast<std::size_t>(i)]) +
-                dot(plate_.moment(i), tests[row].turn[static_cast<std::size_t>(i)]);
+      for (Index i = 0; i < loaded.domain.nodes.count(); ++i)
+        work += dot(loaded.force(i), tests[row].u[static_cast<std::size_t>(i)]) +
+                dot(loaded.moment(i), tests[row].turn[static_cast<std::size_t>(i)]);
       found[row][column] = -work / (size * side * side);
     }
   }
