@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small decks that broke the program at 3b5ed1e: each is run as its user would, with nothing set for it.
+// Small decks that once broke the program, most of them at 3b5ed1e: each is run as its user would, with
+// nothing set for it.
 #include <cmath>
 #include <string>
 
@@ -86,6 +87,24 @@ TEST_F(Attacks, CrossedEdgesOfCubesAndShellsRebound) {
     const std::string parts = std::string(name) + "/matsum.csv";
     EXPECT_GT(last(parts, "vz", 1) - last(parts, "vz"), 10) << name;
   }
+}
+
+/// Edges of soft foam in the corners of folding sheet: segments beside each other agree about the side.
+TEST_F(Attacks, FoamInAFallingBoxStaysInside) {
+  const nlohmann::json record = survive("foam_in_a_falling_box");
+  EXPECT_EQ(value(record, "nodes lost"), 0);
+  EXPECT_EQ(value(record, "mid-surface intersections"), 0);
+  EXPECT_EQ(value(record, "nodes on or beyond a mid-surface"), 0);
+}
+
+/// Its nodes get deep into the plate before that fails, and pass from face to face. What the contact keeps
+/// are the loaded springs of nodes that are squeezed out over the projectile's rim.
+TEST_F(Attacks, ABluntProjectileLosesNoContact) {
+  const nlohmann::json record = survive("blunt_projectile");
+  EXPECT_EQ(value(record, "nodes lost"), 0);
+  const double absorbed =
+      last("blunt_projectile/glstat.csv", "internal") + last("blunt_projectile/glstat.csv", "eroded");
+  EXPECT_LT(last("blunt_projectile/glstat.csv", "contact"), 0.07 * absorbed);
 }
 
 }  // namespace
