@@ -57,7 +57,8 @@ void keep_contact(ContactReport& contact, StateList& list) {
   keep("mass", "mass", contact.mass);
   keep("times", "s", contact.times);
   keep("withheld", "by item", contact.withheld);
-  keep("lost", "by item", contact.lost);
+  keep("lost_nodes", "by item", contact.lost_nodes);
+  keep("lost_edges", "by item", contact.lost_edges);
   keep("eroded_energy", "energy", contact.eroded_energy);
   keep("overlap_forces", "by item", contact.overlap_forces);
   list.keep_list("contact_initial_overlaps", "by item", Entity::Contact, 1, contact.initial_overlaps);

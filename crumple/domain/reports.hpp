@@ -69,13 +69,14 @@ struct WithheldForces {
   UserId segment = 0;  ///< shell, solid or edge
 };
 
-/// Nodes that were beyond a mid-surface or behind the face of a solid when their contact ended, though
-/// nothing released them: they are where they should not be, and nothing pushes them back.
-struct LostNodes {
+/// Nodes that were beyond a mid-surface or behind the face of a solid when their contact ended, or edges that
+/// had gone through each other, though nothing released them: they are where they should not be, and nothing
+/// pushes them back.
+struct LostContacts {
   long count = 0;
   long cycle = 0;  ///< of the first
   UserId node = 0;
-  UserId segment = 0;  ///< shell or solid
+  UserId segment = 0;  ///< shell, solid or beam
 };
 
 /// What pairs push whose contact distance is reduced, beside all pairs of the contact: overlaps of the start
@@ -109,7 +110,8 @@ struct ContactReport {
   math::Vec3 force{};            ///< on the first of two sides now, from the second [force]
   std::array<double, 2> mass{};  ///< of the nodes of its sides [mass]
   WithheldForces withheld{};
-  LostNodes lost{};
+  LostContacts lost_nodes{};
+  LostContacts lost_edges{};
   OverlapForces overlap_forces{};
   ContactInspection inspection{};
   SearchReport search{};

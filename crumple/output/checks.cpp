@@ -185,7 +185,9 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
   }
   for (const domain::ContactReport& contact : view.domain.contacts) {
     checks.push_back(make_check(fmt::format("nodes lost by contact {}", contact.id),
-                                static_cast<double>(contact.lost.count), 0, "crumple"));
+                                static_cast<double>(contact.lost_nodes.count), 0, "crumple"));
+    checks.push_back(make_check(fmt::format("edges lost by contact {}", contact.id),
+                                static_cast<double>(contact.lost_edges.count), 0, "crumple"));
     if (!contact.inspection.made) continue;
     checks.push_back(make_check(fmt::format("mid-surface intersections, contact {}", contact.id),
                                 contact.inspection.intersections, 0, "crumple"));

@@ -53,6 +53,10 @@ Json search_of(const domain::SearchReport& search) {
           {"bytes", search.bytes}};
 }
 
+Json lost_of(const domain::LostContacts& lost) {
+  return {{"count", lost.count}, {"cycle", lost.cycle}, {"node", lost.node}, {"segment", lost.segment}};
+}
+
 Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
   Json list = Json::array();
   for (const domain::ContactReport& contact : contacts)
@@ -83,11 +87,8 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
                       {"cycle", contact.withheld.cycle},
                       {"node", contact.withheld.node},
                       {"segment", contact.withheld.segment}}},
-                    {"lost_nodes",
-                     {{"count", contact.lost.count},
-                      {"cycle", contact.lost.cycle},
-                      {"node", contact.lost.node},
-                      {"segment", contact.lost.segment}}},
+                    {"lost_nodes", lost_of(contact.lost_nodes)},
+                    {"lost_edges", lost_of(contact.lost_edges)},
                     {"energy", contact.energy},
                     {"friction_energy", contact.friction_energy},
                     {"eroded_energy", contact.eroded_energy},

@@ -40,7 +40,7 @@ model::Model pair(const DiscreteBeamLaw& law, const Point& first, const Point& s
 }
 
 /// Period of a component of the relative velocity by its crossings.
-double period(model::Model model, int component) {
+double period(const model::Model& model, int component) {
   timeloop::Simulation simulation(model, test::execution());
   double before = 0;
   double time_before = 0;

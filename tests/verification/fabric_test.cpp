@@ -86,7 +86,8 @@ TEST(Fabric, AStripUnderTensionAndMomentWrinkles) {
       for (Index e = 0; e < block.elements; ++e) {
         const Index shell = block.element[e];
         if (shell % columns != columns / 2) continue;
-        const double y = height * ((shell / columns + 0.5) / rows - 0.5);
+        const Index row = shell / columns;
+        const double y = height * ((row + 0.5) / rows - 0.5);
         double stress = 0;
         for (Index p = 0; p < block.points; ++p) stress += block.state(e, 5 * p) / block.points;
         force += stress * thickness * height / rows;

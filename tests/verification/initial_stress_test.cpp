@@ -17,7 +17,6 @@
 namespace crumple::initial_stress_test {
 namespace {
 
-using math::Vec3;
 using model::ShellFormulation;
 
 struct Form {

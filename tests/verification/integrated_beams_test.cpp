@@ -185,7 +185,7 @@ TEST(IntegratedBeams, ShapesOfPlatesHaveTheirPlasticMoments) {
 
 TEST(IntegratedBeams, ShapesAreCentredAndHaveTheirMoments) {
   const auto check = [](const std::vector<model::SectionPlate>& plates) {
-    const auto section = test::integrated(model::plate_points(plates, 0));
+    auto section = test::integrated(model::plate_points(plates, 0));
     double area = 0;
     double s = 0;
     double t = 0;

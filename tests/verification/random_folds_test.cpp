@@ -184,7 +184,7 @@ Found fold(unsigned seed) {
   found.turning = kept.turning_drift;
   found.error = domain.energy.error();
   found.beyond = contact.inspection.nodes_beyond;
-  found.lost = contact.lost.count;
+  found.lost = contact.lost_nodes.count + contact.lost_edges.count;
   std::printf(
       "seed %u: %s, %.1f x %.1f, edge %.1f, thickness %.1f, speed %.0f, friction %.2f, SOFT %d: %ld cycles, "
       "%d pairs, contact over internal energy %.4f, at its lowest %.1e, withheld %ld, fastest %.1f, beyond "

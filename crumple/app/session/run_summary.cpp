@@ -44,6 +44,13 @@ void print_timings(std::ostream& out, const domain::Domain& domain, double loop_
   row("total", loop_seconds);
 }
 
+void print_lost(std::ostream& out, const domain::LostContacts& lost, std::string_view what,
+                std::string_view where) {
+  if (lost.count > 0)
+    print(out, "  {} without being released: {}, the first at node {} and element {} in cycle {}\n", where,
+          counted(lost.count, what), lost.node, lost.segment, lost.cycle);
+}
+
 void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
   const domain::ContactInspection& seen = contact.inspection;
   if (!contact.initial_overlaps.empty())
@@ -96,12 +103,8 @@ void print_contacts(std::ostream& out, const output::View& view) {
             "excess {:.4g} on node {} at element {} in cycle {}\n",
             contact.withheld.count, contact.withheld.largest, contact.withheld.node, contact.withheld.segment,
             contact.withheld.cycle);
-    if (contact.lost.count > 0)
-      print(
-          out,
-          "  lost beyond a surface without being released: {}, the first node {} at element {} in cycle {}\n",
-          counted(static_cast<Index>(contact.lost.count), "node"), contact.lost.node, contact.lost.segment,
-          contact.lost.cycle);
+    print_lost(out, contact.lost_nodes, "node", "lost beyond a surface");
+    print_lost(out, contact.lost_edges, "edge pair", "lost after they had gone through each other");
     print_inspection(out, contact);
     print_contact_times(out, domain, contact.times);
   }

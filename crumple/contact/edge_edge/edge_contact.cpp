@@ -61,9 +61,10 @@ double EdgeContact::update(const domain::Domain& domain, const Kinematics& motio
   return held;
 }
 
-double EdgeContact::find(const domain::Domain& /*domain*/, const Kinematics& motion, bool start,
-                         domain::ContactReport& /*report*/) {
+double EdgeContact::find(const domain::Domain& domain, const Kinematics& motion, bool start,
+                         domain::ContactReport& report) {
   pairs_ = local_.find(motion, search_, remembered_, node_depths_, start);
+  if (!start) local_.count_lost(motion, search_, remembered_, domain.clock.cycle, report.lost_edges);
   relieve_nodes();
   return 0;
 }

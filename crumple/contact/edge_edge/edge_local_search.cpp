@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "contact/edge_edge/edge_pair_search.hpp"
+#include "contact/edge_edge/lost_edges.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -32,11 +33,8 @@ void EdgeLocalSearch::mark_inverted(std::span<const RememberedEdgePair> remember
   }
 }
 
-std::span<EdgePair> EdgeLocalSearch::find(const Kinematics& motion, const EdgeSearch& candidates,
-                                          std::span<const RememberedEdgePair> remembered,
-                                          std::span<const NodeOnEdge> node_depths, bool tracking) {
-  pairs_.clear();
-  if (!candidates.ready()) return pairs_;
+EdgeView EdgeLocalSearch::view_of(const Kinematics& motion, const EdgeSearch& candidates,
+                                  std::span<const RememberedEdgePair> remembered) const {
   EdgeView view;
   view.edges = edges_;
   view.surface = surface_;
@@ -44,8 +42,23 @@ std::span<EdgePair> EdgeLocalSearch::find(const Kinematics& motion, const EdgeSe
   view.motion = &motion;
   view.now = {motion.position.data(), motion.velocity.data(), 0};
   view.step = motion.step;
-  view.tracking = tracking;
   view.remembered = remembered;
+  return view;
+}
+
+void EdgeLocalSearch::count_lost(const Kinematics& motion, const EdgeSearch& candidates,
+                                 std::span<const RememberedEdgePair> remembered, long cycle,
+                                 domain::LostContacts& lost) const {
+  count_lost_edges(view_of(motion, candidates, remembered), pairs_, cycle, lost);
+}
+
+std::span<EdgePair> EdgeLocalSearch::find(const Kinematics& motion, const EdgeSearch& candidates,
+                                          std::span<const RememberedEdgePair> remembered,
+                                          std::span<const NodeOnEdge> node_depths, bool tracking) {
+  pairs_.clear();
+  if (!candidates.ready()) return pairs_;
+  EdgeView view = view_of(motion, candidates, remembered);
+  view.tracking = tracking;
   view.node_depths = node_depths;
   mark_inverted(remembered);
   view.inverted = inverted_;

@@ -7,6 +7,7 @@
 
 #include "contact/edge_edge/edge_pair.hpp"
 #include "contact/edge_edge/edge_search.hpp"
+#include "contact/edge_edge/edge_view.hpp"
 #include "contact/edge_edge/edges.hpp"
 #include "contact/surface/kinematics.hpp"
 #include "contact/surface/surface.hpp"
@@ -29,7 +30,14 @@ class EdgeLocalSearch {
                            std::span<const RememberedEdgePair> remembered,
                            std::span<const NodeOnEdge> node_depths, bool tracking);
 
+  /// Counts the pairs of `remembered` that find(), called before for the same time, has lost.
+  void count_lost(const Kinematics& motion, const EdgeSearch& candidates,
+                  std::span<const RememberedEdgePair> remembered, long cycle,
+                  domain::LostContacts& lost) const;
+
  private:
+  EdgeView view_of(const Kinematics& motion, const EdgeSearch& candidates,
+                   std::span<const RememberedEdgePair> remembered) const;
   void mark_inverted(std::span<const RememberedEdgePair> remembered);
   void relieve_ends();
 

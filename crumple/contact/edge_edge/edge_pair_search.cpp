@@ -15,35 +15,6 @@ double ramp(double value, double low, double high) {
   return std::clamp((value - low) / (high - low), 0.0, 1.0);
 }
 
-/// Calls visit(other) for an edge and those that meet it.
-template <class Visit>
-void visit_around(const EdgeView& view, Index edge, const Visit& visit) {
-  visit(edge);
-  for (const Index node : view.edges->ends(edge))
-    for (const Index next : view.edges->at_node(view.surface->place[node]))
-      if (next != edge) visit(next);
-}
-
-/// Calls visit(pair, sign) for those of `pairs`, in order, that have the two edges of `key` or their
-/// neighbours; sign is -1 where first and second have changed places.
-template <class Pair, class Visit>
-void visit_connected(const EdgeView& view, std::span<const Pair> pairs, const EdgePairKey& key,
-                     const Visit& visit) {
-  const auto look = [&](Index one, Index other) {
-    const EdgePairKey wanted{std::min(one, other), std::max(one, other), EdgeMeeting::Crossing};
-    const auto before = [](const Pair& pair, const EdgePairKey& k) { return pair.key < k; };
-    for (auto at = std::lower_bound(pairs.begin(), pairs.end(), wanted, before);
-         at != pairs.end() && at->key.first == wanted.first && at->key.second == wanted.second; ++at)
-      visit(*at, one < other ? 1.0 : -1.0);
-  };
-  if (pairs.empty()) return;
-  visit_around(view, key.first, [&](Index one) {
-    visit_around(view, key.second, [&](Index other) {
-      if (one != other) look(one, other);
-    });
-  });
-}
-
 bool of_first(EdgeMeeting meeting) {
   return meeting == EdgeMeeting::FirstStart || meeting == EdgeMeeting::FirstEnd;
 }

@@ -7,33 +7,11 @@
 
 #include "contact/edge_edge/edge_pair.hpp"
 #include "contact/edge_edge/edge_search.hpp"
+#include "contact/edge_edge/edge_view.hpp"
 #include "contact/edge_edge/edges.hpp"
 #include "contact/surface/segment_shape.hpp"
 
 namespace crumple::contact {
-
-/// What the local search of edges of one step works with.
-struct EdgeView {
-  const Edges* edges = nullptr;
-  const Surface* surface = nullptr;
-  const EdgeSearch* candidates = nullptr;
-  const Kinematics* motion = nullptr;
-  Configuration now;
-  double step = 0;                                 ///< from n-1 to n [time]
-  bool tracking = false;                           ///< allow the penetrations that there are
-  std::span<const RememberedEdgePair> remembered;  ///< all, in order
-  std::span<const NodeOnEdge> node_depths;         ///< see EdgeLocalSearch::find(), in order
-
-  /// 1 for edges that have gone through another one and for those that they meet, which may take over from
-  /// them however deep they are by then; empty where there are none.
-  std::span<const std::uint8_t> inverted;
-
-  bool may_take_over(Index one, Index other) const {
-    return !inverted.empty() && inverted[static_cast<std::size_t>(one)] != 0 &&
-           inverted[static_cast<std::size_t>(other)] != 0;
-  }
-  EdgeShape shape(Index edge) const { return edge_shape(edges->ends(edge), now); }
-};
 
 /// The local search of one edge and those with higher numbers.
 class EdgePairSearch {

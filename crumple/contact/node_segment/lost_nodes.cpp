@@ -70,7 +70,7 @@ bool released(const SurfaceAt& now, const RememberedPair& memory, const RaggedNo
 
 void count_lost_nodes(const SurfaceAt& now, std::span<const RememberedPair> remembered,
                       std::span<const ContactPair> pairs, const RaggedNodes& ragged, long cycle,
-                      domain::LostNodes& lost) {
+                      domain::LostContacts& lost) {
   const Surface& surface = *now.surface;
   auto at = pairs.begin();
   Index last = no_index;

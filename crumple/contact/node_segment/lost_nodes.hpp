@@ -18,6 +18,6 @@ namespace crumple::contact {
 /// node; `lost` names the first one.
 void count_lost_nodes(const SurfaceAt& now, std::span<const RememberedPair> remembered,
                       std::span<const ContactPair> pairs, const RaggedNodes& ragged, long cycle,
-                      domain::LostNodes& lost);
+                      domain::LostContacts& lost);
 
 }  // namespace crumple::contact

@@ -62,7 +62,7 @@ double NodeContact::find(const domain::Domain& domain, const Kinematics& motion,
   pairs_ = local_.find(motion, search_, remembered_, start, deep_);
   if (some_are_behind_)
     count_lost_nodes({surface_, configuration_of(motion)}, remembered_, pairs_, ragged_, domain.clock.cycle,
-                     report.lost);
+                     report.lost_nodes);
   return ragged_.lost_energy(remembered_, pairs_, domain);
 }
 

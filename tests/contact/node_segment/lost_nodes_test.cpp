@@ -40,7 +40,7 @@ struct ShotTip {
     for (Index n = tip; n < tip + 3; ++n) x[at(made, n)] += shift;
     test::move_to(touching[0], made, x, step);
   }
-  const domain::LostNodes& lost() const { return made.contacts[0].lost; }
+  const domain::LostContacts& lost() const { return made.contacts[0].lost_nodes; }
 
   Bodies bodies;
   Index sheet = 0;
@@ -115,7 +115,7 @@ TEST(LostNodes, OneThatTheOtherSlopeOfABendTakesOverIsNot) {
       EXPECT_GE(touching.statistics().nodes_astray, 1) << slope << ", " << x;
       EXPECT_LT(made.contact_force[at(made, tip)].z, 0) << slope << ", " << x;
     }
-    EXPECT_EQ(made.contacts[0].lost.count, 0) << slope;
+    EXPECT_EQ(made.contacts[0].lost_nodes.count, 0) << slope;
   }
 }
 
@@ -167,15 +167,15 @@ struct SunkBlock {
 TEST(LostNodes, OnesThatLeaveTheirFaceWithinTheSolidAreCounted) {
   SunkBlock scene;
   ASSERT_GT(scene.made.contacts[0].penetration, 0.04);
-  EXPECT_EQ(scene.made.contacts[0].lost.count, 0);
+  EXPECT_EQ(scene.made.contacts[0].lost_nodes.count, 0);
   scene.move({4.05, 0, 0});
-  EXPECT_EQ(scene.made.contacts[0].lost.count, 4);
+  EXPECT_EQ(scene.made.contacts[0].lost_nodes.count, 4);
 }
 
 TEST(LostNodes, OnesThatLeaveOverTheRimOfTheirFaceAreNot) {
   SunkBlock scene;
   scene.move({0, -3, 0});
-  EXPECT_EQ(scene.made.contacts[0].lost.count, 0);
+  EXPECT_EQ(scene.made.contacts[0].lost_nodes.count, 0);
   EXPECT_EQ(scene.made.contacts[0].penetration, 0);
 }
 
@@ -186,7 +186,7 @@ TEST(LostNodes, OnesThatANeighbourTakesOverDeepInTheSolidAreNot) {
   for (int i = 0; i < 23; ++i) scene.move({0, 0, -0.05});
   ASSERT_NEAR(scene.made.contacts[0].penetration, 1.2, 1e-12);
   for (int i = 0; i < 50; ++i) scene.move({0.1, 0, 0});
-  EXPECT_EQ(scene.made.contacts[0].lost.count, 0);
+  EXPECT_EQ(scene.made.contacts[0].lost_nodes.count, 0);
   EXPECT_NEAR(scene.made.contacts[0].penetration, 1.2, 1e-12);
 }
 
