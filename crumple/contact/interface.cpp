@@ -285,13 +285,18 @@ void Interface::verify_search_every(long cycles) {
 
 void Interface::inspect(domain::Domain& domain) const {
   const Implementation& own = *implementation_;
-  const auto cut = intersecting_segments(own.surface, domain.nodes.position, domain.execution.threads);
+  const int threads = domain.execution.threads;
+  const auto cut = intersecting_segments(own.surface, domain.nodes.position, threads);
+  const auto initial = cut.empty() ? cut : intersecting_segments(own.surface, domain.nodes.reference, threads);
+  const auto since = cut_since(own.surface, initial, cut);
+  const auto& named = since.empty() ? cut : since;
   const PenetrationSummary depth = summarise(own.penetrations);
   domain::ContactInspection& seen = domain.contacts[own.report].inspection;
   seen.made = true;
   seen.intersections = static_cast<Index>(cut.size());
-  seen.first_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[0]];
-  seen.second_segment = cut.empty() ? 0 : own.surface.segment_id[cut.front()[1]];
+  seen.initial_intersections = static_cast<Index>(cut.size() - since.size());
+  seen.first_segment = named.empty() ? 0 : own.surface.segment_id[named.front()[0]];
+  seen.second_segment = named.empty() ? 0 : own.surface.segment_id[named.front()[1]];
   for (const auto& detector : own.detectors) detector->inspect(domain, seen);
   seen.nodes_beyond = depth.beyond;
   seen.largest_depth = depth.largest;

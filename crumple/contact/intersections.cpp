@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include <cellsearch/search.hpp>
 
+#include "contact/surface/inside_outside.hpp"
 #include "contact/surface/segment_shape.hpp"
 #include "contact/tolerances.hpp"
 
@@ -118,6 +120,20 @@ std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
       if (other > s && (cuts(surface, x, s, other) || cuts(surface, x, other, s)))
         found.push_back({s, other});
     }
+  return found;
+}
+
+std::vector<std::array<Index, 2>> cut_since(const Surface& surface,
+                                            std::span<const std::array<Index, 2>> initial,
+                                            std::span<const std::array<Index, 2>> cut) {
+  const auto beside = [&](Index one, Index other) { return one == other || connected(surface, one, other); };
+  std::vector<std::array<Index, 2>> found;
+  std::ranges::copy_if(cut, std::back_inserter(found), [&](const std::array<Index, 2>& pair) {
+    return std::ranges::none_of(initial, [&](const std::array<Index, 2>& before) {
+      return (beside(pair[0], before[0]) && beside(pair[1], before[1])) ||
+             (beside(pair[0], before[1]) && beside(pair[1], before[0]));
+    });
+  });
   return found;
 }
 

@@ -20,6 +20,12 @@ namespace crumple::contact {
 std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
                                                         const AlignedArray<Vec3>& position, int threads);
 
+/// Of the pairs `cut`, in the order of intersecting_segments(), those that cut where nothing did at the
+/// start: no pair of `initial` consists of the same two segments or of segments connected to them.
+std::vector<std::array<Index, 2>> cut_since(const Surface& surface,
+                                            std::span<const std::array<Index, 2>> initial,
+                                            std::span<const std::array<Index, 2>> cut);
+
 /// How deep the contacts are, over the depth at which a node reaches the mid-surface [-].
 struct PenetrationSummary {
   Index pairs = 0;

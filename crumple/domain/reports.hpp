@@ -43,7 +43,8 @@ struct SearchReport {
 struct ContactInspection {
   bool made = false;
   Index intersections = 0;   ///< pairs of segments whose mid-surfaces cut through each other
-  UserId first_segment = 0;  ///< the first such pair
+  Index initial_intersections = 0;  ///< of these: where the undeformed mid-surfaces cut already
+  UserId first_segment = 0;         ///< the first pair of the others, or of all if there are no others
   UserId second_segment = 0;
   Index nodes_in_solids = 0;  ///< nodes deep inside of solids that have no contact there
   UserId node_in_solid = 0;   ///< the first such node

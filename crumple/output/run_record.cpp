@@ -72,6 +72,7 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
                      contact.initial_overlaps.empty() ? 0.0 : contact.initial_overlaps.front().depth},
                     {"force", {contact.force.x, contact.force.y, contact.force.z}},
                     {"intersections", contact.inspection.intersections},
+                    {"initial_intersections", contact.inspection.initial_intersections},
                     {"nodes_in_solids", contact.inspection.nodes_in_solids},
                     {"nodes_beyond_mid_surface", contact.inspection.nodes_beyond},
                     {"largest_relative_depth", contact.inspection.largest_depth},

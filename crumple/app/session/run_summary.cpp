@@ -68,7 +68,12 @@ void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
         "  mid-surfaces cut through each other: {} of segments",
         seen.largest_depth, seen.percentile_99, counted(seen.nodes_beyond, "node"),
         counted(seen.intersections, "pair"));
-  if (seen.intersections > 0) print(out, ", the first {} and {}", seen.first_segment, seen.second_segment);
+  if (seen.initial_intersections > 0)
+    print(out, ", {} of them where the undeformed ones do", seen.initial_intersections);
+  if (seen.intersections > 0)
+    print(out, ", the first{} {} and {}",
+          seen.initial_intersections > 0 && seen.intersections > seen.initial_intersections ? " other" : "",
+          seen.first_segment, seen.second_segment);
   if (seen.nodes_in_solids > 0)
     print(out, "\n  in solids without contact: {}, the first {}", counted(seen.nodes_in_solids, "node"),
           seen.node_in_solid);

@@ -265,6 +265,29 @@ TEST(Intersections, SheetsThatCutEachOtherAreCounted) {
   EXPECT_TRUE(contact::intersecting_segments(sheets, parallel.nodes.position, 1).empty());
 }
 
+// What cut at the start, there or beside, is not the contact's fault.
+TEST(Intersections, ThoseOfTheStartAreKnown) {
+  Bodies bodies(0.01);
+  bodies.sheet(8, 1, [](double u, double v) { return Vec3{8 * u, v, 0}; });
+  const Index across = bodies.sheet(1, 1, [](double u, double v) {
+    return Vec3{1.5, 0.3 + 0.4 * u, 2 * v - 1};
+  });
+  domain::Domain made = bodies.build();
+  const contact::Surface surface = contact::build_surface(bodies.model, made, bodies.contact);
+  const auto initial = contact::intersecting_segments(surface, made.nodes.position, 1);
+  ASSERT_EQ(initial.size(), 1U);
+  const auto found_at = [&](double x) {
+    for (Index n = across; n < across + 4; ++n) made.nodes.position[test::at(made, n)].x = x;
+    const auto cut = contact::intersecting_segments(surface, made.nodes.position, 1);
+    EXPECT_EQ(cut.size(), 1U);
+    return contact::cut_since(surface, initial, cut).size();
+  };
+  EXPECT_EQ(found_at(1.6), 0U);
+  EXPECT_EQ(found_at(2.5), 0U);  // of the segment beside
+  EXPECT_EQ(found_at(4.5), 1U);
+  EXPECT_TRUE(contact::cut_since(surface, initial, {}).empty());
+}
+
 TEST(Intersections, PenetrationsAreSummarised) {
   std::vector<contact::Penetration> found;
   for (int i = 1; i <= 200; ++i) found.push_back({0.004 * i, 1.0, i, 2 * i});
