@@ -25,9 +25,8 @@ void for_each_solid_number(Constants& constants, const Visit& visit) {
   visit(constants.viscous);
   visit(constants.assumed_strain);
   visit(constants.hourglass);
-  visit(constants.plane_stress);
-  visit(constants.anticlastic);
-  visit(constants.uniaxial);
+  visit(constants.bend_together);
+  visit(constants.warp);
   visit(constants.density);
   visit(constants.shear_share);
   visit(constants.wave_speed);

@@ -32,9 +32,8 @@ void set_hourglass(const model::HourglassControl& control, const ElasticConstant
   if (constants.assumed_strain) {
     const double nu = elastic.poissons_ratio;
     constants.hourglass = control.coefficient * elastic.shear_modulus();
-    constants.plane_stress = 1 / (1 - nu);
-    constants.anticlastic = nu / (1 - nu);
-    constants.uniaxial = (1 + nu) / 3;
+    constants.bend_together = std::sqrt((1 + nu) / (1 - nu));
+    constants.warp = std::sqrt(2 * (1 + nu) / 3);
     return;
   }
   const double modulus = constants.density * constants.wave_speed * constants.wave_speed;
@@ -99,7 +98,7 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.wave_speed = start.wave_speed;
   const double modulus = start.density * start.wave_speed * start.wave_speed;
   constants.shear_share = std::clamp(2 * elastic.shear_modulus() / modulus, 0.0, 1.0);
-  const model::HourglassControl& control = model::hourglass_of(model, part);
+  const model::HourglassControl control = model::solid_hourglass_of(model, part);
   constants.bulk_quadratic =
       control.bulk_quadratic > 0 ? control.bulk_quadratic : model.control.bulk_quadratic;
   constants.bulk_linear = std::max(control.bulk_linear > 0 ? control.bulk_linear : model.control.bulk_linear,

@@ -41,6 +41,12 @@ LawUse use_of(const ConstitutiveLaw& law) {
   return std::visit(Use(), law);
 }
 
+bool is_elastic(const ConstitutiveLaw& law) {
+  return std::holds_alternative<Elastic>(law) || std::holds_alternative<BlatzKo>(law) ||
+         std::holds_alternative<MooneyRivlin>(law) || std::holds_alternative<OgdenRubber>(law) ||
+         std::holds_alternative<PolynomialRubber>(law);
+}
+
 bool has_strain_limits(const PiecewiseLinearPlasticity& law) {
   return law.failure_thinning > 0 || law.failure_major > 0 || law.failed_points > 0 || law.failed_share > 0;
 }

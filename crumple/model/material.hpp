@@ -434,6 +434,10 @@ struct LawUse {
 };
 LawUse use_of(const ConstitutiveLaw& law);
 
+/// True of laws of solids that neither flow nor relax, with an isotropic stiffness: linear elasticity,
+/// rubbers.
+bool is_elastic(const ConstitutiveLaw& law);
+
 /// What the parts of a rigid material may not do (CMO = 1 or -1 of *MAT_RIGID).
 struct RigidMaterial {
   std::array<bool, 3> fixed_translation{};  ///< of the centre of mass along the held axes of the body

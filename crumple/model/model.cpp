@@ -53,6 +53,17 @@ const HourglassControl& hourglass_of(const Model& model, const Part& part) {
   return part.hourglass == no_index ? model.control.hourglass : model.hourglass_controls[part.hourglass];
 }
 
+HourglassControl solid_hourglass_of(const Model& model, const Part& part) {
+  HourglassControl control = hourglass_of(model, part);
+  if (control.form != HourglassForm::Material) return control;
+  const ConstitutiveLaw& law = model.materials[part.material].law;
+  control.coefficient = is_elastic(law) ? 1 : 0.1;
+  control.solid_form = std::holds_alternative<NullMaterial>(law)
+                           ? SolidHourglassForm::FlanaganBelytschkoViscous
+                           : SolidHourglassForm::AssumedStrain;
+  return control;
+}
+
 const EquationOfState* equation_of_state_of(const Model& model, const Part& part) {
   return part.equation_of_state == no_index ? nullptr : &model.equations_of_state[part.equation_of_state];
 }

@@ -148,7 +148,7 @@ struct DiscreteSection {
 enum class HourglassForm {
   Viscous,    ///< LS-DYNA's IHQ 1, 2, 3 for shells
   Stiffness,  ///< LS-DYNA's IHQ 4, 5 for shells
-  Material,   ///< the stiffness that the material has in the patterns of a square; has no coefficients
+  Material,   ///< the stiffness that the material has in the patterns; of solids see solid_hourglass_of()
 };
 
 /// Of hexahedra with one point, in the order of LS-DYNA's IHQ 1 to 6; its default for explicit runs is the

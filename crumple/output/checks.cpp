@@ -100,8 +100,10 @@ double supplied_speed(const domain::Domain& domain) {
 /// element with more points, and no limit on artificial energy applies.
 bool resists_as_material(const View& view, std::size_t part) {
   const model::Part& of = view.model.parts[part];
-  return model::kind_of(of) == model::ElementKind::Shell &&
-         model::hourglass_of(view.model, of).form == model::HourglassForm::Material;
+  if (model::hourglass_of(view.model, of).form != model::HourglassForm::Material) return false;
+  const model::ElementKind kind = model::kind_of(of);
+  return kind == model::ElementKind::Shell ||
+         (kind == model::ElementKind::Solid && model::is_elastic(view.model.materials[of.material].law));
 }
 
 /// By part, with the hourglass energy that is artificial; and all of that.
@@ -190,7 +192,8 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
                                 static_cast<double>(contact.lost_edges.count), 0, "crumple"));
     if (!contact.inspection.made) continue;
     checks.push_back(make_check(fmt::format("mid-surface intersections, contact {}", contact.id),
-                                contact.inspection.intersections, 0, "crumple"));
+                                contact.inspection.intersections - contact.inspection.initial_intersections,
+                                0, "crumple"));
     checks.push_back(make_check(fmt::format("nodes in solids without contact, contact {}", contact.id),
                                 contact.inspection.nodes_in_solids, 0, "crumple"));
     checks.push_back(make_check(fmt::format("nodes on or beyond a mid-surface, contact {}", contact.id),

@@ -27,22 +27,27 @@ struct Control {
   const char* name;
   model::SolidFormulation formulation;
   model::SolidHourglassForm form;
+  double coefficient = 0.1;
 };
 
-constexpr std::array<Control, 4> controls{{{"ELFORM 1, IHQ 2", model::SolidFormulation::OnePointHexahedron,
-                                            model::SolidHourglassForm::FlanaganBelytschkoViscous},
-                                           {"ELFORM 1, IHQ 5", model::SolidFormulation::OnePointHexahedron,
-                                            model::SolidHourglassForm::ExactVolumeStiffness},
-                                           {"ELFORM 1, IHQ 6", model::SolidFormulation::OnePointHexahedron,
-                                            model::SolidHourglassForm::AssumedStrain},
-                                           {"ELFORM 2", model::SolidFormulation::SelectiveHexahedron,
-                                            model::SolidHourglassForm::FlanaganBelytschkoViscous}}};
+constexpr std::array<Control, 5> controls{
+    {{"ELFORM 1, IHQ 2", model::SolidFormulation::OnePointHexahedron,
+      model::SolidHourglassForm::FlanaganBelytschkoViscous},
+     {"ELFORM 1, IHQ 5", model::SolidFormulation::OnePointHexahedron,
+      model::SolidHourglassForm::ExactVolumeStiffness},
+     {"ELFORM 1, IHQ 6", model::SolidFormulation::OnePointHexahedron,
+      model::SolidHourglassForm::AssumedStrain},
+     {"ELFORM 1, IHQ 6, QM 1", model::SolidFormulation::OnePointHexahedron,
+      model::SolidHourglassForm::AssumedStrain, 1},
+     {"ELFORM 2", model::SolidFormulation::SelectiveHexahedron,
+      model::SolidHourglassForm::FlanaganBelytschkoViscous}}};
 
 /// mm, ms, kg; cubes of 20 mm of steel.
 model::Model struck_block(const Block& block, const Control& control) {
   model::Model model = test::one_solid_part(test::elastic_steel());
   model.solid_sections[0].formulation = control.formulation;
   model.control.hourglass.solid_form = control.form;
+  model.control.hourglass.coefficient = control.coefficient;
   const auto& n = block.cells;
   test::add_box(model, 0, n[0], n[1], n[2], [&](double u, double v, double w) {
     return test::Point{20.0 * n[0] * u, 20.0 * n[1] * v, 20.0 * n[2] * w};

@@ -38,7 +38,7 @@ struct Options {
   std::optional<double> end_time;           ///< [time]
   std::vector<std::pair<std::string, std::string>> parameters;  ///< names and values, before the deck's
   bool automatic_contact = false;
-  bool ls_dyna_defaults = false;  ///< for what the deck leaves open about shells
+  bool ls_dyna_defaults = false;  ///< for what the deck leaves open about elements
   bool allow_unsupported = false;
   bool allow_negative_contact_energy = false;
   bool quiet = false;

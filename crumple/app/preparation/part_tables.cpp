@@ -169,7 +169,7 @@ std::string hourglass_words(const model::Model& model, const model::Part& part) 
     using model::SolidFormulation;
     if (model.solid_sections[part.solid_section].formulation != SolidFormulation::OnePointHexahedron)
       return "none";
-    const model::HourglassControl& control = model::hourglass_of(model, part);
+    const model::HourglassControl control = model::solid_hourglass_of(model, part);
     return fmt::format("{} QM {:.4g}", solid_forms[static_cast<std::size_t>(control.solid_form)],
                        control.coefficient);
   }

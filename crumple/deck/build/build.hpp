@@ -188,8 +188,8 @@ std::array<Vector, 3> axes_along(const Vector& first);
 /// Where a coordinate system has its origin. Its axes must have been found.
 Vector origin_of(const Build& build, UserId id);
 // build_defaults.cpp
-/// Settles what the deck leaves open about shells: with thickness change and the hourglass stiffness of their
-/// material, or as LS-DYNA does. Says so.
+/// Settles what the deck leaves open about shells and one-point hexahedra: with thickness change and the
+/// hourglass stiffness of their material, or as LS-DYNA does. Says so.
 void settle_defaults(Build& build, bool as_ls_dyna);
 /// NFAIL1 and NFAIL4 where the model has shells that they are about.
 void settle_distorted_shells(Build& build);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds for shells where the deck leaves it open (docs/theory/hourglass.md, "Which form to take").
-#include <fmt/core.h>
+// What holds for shells and solids where the deck leaves it open (docs/theory/hourglass.md, "Which form to
+// take").
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 #include "deck/build/build.hpp"
 
@@ -10,22 +13,31 @@ namespace crumple::deck {
 
 namespace {
 
-/// Shells for which what the deck leaves open makes a difference.
-struct OpenShells {
-  bool deformable = false;
-  bool hourglassing = false;  ///< with hourglass control that *CONTROL_HOURGLASS decides about
+/// Elements for which what the deck leaves open makes a difference.
+struct OpenElements {
+  bool deformable_shells = false;
+  bool hourglassing_shells = false;  ///< with hourglass control that *CONTROL_HOURGLASS decides about
+  bool hourglassing_solids = false;  ///< the same
 };
 
-OpenShells open_shells(const model::Model& model) {
-  OpenShells found;
+OpenElements open_elements(const model::Model& model) {
+  OpenElements found;
+  for (const model::SolidElement& solid : model.solids) {
+    if (solid.part == no_index) continue;
+    const model::Part& part = model.parts[solid.part];
+    if (part.solid_section == no_index || part.hourglass != no_index || model::is_rigid(model, part))
+      continue;
+    if (model.solid_sections[part.solid_section].formulation == model::SolidFormulation::OnePointHexahedron)
+      found.hourglassing_solids = true;
+  }
   for (const model::ShellElement& shell : model.shells) {
     if (shell.part == no_index) continue;
     const model::Part& part = model.parts[shell.part];
     if (part.section == no_index || model::is_rigid(model, part)) continue;
-    found.deformable = true;
+    found.deformable_shells = true;
     const model::ShellFormulation formulation = model.shell_sections[part.section].formulation;
-    found.hourglassing =
-        found.hourglassing || (part.hourglass == no_index && model::is_hourglassing(formulation));
+    found.hourglassing_shells =
+        found.hourglassing_shells || (part.hourglass == no_index && model::is_hourglassing(formulation));
   }
   return found;
 }
@@ -107,16 +119,24 @@ void settle_defaults(Build& build, bool as_ls_dyna) {
   const bool open_thickness = !build.deck.control_shell;
   if (open_hourglass && !ls_dyna) control.hourglass.form = model::HourglassForm::Material;
   if (open_thickness) control.thickness_change = !ls_dyna;
-  const OpenShells shells = open_shells(build.model);
-  if (ls_dyna || !shells.deformable) return;
-  std::string text;
-  if (open_thickness) text = "no *CONTROL_SHELL: the thickness of shells follows their strain (ISTUPD 1)";
-  if (open_hourglass && shells.hourglassing)
-    text += fmt::format("{}no *CONTROL_HOURGLASS: shells resist hourglassing with their material's stiffness",
-                        text.empty() ? "" : "; ");
-  if (text.empty()) return;
-  build.report.add(Severity::Note, {{}, 0, 0, 0}, "defaults",
-                   text + "; --ls-dyna-defaults takes constant thickness and viscous control instead");
+  if (ls_dyna) return;
+  const OpenElements open = open_elements(build.model);
+  const bool thickness = open_thickness && open.deformable_shells;
+  const bool shells = open_hourglass && open.hourglassing_shells;
+  const bool solids = open_hourglass && open.hourglassing_solids;
+  std::vector<std::string_view> taken;
+  if (thickness)
+    taken.push_back("no *CONTROL_SHELL: the thickness of shells follows their strain (ISTUPD 1)");
+  if (shells)
+    taken.push_back("no *CONTROL_HOURGLASS: shells resist hourglassing with their material's stiffness");
+  if (solids)
+    taken.push_back(
+        "no *CONTROL_HOURGLASS: one-point hexahedra resist hourglassing by assumed strains (IHQ 6)");
+  if (taken.empty()) return;
+  build.report.add(
+      Severity::Note, {{}, 0, 0, 0}, "defaults",
+      fmt::format("{}; --ls-dyna-defaults takes {} instead", fmt::join(taken, "; "),
+                  thickness || shells ? "constant thickness and viscous control" : "viscous control"));
 }
 
 }  // namespace crumple::deck

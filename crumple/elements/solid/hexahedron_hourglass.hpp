@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "elements/solid/solid_formulation.hpp"
 #include "elements/solid/solid_geometry.hpp"
 #include "elements/solid/solid_resistance.hpp"
@@ -34,44 +36,86 @@ CRUMPLE_INLINE math::PackVec3<Pack> in_global_axes(const PackMatrix<Pack>& axes,
   return math::multiply_add(v.x, axes.x, math::multiply_add(v.y, axes.y, v.z * axes.z));
 }
 
-/// Rates of the modes' forces, all sums over the nodes, by assumed strains (Belytschko & Bindeman, CMAME 105
-/// (1993) 225-260): the energy of the elastic law in the strains of the modes, without the shear of those
-/// that bend, and with the lateral strains of plane stress. `rate` and the result are in the element's axes;
-/// the element counts as a box of half sides a, b, c.
+// Assumed strains (Belytschko & Bindeman, CMAME 105 (1993) 225-260): the energy of the elastic law in the
+// strains of the modes, without the shear of those that bend, and with the lateral strains of plane stress.
+// That energy is a sum of twelve squares, s^2 / 2, with ds = L dq and the forces Q = L' s; L goes with the
+// shape of the element. Kept are the s: whatever becomes of the shape, what is stored is never negative, only
+// work changes it, and a way back to the shape of the start gives it back. Forces that were kept and
+// increased by L'L dq would give back more or less than they took.
+
+/// What L is made of: sqrt(QM mu V0 / 192) over the half sides of the element, as a box, V0 its volume at the
+/// start, for modes that are sums over the nodes.
+template <class Pack>
+struct AssumedStrainModuli {
+  Pack xx, yy, zz;
+
+  CRUMPLE_INLINE AssumedStrainModuli(const SolidPlace<RealOf<Pack>>& place, const PackMatrix<Pack>& axes,
+                                     const SolidPatterns<Pack>& x) {
+    using Real = RealOf<Pack>;
+    // 8/3 of every product of half sides, an eighth of the volume each, and 1/64 for the sums.
+    const Pack root = square_root(Pack(place.task.constants.hourglass * Real(1.0 / 192)) *
+                                  own_item<Pack>(place, solid_state::reference_volume));
+    const auto side = [&](const math::PackVec3<Pack>& axis, int p) {
+      return larger(Pack(Pack(Real(0.125)) * math::dot(axis, x.of[p])), Pack(Real(0)));
+    };
+    const Pack a = side(axes.x, pattern::xi);
+    const Pack b = side(axes.y, pattern::eta);
+    const Pack c = side(axes.z, pattern::zeta);
+    // Of what is crushed flat no modulus is endless.
+    const Pack least =
+        multiply_add(Pack(Real(1e-3)), Pack(a + b + c), Pack(std::numeric_limits<Real>::min()));
+    xx = root / larger(a, least);
+    yy = root / larger(b, least);
+    zz = root / larger(c, least);
+  }
+};
+
+/// Rates of the s from those of the modes, which are sums over the nodes in the element's axes.
 template <class Pack>
 CRUMPLE_INLINE HourglassVectors<Pack> assumed_strain_rates(const SolidConstants<RealOf<Pack>>& constants,
-                                                           const Pack& a, const Pack& b, const Pack& c,
+                                                           const AssumedStrainModuli<Pack>& h,
                                                            const HourglassVectors<Pack>& rate) {
-  using Real = RealOf<Pack>;
-  const Pack m = Pack(constants.hourglass * Real(1.0 / 24));  // QM mu, 8/3 of every H, 1/64 for the sums
-  const Pack hxx = b * c / a;
-  const Pack hyy = c * a / b;
-  const Pack hzz = a * b / c;
-  const Pack twice(Real(2));
   const auto& [q1, q2, q3, q4] = rate.of;
-  HourglassVectors<Pack> f;
-  const Pack plane(constants.plane_stress);
-  const Pack across(constants.anticlastic);
+  HourglassVectors<Pack> s;
   // The mode named after the other two directions shears, as the other two such modes do.
-  const auto shear = [&](const Pack& sum, const Pack& own, const Pack& h, const Pack& first, const Pack& k,
-                         const Pack& second) {
-    return m * multiply_add(sum, own, multiply_add(h, first, Pack(k * second)));
+  s.of[0].x = multiply_add(h.yy, q1.x, Pack(h.xx * q2.y));
+  s.of[1].y = multiply_add(h.zz, q1.x, Pack(h.xx * q3.z));
+  s.of[2].z = multiply_add(h.zz, q2.y, Pack(h.yy * q3.z));
+  // Those that bend, in pairs that stretch the same layer, as sum and difference.
+  const Pack together(constants.bend_together);
+  const auto bend = [&](Pack& sum, Pack& difference, const Pack& first, const Pack& second) {
+    sum = together * (first + second);
+    difference = first - second;
   };
-  f.of[0].x = shear(hyy + hzz, q1.x, c, q2.y, b, q3.z);
-  f.of[1].y = shear(hzz + hxx, q2.y, c, q1.x, a, q3.z);
-  f.of[2].z = shear(hxx + hyy, q3.z, b, q1.x, a, q2.y);
-  // Those that bend, in pairs that stretch the same layer.
-  const auto bend = [&](const Pack& h, const Pack& own, const Pack& pair, const Pack& other) {
-    return twice * m * multiply_add(Pack(plane * h), own, Pack(Pack(across * pair) * other));
+  bend(s.of[1].x, s.of[0].y, Pack(h.xx * q2.x), Pack(h.yy * q1.y));
+  bend(s.of[2].x, s.of[0].z, Pack(h.xx * q3.x), Pack(h.zz * q1.z));
+  bend(s.of[2].y, s.of[1].z, Pack(h.yy * q3.y), Pack(h.zz * q2.z));
+  const Pack warp(constants.warp);
+  s.of[3] = {warp * h.xx * q4.x, warp * h.yy * q4.y, warp * h.zz * q4.z};
+  return s;
+}
+
+/// The modes' forces from the s: the transposed of assumed_strain_rates().
+template <class Pack>
+CRUMPLE_INLINE HourglassVectors<Pack> assumed_strain_stress(const SolidConstants<RealOf<Pack>>& constants,
+                                                            const AssumedStrainModuli<Pack>& h,
+                                                            const HourglassVectors<Pack>& s) {
+  HourglassVectors<Pack> f;
+  f.of[0].x = multiply_add(h.yy, s.of[0].x, Pack(h.zz * s.of[1].y));
+  f.of[1].y = multiply_add(h.xx, s.of[0].x, Pack(h.zz * s.of[2].z));
+  f.of[2].z = multiply_add(h.xx, s.of[1].y, Pack(h.yy * s.of[2].z));
+  const Pack together(constants.bend_together);
+  const auto bend = [&](Pack& first, Pack& second, const Pack& sum, const Pack& difference, const Pack& along,
+                        const Pack& across) {
+    const Pack mean = together * sum;
+    first = along * (mean + difference);
+    second = across * (mean - difference);
   };
-  f.of[1].x = bend(hxx, q2.x, c, q1.y);
-  f.of[0].y = bend(hyy, q1.y, c, q2.x);
-  f.of[2].x = bend(hxx, q3.x, b, q1.z);
-  f.of[0].z = bend(hzz, q1.z, b, q3.x);
-  f.of[2].y = bend(hyy, q3.y, a, q2.z);
-  f.of[1].z = bend(hzz, q2.z, a, q3.y);
-  const Pack warp = twice * m * Pack(constants.uniaxial);
-  f.of[3] = {warp * hxx * q4.x, warp * hyy * q4.y, warp * hzz * q4.z};
+  bend(f.of[1].x, f.of[0].y, s.of[1].x, s.of[0].y, h.xx, h.yy);
+  bend(f.of[2].x, f.of[0].z, s.of[2].x, s.of[0].z, h.xx, h.zz);
+  bend(f.of[2].y, f.of[1].z, s.of[2].y, s.of[1].z, h.yy, h.zz);
+  const Pack warp(constants.warp);
+  f.of[3] = {warp * h.xx * s.of[3].x, warp * h.yy * s.of[3].y, warp * h.zz * s.of[3].z};
   return f;
 }
 
@@ -122,30 +166,27 @@ CRUMPLE_INLINE HourglassForces<Pack> hourglass_forces(const SolidPlace<RealOf<Pa
   return found;
 }
 
-/// Form 6. The forces are kept in the element's axes, in which the rates have been left.
+/// Form 6. Kept are the s of the assumed strains, whose rates have been left.
 template <class Pack>
 CRUMPLE_INLINE HourglassForces<Pack> assumed_strain_forces(const SolidPlace<RealOf<Pack>>& place,
                                                            int row_rates, const Pack& active,
                                                            const SolidPatterns<Pack>& x) {
   using Vec = math::PackVec3<Pack>;
   const Pack step = active * Pack(place.task.step);
-  const PackMatrix<Pack> axes = side_axes(x);
-  const auto half_side = [&](const Vec& axis, int p) {
-    return Pack(RealOf<Pack>(0.125)) * math::dot(axis, x.of[p]);
-  };
-  HourglassVectors<Pack> rate;
-  for (int mode = 0; mode < 4; ++mode) rate.of[mode] = kept_vector<Pack>(place, row_rates + 3 * mode);
-  const HourglassVectors<Pack> change =
-      assumed_strain_rates(place.task.constants, half_side(axes.x, pattern::xi),
-                           half_side(axes.y, pattern::eta), half_side(axes.z, pattern::zeta), rate);
-  HourglassForces<Pack> found;
-  found.work = Pack(RealOf<Pack>(0));
+  HourglassForces<Pack> stored;
+  stored.work = Pack(RealOf<Pack>(0));
   for (int mode = 0; mode < 4; ++mode) {
     const Vec old = own_vector<Pack>(place, solid_state::own + 3 * mode);
-    keep_hourglass(place, mode, old, rate.of[mode], math::multiply_add(step, change.of[mode], old), found);
-    found.of[mode] = in_global_axes(axes, found.of[mode]);
+    const Vec rate = kept_vector<Pack>(place, row_rates + 3 * mode);
+    keep_hourglass(place, mode, old, rate, math::multiply_add(step, rate, old), stored);
   }
-  found.work = Pack(place.task.step) * found.work;
+  const SolidConstants<RealOf<Pack>>& constants = place.task.constants;
+  const PackMatrix<Pack> axes = side_axes(x);
+  const HourglassVectors<Pack> forces = assumed_strain_stress(
+      constants, AssumedStrainModuli<Pack>(place, axes, x), HourglassVectors<Pack>(stored));
+  HourglassForces<Pack> found;
+  for (int mode = 0; mode < 4; ++mode) found.of[mode] = in_global_axes(axes, forces.of[mode]);
+  found.work = Pack(place.task.step) * stored.work;
   return found;
 }
 

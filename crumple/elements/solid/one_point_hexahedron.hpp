@@ -14,12 +14,12 @@ struct OnePointHexahedron {
   static constexpr const char* name = "one-point hexahedron";
   static constexpr int points = 1;
   static constexpr int corners = 8;
-  static constexpr KeptItem kept{"hourglass", "force", 12};
+  static constexpr KeptItem kept{"hourglass", "by form", 12};  ///< forces, or roots of energies
   static constexpr bool averages = false;
 
   static constexpr int row_volume = solid_scratch::own;
   static constexpr int row_dilatation = row_volume + 1;  ///< rate
-  static constexpr int row_rates = row_dilatation + 1;   ///< of the four hourglass modes, vectors
+  static constexpr int row_rates = row_dilatation + 1;   ///< of the four hourglass modes, or assumed strains
   static constexpr int rows = row_rates + 12;
 
   template <class Pack>
@@ -53,8 +53,15 @@ CRUMPLE_INLINE void hexahedron_strains(const SolidPlace<RealOf<Pack>>& place, bo
   const auto without_linear_part = [&](const Vec& rate, const Vec& pattern) { return rate - l * pattern; };
   if (constants.assumed_strain) {
     const PackMatrix<Pack> axes = side_axes(x);
-    keep_rates(
-        [&](const Vec& rate, const Vec& pattern) { return axes * without_linear_part(rate, pattern); });
+    HourglassVectors<Pack> rate;
+    for (int mode = 0; mode < 4; ++mode) {
+      const int p = pattern::hourglass + mode;
+      rate.of[mode] = axes * without_linear_part(v.of[p], x.of[p]);
+    }
+    const HourglassVectors<Pack> of_strains =
+        assumed_strain_rates(constants, AssumedStrainModuli<Pack>(place, axes, x), rate);
+    for (int mode = 0; mode < 4; ++mode)
+      keep_vector(place, Element::row_rates + 3 * mode, of_strains.of[mode]);
   } else if (constants.without_linear_part) {
     keep_rates(without_linear_part);
   } else {

@@ -23,12 +23,12 @@ struct SolidConstants {
   bool viscous = true;              ///< hourglass form: viscous, else stiffness
   bool assumed_strain = false;  ///< stiffness form in the element's own axes, see hexahedron_hourglass.hpp
   Real hourglass = 0;           ///< see hourglass_modulus(); with assumed strains QM mu
-  Real plane_stress = 0;        ///< 1 / (1 - nu), for assumed strains [-]
-  Real anticlastic = 0;         ///< nu / (1 - nu), the same [-]
-  Real uniaxial = 0;            ///< (1 + nu) / 3, the same [-]
-  Real density = 0;             ///< at time zero [mass/volume]
-  Real shear_share = 0;         ///< 2 mu / (lambda + 2 mu) at time zero, at most 1 [-]
-  Real wave_speed = 0;          ///< of longitudinal waves without lateral strain, at time zero [length/time]
+  // Of assumed strains: roots of the moduli over mu, of pairs of modes that bend and of the one that warps.
+  Real bend_together = 0;  ///< sqrt((1 + nu) / (1 - nu)); 1 where the two are opposed [-]
+  Real warp = 0;           ///< sqrt(2 (1 + nu) / 3) [-]
+  Real density = 0;        ///< at time zero [mass/volume]
+  Real shear_share = 0;    ///< 2 mu / (lambda + 2 mu) at time zero, at most 1 [-]
+  Real wave_speed = 0;     ///< of longitudinal waves without lateral strain, at time zero [length/time]
   /// Component of the state with the wave speed at the end of the last step, where the material tells a new
   /// one every step; 0: it does not vary.
   Index present_wave_speed = 0;
