@@ -29,6 +29,7 @@ inline constexpr std::array solid_cases{
               "IHQ 5"},
     SolidCase{model::SolidFormulation::OnePointHexahedron, model::SolidHourglassForm::AssumedStrain, "IHQ 6"},
     SolidCase{.formulation = model::SolidFormulation::SelectiveHexahedron, .name = "ELFORM 2"},
+    SolidCase{.formulation = model::SolidFormulation::AssumedStrainHexahedron, .name = "ELFORM -2"},
     SolidCase{.formulation = model::SolidFormulation::Tetrahedron, .name = "ELFORM 10"},
     SolidCase{.formulation = model::SolidFormulation::NodalPressureTetrahedron, .name = "ELFORM 13"}};
 

@@ -128,8 +128,7 @@ class StressBuilder {
     const auto formulation =
         build_.model.solid_sections[static_cast<std::size_t>(part.solid_section)].formulation;
     const std::size_t points = raw.stress.points.size();
-    if (formulation != model::SolidFormulation::SelectiveHexahedron || points == 1 || points == 8)
-      return true;
+    if (!model::is_selective(formulation) || points == 1 || points == 8) return true;
     build_.report.field_error(raw.where,
                               {"NINT", std::to_string(points), "1 or 8",
                                fmt::format("solids of part {} have eight points", part.id), "points"});

@@ -61,12 +61,17 @@ struct NamedForm {
 constexpr std::string_view take_hexahedron = "take 2, or 1 with hourglass control";
 constexpr std::string_view take_tetrahedron = "take 13, or 10, with four nodes";
 constexpr std::string_view equal_nodes = "wedges are computed as hexahedra with equal nodes";
+constexpr std::string_view as_assumed_strains =
+    "bending is freed of shear by assumed strains in elements of any shape, not by factors of their aspect "
+    "ratio; results differ where the mesh is coarse";
 constexpr std::string_view no_substitute = "there is nothing like it here";
 
 constexpr NamedForm forms[] = {
     {1, model::SolidFormulation::OnePointHexahedron, "the hexahedron with one point", ""},
-    {-2, {}, "the fully integrated hexahedron for poor aspect ratios, accurate form", take_hexahedron},
-    {-1, {}, "the fully integrated hexahedron for poor aspect ratios, efficient form", take_hexahedron},
+    {-2, model::SolidFormulation::AssumedStrainHexahedron,
+     "the fully integrated hexahedron for poor aspect ratios, accurate form", as_assumed_strains},
+    {-1, model::SolidFormulation::AssumedStrainHexahedron,
+     "the fully integrated hexahedron for poor aspect ratios, efficient form", as_assumed_strains},
     {2, model::SolidFormulation::SelectiveHexahedron, "the selectively reduced hexahedron", ""},
     {3, {}, "the hexahedron with rotations at its nodes", take_hexahedron},
     {4, {}, "the tetrahedron with rotations at its nodes", take_tetrahedron},

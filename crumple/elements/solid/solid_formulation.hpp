@@ -7,6 +7,8 @@
 //                                            hourglass control (hexahedron_hourglass.hpp)
 //     SelectiveHexahedron        ELFORM 2    J.C. Nagtegaal, D.M. Parks & J.R. Rice, CMAME 4 (1974) 153-177;
 //                                            2 x 2 x 2 points, one dilatation
+//     AssumedStrainHexahedron     ELFORM -1, -2   the same with assumed strains of bending
+//                                            (assumed_bending.hpp)
 //     Tetrahedron                ELFORM 10   constant strain
 //     NodalPressureTetrahedron   ELFORM 13   J. Bonet & A.J. Burton, Commun. Numer. Meth. Engng 14 (1998)
 //                                            437-449; dilatation averaged at the nodes (nodal_average.hpp)

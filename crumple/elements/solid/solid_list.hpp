@@ -12,6 +12,7 @@ namespace crumple::elements {
 using SolidFormulations = FormulationList<  //
     OnePointHexahedron,                     //
     SelectiveHexahedron,                    //
+    AssumedStrainHexahedron,                //
     Tetrahedron,                            //
     NodalPressureTetrahedron>;
 

@@ -58,7 +58,7 @@ SolidSize solid_size(const domain::Domain& domain, const domain::SolidBlock& blo
   }
   const double length = std::min(volume / square_root(largest_face_squared(x)),
                                  free_length(geometry, patterns_of_gradient(constants.exact_volume), share));
-  if (block.formulation == model::SolidFormulation::SelectiveHexahedron)
+  if (model::is_selective(block.formulation))
     if (const double least = least_jacobian(x); !(least > 0)) return {least, length};
   return {volume, length};
 }
