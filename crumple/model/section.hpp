@@ -84,12 +84,20 @@ enum class SolidFormulation {
   AssumedStrainHexahedron,   ///< the same with assumed strains of bending, for elements longer than thick
   Tetrahedron,               ///< one point, constant stress
   NodalPressureTetrahedron,  ///< with the dilatation averaged at the nodes, Bonet & Burton 1998
+  QuadraticTetrahedron,      ///< ten nodes, four points
+  SelectiveTetrahedron,      ///< the same with the mean dilatation
 };
 
-/// True for those that compute elements of four nodes.
+/// True for those that compute tetrahedra of ten nodes.
+constexpr bool is_quadratic(SolidFormulation formulation) {
+  return formulation == SolidFormulation::QuadraticTetrahedron ||
+         formulation == SolidFormulation::SelectiveTetrahedron;
+}
+
+/// True for those that compute tetrahedra, of four or of ten nodes.
 constexpr bool is_tetrahedral(SolidFormulation formulation) {
   return formulation == SolidFormulation::Tetrahedron ||
-         formulation == SolidFormulation::NodalPressureTetrahedron;
+         formulation == SolidFormulation::NodalPressureTetrahedron || is_quadratic(formulation);
 }
 
 /// True for hexahedra with 2 x 2 x 2 points.

@@ -3,6 +3,7 @@
 
 #include "elements/common/formulation_list.hpp"
 #include "elements/solid/one_point_hexahedron.hpp"
+#include "elements/solid/quadratic_tetrahedron.hpp"
 #include "elements/solid/selective_hexahedron.hpp"
 #include "elements/solid/tetrahedron.hpp"
 
@@ -14,6 +15,8 @@ using SolidFormulations = FormulationList<  //
     SelectiveHexahedron,                    //
     AssumedStrainHexahedron,                //
     Tetrahedron,                            //
-    NodalPressureTetrahedron>;
+    NodalPressureTetrahedron,               //
+    QuadraticTetrahedron,                   //
+    SelectiveTetrahedron>;
 
 }  // namespace crumple::elements
