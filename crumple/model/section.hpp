@@ -85,13 +85,11 @@ enum class SolidFormulation {
   Tetrahedron,               ///< one point, constant stress
   NodalPressureTetrahedron,  ///< with the dilatation averaged at the nodes, Bonet & Burton 1998
   QuadraticTetrahedron,      ///< ten nodes, four points
-  SelectiveTetrahedron,      ///< the same with the mean dilatation
 };
 
 /// True for those that compute tetrahedra of ten nodes.
 constexpr bool is_quadratic(SolidFormulation formulation) {
-  return formulation == SolidFormulation::QuadraticTetrahedron ||
-         formulation == SolidFormulation::SelectiveTetrahedron;
+  return formulation == SolidFormulation::QuadraticTetrahedron;
 }
 
 /// True for those that compute tetrahedra, of four or of ten nodes.

@@ -32,8 +32,7 @@ inline constexpr std::array solid_cases{
     SolidCase{.formulation = model::SolidFormulation::AssumedStrainHexahedron, .name = "ELFORM -2"},
     SolidCase{.formulation = model::SolidFormulation::Tetrahedron, .name = "ELFORM 10"},
     SolidCase{.formulation = model::SolidFormulation::NodalPressureTetrahedron, .name = "ELFORM 13"},
-    SolidCase{.formulation = model::SolidFormulation::QuadraticTetrahedron, .name = "ELFORM 16"},
-    SolidCase{.formulation = model::SolidFormulation::SelectiveTetrahedron, .name = "ELFORM 17"}};
+    SolidCase{.formulation = model::SolidFormulation::QuadraticTetrahedron, .name = "ELFORM 16"}};
 
 /// A model without mesh.
 inline model::Model solid_model(const SolidCase& of, const model::Material& material) {

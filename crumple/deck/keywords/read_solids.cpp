@@ -24,9 +24,15 @@ constexpr Field element_card[] = {
 };
 
 constexpr Field node_card[] = {
-    sized(8, reference("N1")),  sized(8, reference("N2")), sized(8, reference("N3")),
-    sized(8, reference("N4")),  sized(8, reference("N5")), sized(8, reference("N6")),
-    sized(8, reference("N7")),  sized(8, reference("N8")), sized(8, reference("N9", IdKind::Node)),
+    sized(8, reference("N1")),
+    sized(8, reference("N2")),
+    sized(8, reference("N3")),
+    sized(8, reference("N4")),
+    sized(8, reference("N5")),
+    sized(8, reference("N6")),
+    sized(8, reference("N7")),
+    sized(8, reference("N8")),
+    sized(8, reference("N9", IdKind::Node)),
     sized(8, reference("N10", IdKind::Node)),
 };
 
@@ -55,8 +61,8 @@ constexpr std::string_view equal_nodes = "wedges are computed as hexahedra with 
 constexpr std::string_view as_assumed_strains =
     "bending is freed of shear by assumed strains in elements of any shape, not by factors of their aspect "
     "ratio; results differ where the mesh is coarse";
-constexpr std::string_view as_selective_tetrahedron =
-    "computed with quadratic shape functions and one dilatation, not as twelve tetrahedra of four nodes";
+constexpr std::string_view as_quadratic =
+    "computed as 16, with quadratic shape functions, not as composed of tetrahedra with four nodes";
 constexpr std::string_view no_substitute = "there is nothing like it here";
 
 constexpr NamedForm forms[] = {
@@ -79,8 +85,7 @@ constexpr NamedForm forms[] = {
      ""},
     {15, model::SolidFormulation::SelectiveHexahedron, "the wedge with two points", equal_nodes},
     {16, model::SolidFormulation::QuadraticTetrahedron, "the ten-node tetrahedron", ""},
-    {17, model::SolidFormulation::SelectiveTetrahedron, "the composite ten-node tetrahedron",
-     as_selective_tetrahedron},
+    {17, model::SolidFormulation::QuadraticTetrahedron, "the composite ten-node tetrahedron", as_quadratic},
     {18, {}, "the hexahedron for linear statics", take_hexahedron},
     {19, {}, "the cohesive element", no_substitute},
     {20, {}, "the cohesive element with offsets for shells", no_substitute},

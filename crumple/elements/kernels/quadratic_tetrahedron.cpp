@@ -7,7 +7,5 @@ namespace crumple::elements {
 
 template SolidKernel<float> formulation_kernel<QuadraticTetrahedron, compiled_isa, float>();
 template SolidKernel<double> formulation_kernel<QuadraticTetrahedron, compiled_isa, double>();
-template SolidKernel<float> formulation_kernel<SelectiveTetrahedron, compiled_isa, float>();
-template SolidKernel<double> formulation_kernel<SelectiveTetrahedron, compiled_isa, double>();
 
 }  // namespace crumple::elements

@@ -6,14 +6,14 @@
 
 namespace crumple::elements {
 
-/// The tetrahedron with ten nodes and four points (docs/theory/quadratic_tetrahedra.md). With `Averages`
-/// the dilatation of all points is its mean over the element, as that of the selectively reduced hexahedron.
-template <bool Averages>
-struct AnyQuadraticTetrahedron {
+/// The tetrahedron with ten nodes and four points: docs/theory/quadratic_tetrahedra.md.
+struct QuadraticTetrahedron {
+  static constexpr model::SolidFormulation formulation = model::SolidFormulation::QuadraticTetrahedron;
+  static constexpr const char* name = "quadratic tetrahedron";
   static constexpr int points = quadratic_tetrahedron::points;
   static constexpr int corners = 10;
   static constexpr KeptItem kept{};
-  static constexpr bool averages = false;  // at the nodes
+  static constexpr bool averages = false;
 
   static constexpr int row_volume = solid_scratch::own;
   static constexpr int row_dilatation = row_volume + 1;  ///< rate, the mean over the element
@@ -26,21 +26,8 @@ struct AnyQuadraticTetrahedron {
   static SolidForces<Pack, corners> forces(const SolidPlace<RealOf<Pack>>& place);
 };
 
-/// Each point has its own dilatation.
-struct QuadraticTetrahedron : AnyQuadraticTetrahedron<false> {
-  static constexpr model::SolidFormulation formulation = model::SolidFormulation::QuadraticTetrahedron;
-  static constexpr const char* name = "quadratic tetrahedron";
-};
-
-/// One dilatation for all points, for materials that keep their volume.
-struct SelectiveTetrahedron : AnyQuadraticTetrahedron<true> {
-  static constexpr model::SolidFormulation formulation = model::SolidFormulation::SelectiveTetrahedron;
-  static constexpr const char* name = "selectively reduced tetrahedron";
-};
-
-template <bool Averages>
 template <class Pack>
-CRUMPLE_INLINE void AnyQuadraticTetrahedron<Averages>::strains(const SolidPlace<RealOf<Pack>>& place) {
+CRUMPLE_INLINE void QuadraticTetrahedron::strains(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const QuadraticSides<Pack> v =
       quadratic_sides<Pack>(place.nodes + quadratic_tetrahedron::velocity * width_of<Pack>);
@@ -50,43 +37,35 @@ CRUMPLE_INLINE void AnyQuadraticTetrahedron<Averages>::strains(const SolidPlace<
   const Pack share(Real(1.0 / 24));
   Pack volume(Real(0));
   Pack rate(Real(0));
-  PackMatrix<Pack> l[points];
   for (int point = 0; point < points; ++point) {
-    const ThreeVectors<Pack> area = areas_across(quadratic_tangents(x, point));
-    const Pack jacobian = math::dot(quadratic_tangents(x, point).of[0], area.of[0]);
-    l[point] = gradient_of(quadratic_tangents(v, point), area, Pack(Pack(Real(1)) / jacobian));
+    const ThreeVectors<Pack> tangent = quadratic_tangents(x, point);
+    const ThreeVectors<Pack> area = areas_across(tangent);
+    const Pack jacobian = math::dot(tangent.of[0], area.of[0]);
+    const PackMatrix<Pack> l =
+        gradient_of(quadratic_tangents(v, point), area, Pack(Pack(Real(1)) / jacobian));
+    leave_strains(place, point, l);
     const Pack own = share * jacobian;
     keep_row(place, row_share + point, own);
     volume = volume + own;
-    rate = multiply_add(own, trace(l[point]), rate);
+    rate = multiply_add(own, trace(l), rate);
   }
   const Pack dilatation = rate / volume;
   keep_row(place, row_volume, volume);
   keep_row(place, row_dilatation, dilatation);
   resist_early(place, volume, dilatation);
-  for (int point = 0; point < points; ++point) {
-    if constexpr (Averages)
-      lessen_diagonal(l[point], Pack(Pack(Real(1.0 / 3.0)) * (trace(l[point]) - dilatation)));
-    leave_strains(place, point, l[point]);
-  }
 }
 
-template <bool Averages>
 template <class Pack>
-CRUMPLE_INLINE SolidForces<Pack, 10> AnyQuadraticTetrahedron<Averages>::forces(
-    const SolidPlace<RealOf<Pack>>& place) {
+CRUMPLE_INLINE SolidForces<Pack, 10> QuadraticTetrahedron::forces(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
   const QuadraticSides<Pack> x = quadratic_sides<Pack>(place.nodes);
   const Pack zero(Real(0));
   const Pack share(Real(1.0 / 24));
-  const Pack third(Real(1.0 / 3.0));
   const Pack active = own_item<Pack>(place, solid_state::active);
   ThreeVectors<Pack> area[points];
-  PackMatrix<Pack> stress[points];
   QuadraticStiffness<Pack> stiffness = no_quadratic_stiffness<Pack>();
   Pack volume = zero;
-  Pack spherical = zero;  // mean stress over the volume
   Pack work = zero;
   for (int point = 0; point < points; ++point) {
     const ThreeVectors<Pack> tangent = quadratic_tangents(x, point);
@@ -94,12 +73,6 @@ CRUMPLE_INLINE SolidForces<Pack, 10> AnyQuadraticTetrahedron<Averages>::forces(
     const Pack jacobian = math::dot(tangent.of[0], area[point].of[0]);
     stiffness.add(area[point], jacobian);
     volume = multiply_add(share, jacobian, volume);
-    stress[point] = stress_of<Pack>(place, point, active);
-    if constexpr (Averages) {
-      const Pack mean = third * trace(stress[point]);
-      lessen_diagonal(stress[point], mean);
-      spherical = multiply_add(Pack(share * jacobian), mean, spherical);
-    }
     work = multiply_add(Pack(active * kept_row<Pack>(place, solid_scratch::material_energy + point)),
                         kept_row<Pack>(place, row_share + point), work);
   }
@@ -109,13 +82,13 @@ CRUMPLE_INLINE SolidForces<Pack, 10> AnyQuadraticTetrahedron<Averages>::forces(
   keep_row(place, solid_scratch::internal_energy, Pack(work - viscous * kept_row<Pack>(place, row_volume)));
   leave_damping_energy(place, active, row_share);
   keep_row(place, solid_scratch::hourglass_energy, zero);
-  const Pack pressure = multiply_add(Pack(-spherical), resistance.per_volume, resistance.pressure);
   SolidForces<Pack, 10> force;
   for (Vec& f : force.of) f = {zero, zero, zero};
   for (int point = 0; point < points; ++point) {
-    lessen_diagonal(stress[point], pressure);
+    PackMatrix<Pack> stress = stress_of<Pack>(place, point, active);
+    lessen_diagonal(stress, resistance.pressure);
     for (int k = 0; k < 3; ++k) {
-      const Vec along = share * (stress[point] * area[point].of[k]);
+      const Vec along = share * (stress * area[point].of[k]);
       for (int s = 0; s < quadratic_tetrahedron::sides; ++s)
         force.of[s + 1] = math::multiply_add(Pack(Real(quadratic_tetrahedron::slope.of[point][s][k])), along,
                                              force.of[s + 1]);

@@ -16,7 +16,6 @@ using SolidFormulations = FormulationList<  //
     AssumedStrainHexahedron,                //
     Tetrahedron,                            //
     NodalPressureTetrahedron,               //
-    QuadraticTetrahedron,                   //
-    SelectiveTetrahedron>;
+    QuadraticTetrahedron>;
 
 }  // namespace crumple::elements

@@ -35,8 +35,8 @@ TEST(QuadraticTetrahedron, HasItsNodesOnASecondCard) {
   deck.section = "*SECTION_SOLID\n1,17\n";
   const ReadResult result = read_deck_text(deck.text());
   ASSERT_TRUE(result.model);
-  EXPECT_EQ(result.model->solid_sections[0].formulation, model::SolidFormulation::SelectiveTetrahedron);
-  EXPECT_NE(listed(result.diagnostics).find("not as twelve tetrahedra of four nodes"), std::string::npos);
+  EXPECT_EQ(result.model->solid_sections[0].formulation, model::SolidFormulation::QuadraticTetrahedron);
+  EXPECT_NE(listed(result.diagnostics).find("computed as 16, with quadratic shape functions"), std::string::npos);
   deck.section = "*SECTION_SOLID\n1,16\n";
   deck.shells =
       "*ELEMENT_SOLID (ten nodes format)\n      21       1\n"
