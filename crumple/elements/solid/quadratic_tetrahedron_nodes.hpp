@@ -107,7 +107,7 @@ struct QuadraticStiffness {
   Pack greatest;
   Pack narrowest;
 
-  void add(const ThreeVectors<Pack>& area, const Pack& six_volumes) {
+  CRUMPLE_INLINE void add(const ThreeVectors<Pack>& area, const Pack& six_volumes) {
     const Pack length = tetrahedron_length(area, six_volumes);
     greatest = larger(greatest, Pack(Pack(RealOf<Pack>(1.0 / 6.0)) * six_volumes / (length * length)));
     narrowest = smaller(narrowest, six_volumes);
