@@ -36,7 +36,8 @@ TEST(QuadraticTetrahedron, HasItsNodesOnASecondCard) {
   const ReadResult result = read_deck_text(deck.text());
   ASSERT_TRUE(result.model);
   EXPECT_EQ(result.model->solid_sections[0].formulation, model::SolidFormulation::QuadraticTetrahedron);
-  EXPECT_NE(listed(result.diagnostics).find("computed as 16, with quadratic shape functions"), std::string::npos);
+  EXPECT_NE(listed(result.diagnostics).find("computed as 16, with quadratic shape functions"),
+            std::string::npos);
   deck.section = "*SECTION_SOLID\n1,16\n";
   deck.shells =
       "*ELEMENT_SOLID (ten nodes format)\n      21       1\n"
@@ -83,6 +84,17 @@ TEST(QuadraticTetrahedron, NodesInTheMiddleBelongToItsPart) {
   deck.more = "*SET_NODE_GENERAL\n7\nPART,1\n*BOUNDARY_SPC_SET\n7,0,1,1,1\n*SET_SEGMENT_GENERAL\n8\nPART,1\n";
   const model::Model model = read_clean(deck.text());
   EXPECT_EQ(model.fixed_nodes.size(), 10U);
+}
+
+TEST(QuadraticTetrahedron, PressureOnThreeCornersIsWarnedOf) {
+  TenNodeDeck deck;
+  deck.more = "*DEFINE_CURVE\n3\n0.,1.\n1.,1.\n*LOAD_SEGMENT\n3,1.,0.,11,13,12,12\n";
+  EXPECT_NE(
+      deck.messages().find("warning: *LOAD_SEGMENT card 1: 1 segments with pressure are the three corners"),
+      std::string::npos)
+      << deck.messages();
+  deck.more = "*DEFINE_CURVE\n3\n0.,1.\n1.,1.\n*LOAD_SEGMENT\n3,1.,0.,11,17,15,15\n";
+  EXPECT_EQ(deck.messages().find("three corners"), std::string::npos);
 }
 
 TEST(QuadraticTetrahedron, HasFourPointsAndAWarningForFive) {
