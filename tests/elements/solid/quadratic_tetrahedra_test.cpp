@@ -82,6 +82,7 @@ TEST(QuadraticTetrahedra, HaveMassAtAllNodes) {
 
 /// Lone elements, the fastest of all meshes: of any shape, with curved sides, for any Poisson's ratio.
 TEST(QuadraticTetrahedra, StableStepIsSafeForLoneElements) {
+  const SolidCase& of = quadratic;
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (const double nu : {0.0, 0.3, 0.45, 0.4999}) {
