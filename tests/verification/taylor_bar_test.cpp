@@ -196,6 +196,9 @@ TEST(TaylorBarSlow, OfSelectivelyReducedHexahedraAndAssumedStrains) {
   const Shape selective = struck_and_told(model::SolidFormulation::SelectiveHexahedron, "ELFORM 2");
   EXPECT_NEAR(selective.length, 21.51, 0.02);
   EXPECT_NEAR(selective.foot, 7.42, 0.02);
+  const Shape assumed = struck_and_told(model::SolidFormulation::AssumedStrainHexahedron, "ELFORM -2");
+  EXPECT_NEAR(assumed.length, 21.51, 0.02);
+  EXPECT_NEAR(assumed.foot, 7.25, 0.02);
   const Shape soft = struck_and_told(Form::AssumedStrain, 0.01, 8, Precision::Mixed);
   EXPECT_NEAR(soft.length, 21.52, 0.02);
   EXPECT_NEAR(soft.foot, 7.20, 0.02);
