@@ -124,10 +124,19 @@ SolidBlock make_solid_block(const model::Model& model, const NodeFields& nodes, 
                             const std::vector<Index>& solids) {
   auto block = begin_block<SolidBlock>(model, part, solids);
   block.formulation = model.solid_sections[model.parts[part].solid_section].formulation;
-  if (model::is_tetrahedral(block.formulation)) {
+  if (model::is_quadratic(block.formulation)) {
+    block.corners = 10;
+    connect(block, nodes, [&](Index solid) {
+      const model::SolidNodes& node = model.solids[solid].node;
+      std::array<Index, 10> found{};
+      for (std::size_t k = 0; k < 4; ++k) found[k] = node[model::corners_of_tetrahedron[k]];
+      for (std::size_t k = 0; k < model::SolidNodes::middles; ++k) found[4 + k] = node.middle(k);
+      return found;
+    });
+  } else if (model::is_tetrahedral(block.formulation)) {
     block.corners = 4;
     connect(block, nodes, [&](Index solid) {
-      const std::array<Index, 8>& node = model.solids[solid].node;
+      const model::SolidNodes& node = model.solids[solid].node;
       return std::array<Index, 4>{node[0], node[1], node[2], node[4]};
     });
   } else {

@@ -20,20 +20,28 @@ struct NodalAverage {
 };
 
 /// The solids of one part: one formulation and material. Its item "stress" is [point][xx, yy, zz, xy, yz, zx]
-/// in global axes. Hexahedral formulations have eight corners, tetrahedral ones four.
+/// in global axes. Hexahedral formulations have eight corners, tetrahedral ones four or
+/// ten, those in the middle of the sides behind.
 struct SolidBlock : DampedBlock {
   model::SolidFormulation formulation = model::SolidFormulation::OnePointHexahedron;
   NodalAverage average;  ///< worked out anew in each cycle; empty if the formulation has none
 
-  /// The domain nodes of element `place`, as a list for hexahedra: a tetrahedron repeats its third and
-  /// fourth.
+  /// The domain nodes at the corners of element `place`, as a list for hexahedra: a tetrahedron repeats its
+  /// third and fourth.
   std::array<Index, 8> nodes_of(Index place) const {
     std::array<Index, 8> found{};
     for (std::size_t k = 0; k < 8; ++k) {
       constexpr std::array<Index, 8> of_tetrahedron{0, 1, 2, 2, 3, 3, 3, 3};
-      found[k] = node_of(place, corners == 4 ? of_tetrahedron[k] : static_cast<Index>(k));
+      found[k] = node_of(place, corners == 8 ? static_cast<Index>(k) : of_tetrahedron[k]);
     }
     return found;
+  }
+
+  /// The share of an element's mass that its node `corner` has. Where there are ten it is that of the volumes
+  /// around them when the element is cut into eight tetrahedra.
+  double mass_share(Index corner) const {
+    if (corners == 10) return corner < 4 ? 1.0 / 32 : 7.0 / 48;
+    return 1.0 / corners;
   }
 };
 

@@ -68,6 +68,9 @@ void set_scale(domain::BeamBlock& block, Index place, double ratio) {
 double share_of(const domain::ShellBlock& block, Index place, Index corner) {
   return mass_shares(block.nodes_of(place))[static_cast<std::size_t>(corner)];
 }
+double share_of(const domain::SolidBlock& block, Index /*place*/, Index corner) {
+  return block.mass_share(corner);
+}
 double share_of(const domain::ElementBlock& block, Index /*place*/, Index /*corner*/) {
   return 1.0 / block.corners;
 }

@@ -185,7 +185,7 @@ void prepare_solids(const model::Model& model, domain::Domain& domain) {
       const SolidMass solid = prepare_element(model, domain, block, constants, place, volumes);
       if (place >= block.elements) continue;
       for (Index corner = 0; corner < block.corners; ++corner)
-        add_mass(domain, block.part, block.node_of(place, corner), solid.mass / block.corners);
+        add_mass(domain, block.part, block.node_of(place, corner), solid.mass * block.mass_share(corner));
       domain.added_mass += solid.added;
       if (scales) block.scaled.push_back({solid.mass, 0});
     }

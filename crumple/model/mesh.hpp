@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "model/solid_nodes.hpp"
 #include "model/stiffness_damping.hpp"
 
 namespace crumple::model {
@@ -31,11 +32,11 @@ struct ShellElement {
 
 /// Nodes 1 to 4 around one face, 5 to 8 around the opposite one, 5 above 1. Wedges repeat 5
 /// as 6 and 7 as 8, pyramids 5 as 6 to 8, tetrahedra 3 as 4 and 5 as 6 to 8; other hexahedra with equal
-/// neighbours are possible.
+/// neighbours are possible. Tetrahedra may have six nodes more.
 struct SolidElement {
   UserId id = 0;
   Index part = no_index;
-  std::array<Index, 8> node{};
+  SolidNodes node;
 };
 
 /// True if a solid has the four nodes of a tetrahedron in the order above: entries 0, 1, 2 and 4.

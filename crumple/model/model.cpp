@@ -13,7 +13,7 @@ int repeated_entry(const std::array<Index, 4>& node) {
 }
 
 bool is_tetrahedron(const SolidElement& solid) {
-  const std::array<Index, 8>& n = solid.node;
+  const SolidNodes& n = solid.node;
   const bool repeats = n[3] == n[2] && n[5] == n[4] && n[6] == n[4] && n[7] == n[4];
   return repeats && n[0] != n[1] && n[0] != n[2] && n[0] != n[4] && n[1] != n[2] && n[1] != n[4] &&
          n[2] != n[4];
@@ -121,10 +121,12 @@ void check_solids(const Model& model, std::vector<std::string>& found) {
       found.push_back(name + " has no part with a section of solids.");
       continue;
     }
-    const bool for_tetrahedra =
-        is_tetrahedral(model.solid_sections[model.parts[solid.part].solid_section].formulation);
-    if (for_tetrahedra && !is_tetrahedron(solid))
+    const SolidFormulation formulation =
+        model.solid_sections[model.parts[solid.part].solid_section].formulation;
+    if (is_tetrahedral(formulation) && !is_tetrahedron(solid))
       found.push_back(name + " is no tetrahedron, but the formulation of its section is for these only.");
+    if (is_quadratic(formulation) != solid.node.has_middles())
+      found.push_back(name + " has four nodes where its section is for ten, or ten where it is not.");
     for (const Index node : solid.node)
       if (!within(node, model.nodes.id.size()))
         found.push_back(name + " refers to a node that does not exist.");

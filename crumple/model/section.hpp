@@ -81,14 +81,27 @@ struct Layup {
 enum class SolidFormulation {
   OnePointHexahedron,        ///< uniform strain, Flanagan & Belytschko 1981
   SelectiveHexahedron,       ///< 2 x 2 x 2 points with the mean dilatation, Hughes 1980
+  AssumedStrainHexahedron,   ///< the same with assumed strains of bending, for elements longer than thick
   Tetrahedron,               ///< one point, constant stress
   NodalPressureTetrahedron,  ///< with the dilatation averaged at the nodes, Bonet & Burton 1998
+  QuadraticTetrahedron,      ///< ten nodes, four points
 };
 
-/// True for those that compute elements of four nodes.
+/// True for those that compute tetrahedra of ten nodes.
+constexpr bool is_quadratic(SolidFormulation formulation) {
+  return formulation == SolidFormulation::QuadraticTetrahedron;
+}
+
+/// True for those that compute tetrahedra, of four or of ten nodes.
 constexpr bool is_tetrahedral(SolidFormulation formulation) {
   return formulation == SolidFormulation::Tetrahedron ||
-         formulation == SolidFormulation::NodalPressureTetrahedron;
+         formulation == SolidFormulation::NodalPressureTetrahedron || is_quadratic(formulation);
+}
+
+/// True for hexahedra with 2 x 2 x 2 points.
+constexpr bool is_selective(SolidFormulation formulation) {
+  return formulation == SolidFormulation::SelectiveHexahedron ||
+         formulation == SolidFormulation::AssumedStrainHexahedron;
 }
 
 struct SolidSection {

@@ -23,7 +23,30 @@ Face key_of(Face face) {
   return face;
 }
 
+namespace {
+
+/// Four triangles of each face: three at its corners, and one between the nodes in the middle of its sides.
+std::vector<Face> quadratic_faces(const SolidNodes& node) {
+  // Corners from outside, and the sides from each to the next.
+  constexpr std::array<std::array<std::size_t, 3>, 4> corner = {{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  constexpr std::array<std::array<std::size_t, 3>, 4> side = {{{2, 1, 0}, {0, 4, 3}, {1, 5, 4}, {2, 3, 5}}};
+  std::vector<Face> faces;
+  for (std::size_t face = 0; face < 4; ++face) {
+    std::array<Index, 3> middle{};
+    for (std::size_t k = 0; k < 3; ++k) middle[k] = node.middle(side[face][k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Index before = middle[(k + 2) % 3];
+      faces.push_back({node[corners_of_tetrahedron[corner[face][k]]], middle[k], before, before});
+    }
+    faces.push_back({middle[0], middle[1], middle[2], middle[2]});
+  }
+  return faces;
+}
+
+}  // namespace
+
 std::vector<Face> faces_of(const SolidElement& solid) {
+  if (solid.node.has_middles()) return quadratic_faces(solid.node);
   std::vector<Face> faces;
   for (const auto& corner : corners) {
     Face face{};

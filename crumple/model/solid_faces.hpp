@@ -10,7 +10,7 @@ namespace crumple::model {
 
 /// The faces of a solid that have an area: four nodes counter-clockwise seen from outside, a triangle repeats
 /// its third. In the order bottom (nodes 1 to 4), top, sides; wedges, pyramids and tetrahedra have fewer than
-/// six.
+/// six. The four of a tetrahedron with ten nodes are four flat triangles each.
 std::vector<std::array<Index, 4>> faces_of(const SolidElement& solid);
 
 /// The same for all faces with these nodes, whichever they begin with.

@@ -16,6 +16,23 @@ constexpr int none = -1;
 using Corners = std::array<int, 4>;
 constexpr std::array<Corners, 4> tetrahedron{
     {{0, 2, 1, none}, {0, 1, 3, none}, {1, 2, 3, none}, {2, 0, 3, none}}};
+/// Three triangles at the corners of each face and one between them.
+constexpr std::array<Corners, 16> quadratic_tetrahedron{{{0, 6, 4, none},
+                                                         {2, 5, 6, none},
+                                                         {1, 4, 5, none},
+                                                         {6, 5, 4, none},
+                                                         {0, 4, 7, none},
+                                                         {1, 8, 4, none},
+                                                         {3, 7, 8, none},
+                                                         {4, 8, 7, none},
+                                                         {1, 5, 8, none},
+                                                         {2, 9, 5, none},
+                                                         {3, 8, 9, none},
+                                                         {5, 9, 8, none},
+                                                         {2, 6, 9, none},
+                                                         {0, 7, 6, none},
+                                                         {3, 9, 7, none},
+                                                         {6, 7, 9, none}}};
 constexpr std::array<Corners, 5> pyramid{
     {{0, 3, 2, 1}, {0, 1, 4, none}, {1, 2, 4, none}, {2, 3, 4, none}, {3, 0, 4, none}}};
 constexpr std::array<Corners, 5> wedge{
@@ -47,6 +64,8 @@ CellType type_of(std::int64_t number) {
       return quadrilateral;
     case 10:
       return {4, false, true, tetrahedron};
+    case 24:
+      return {10, false, true, quadratic_tetrahedron};
     case 12:
       return {8, false, true, hexahedron};
     case 13:

@@ -33,8 +33,10 @@ std::string owner_of(const model::Model& model, const domain::Domain& domain, In
   const auto look = [&](const auto& blocks, const char* kind, const auto& elements) {
     for (const auto& block : blocks)
       for (Index place = 0; place < block.elements && found.empty(); ++place) {
-        const auto nodes = block.nodes_of(place);
-        if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
+        bool has_node = false;
+        for (Index corner = 0; corner < block.corners; ++corner)
+          has_node = has_node || block.node_of(place, corner) == node;
+        if (has_node)
           found = std::string(" of ") + kind + " " + std::to_string(elements[block.element[place]].id) +
                   ", part " + std::to_string(model.parts[block.part].id);
       }

@@ -29,8 +29,10 @@ inline constexpr std::array solid_cases{
               "IHQ 5"},
     SolidCase{model::SolidFormulation::OnePointHexahedron, model::SolidHourglassForm::AssumedStrain, "IHQ 6"},
     SolidCase{.formulation = model::SolidFormulation::SelectiveHexahedron, .name = "ELFORM 2"},
+    SolidCase{.formulation = model::SolidFormulation::AssumedStrainHexahedron, .name = "ELFORM -2"},
     SolidCase{.formulation = model::SolidFormulation::Tetrahedron, .name = "ELFORM 10"},
-    SolidCase{.formulation = model::SolidFormulation::NodalPressureTetrahedron, .name = "ELFORM 13"}};
+    SolidCase{.formulation = model::SolidFormulation::NodalPressureTetrahedron, .name = "ELFORM 13"},
+    SolidCase{.formulation = model::SolidFormulation::QuadraticTetrahedron, .name = "ELFORM 16"}};
 
 /// A model without mesh.
 inline model::Model solid_model(const SolidCase& of, const model::Material& material) {
@@ -43,6 +45,7 @@ inline model::Model solid_model(const SolidCase& of, const model::Material& mate
 /// Tetrahedra where the formulation is for them.
 inline void split_for(const SolidCase& of, model::Model& model) {
   if (model::is_tetrahedral(of.formulation)) test::split_into_tetrahedra(model);
+  if (model::is_quadratic(of.formulation)) test::add_middle_nodes(model);
 }
 
 /// A cube of side 2 n of n x n x n hexahedra, or as many times six tetrahedra; every node but those on its
@@ -69,6 +72,44 @@ inline model::Model solid_cube(const SolidCase& of, Index n, double distortion,
 inline void hold_rotations(model::Model& model) {
   for (Index node = 0; node < model.nodes.count(); ++node)
     model.fixed_nodes.push_back({.node = node, .rotation = {true, true, true}});
+}
+
+/// Half the product of the highest frequency of a free body and its stable step: below one it is stable
+/// without a factor. By the power method, from forces.
+inline double courant_number(model::Model model) {
+  model.control.bulk_linear = model.control.bulk_quadratic = 0;
+  Driven body(model, {Precision::Double, available_isas().back(), 1});
+  body.update(0);
+  const double limit = body.domain.clock.element_limit;
+  const Index count = body.domain.nodes.count();
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<Vec3> shape(count);
+  for (Vec3& u : shape) u = {uniform(generator), uniform(generator), uniform(generator)};
+  std::vector<Vec3> moved(count);
+  double eigenvalue = 0;
+  constexpr double size = 1e-9;
+  for (int i = 0; i < 400; ++i) {
+    double norm_squared = 0;
+    for (Index n = 0; n < count; ++n) norm_squared += body.domain.nodes.mass[n] * dot(shape[n], shape[n]);
+    const double factor = size * std::sqrt(body.domain.nodes.mass[0] / norm_squared);
+    std::vector<Vec3> step(count);
+    for (Index n = 0; n < count; ++n) {
+      const Vec3 target = factor * shape[n];
+      step[n] = target - moved[n];
+      moved[n] = target;
+    }
+    body.step(1, step, std::vector<Vec3>(count));
+    double work = 0;
+    double mass = 0;
+    for (Index n = 0; n < count; ++n) {
+      work -= dot(body.force(n), moved[n]);
+      mass += body.domain.nodes.mass[n] * dot(moved[n], moved[n]);
+      shape[n] = (-1 / body.domain.nodes.mass[n]) * body.force(n);
+    }
+    eigenvalue = work / mass;
+  }
+  return 0.5 * std::sqrt(eigenvalue) * limit;
 }
 
 inline std::string name_of(const SolidCase& of, const domain::Execution& execution) {

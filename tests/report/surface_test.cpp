@@ -55,6 +55,25 @@ TEST(Surface, FacesBetweenSolidsAreHidden) {
                           [](const Face& face) { return face.behind == no_index; }));
 }
 
+/// Each face is four triangles, which the neighbour's hide.
+TEST(Surface, TetrahedraWithTenNodesShowSixteenTriangles) {
+  CellList cells;
+  add(cells, 24, {0, 1, 2, 3, 5, 6, 7, 8, 9, 10});
+  const Surface alone = make_surface(cells, 11);
+  EXPECT_EQ(alone.faces.size(), 16U);
+  std::set<std::pair<Index, Index>> edges;
+  for (const Face& face : alone.faces) {
+    EXPECT_EQ(face.node[2], face.node[3]);
+    for (std::size_t k = 0; k < 3; ++k) edges.insert({face.node[k], face.node[(k + 1) % 3]});
+  }
+  // Closed: each edge once in each direction.
+  EXPECT_EQ(edges.size(), 48U);
+  for (const auto& [from, to] : edges) EXPECT_TRUE(edges.contains({to, from}));
+  // On the other side of the face 0 2 1 with 7, 6, 5 between.
+  add(cells, 24, {0, 2, 1, 4, 7, 6, 5, 11, 12, 13});
+  EXPECT_EQ(make_surface(cells, 14).faces.size(), 24U);
+}
+
 TEST(Surface, ErosionBringsInnerFacesToLight) {
   const Surface surface = make_surface(cubes({never, 4, never}), 16);
   EXPECT_EQ(surface.faces.size(), 16U);

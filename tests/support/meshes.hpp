@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -129,6 +130,27 @@ inline void split_into_tetrahedra(model::Model& model) {
                        .node = {first, second, third, third, top, top, top, top}});
     }
   model.solids = std::move(split);
+}
+
+/// Adds a node in the middle of each side of tetrahedra with four.
+inline void add_middle_nodes(model::Model& model) {
+  std::map<std::pair<Index, Index>, Index> known;
+  for (model::SolidElement& solid : model.solids) {
+    model::SolidNodes::Middles middle{};
+    for (std::size_t side = 0; side < middle.size(); ++side) {
+      Index a = solid.node[model::corners_of_tetrahedron[model::sides_of_tetrahedron[side][0]]];
+      Index b = solid.node[model::corners_of_tetrahedron[model::sides_of_tetrahedron[side][1]]];
+      if (a > b) std::swap(a, b);
+      const auto [entry, is_new] = known.try_emplace({a, b}, model.nodes.count());
+      middle[side] = entry->second;
+      if (!is_new) continue;
+      const auto& x = model.nodes.position[static_cast<std::size_t>(a)];
+      const auto& y = model.nodes.position[static_cast<std::size_t>(b)];
+      model.nodes.id.push_back(model.nodes.id.back() + 1);
+      model.nodes.position.push_back({0.5 * (x[0] + y[0]), 0.5 * (x[1] + y[1]), 0.5 * (x[2] + y[2])});
+    }
+    solid.node = model::SolidNodes(solid.node, middle);
+  }
 }
 
 /// Makes two wedges of each hexahedron.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "support/larger.hpp"
 #include "support/meshes.hpp"
@@ -76,6 +77,60 @@ TEST(Collision, TwoPlatesExchangeMomentumAndKeepTheEnergy) {
   EXPECT_EQ(domain.contacts[0].active_pairs, 0) << "the plates have parted";
   // Equal bodies: the momentum goes over, apart from what stays as vibration.
   EXPECT_LT(std::fabs(momentum_of(domain, upper, model.nodes.count()).z), 0.35 * std::fabs(before.z));
+}
+
+/// The nodes in the middle of the sides are corners of segments, too: each face is four.
+TEST(Collision, BlocksOfTetrahedraWithTenNodesExchangeMomentum) {
+  model::Model model = test::one_solid_part(test::elastic_steel());
+  model.solid_sections[0].formulation = model::SolidFormulation::QuadraticTetrahedron;
+  model.parts.push_back(model.parts[0]);
+  model.parts[1].id = 2;
+  const auto add_block = [&](Index part, double z, double shift) {
+    test::add_box(model, part, 2, 2, 2, [&](double u, double v, double w) {
+      return test::Point{10 * u + shift, 10 * v + 0.7 * shift, z + 10 * w};
+    });
+  };
+  add_block(0, 0, 0);
+  add_block(1, 10.01, 1.3);
+  test::split_into_tetrahedra(model);
+  test::add_middle_nodes(model);
+  for (Index i = 0; i < model.nodes.count(); ++i)
+    if (model.nodes.position[static_cast<std::size_t>(i)][2] > 10.005)
+      model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -speed}, .angular_velocity = {}});
+  model.contacts.push_back(model::self_contact(1, "all", {0, 1}));
+  model.control.end_time = 0.02;
+  timeloop::Simulation simulation(model, test::execution());
+  Vec3 before;
+  double drift = 0;
+  double imbalance = 0;
+  Index pairs = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    const Vec3 now = test::momentum(domain);
+    if (domain.clock.cycle == 0) before = now;
+    drift = test::larger_of(drift, norm(now - before) / norm(before));
+    imbalance =
+        test::larger_of(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+    pairs = std::max(pairs, domain.contacts[0].active_pairs);
+  });
+  const domain::Domain& domain = simulation.domain();
+  test::verified("two blocks of tetrahedra with ten nodes collide: change of the momentum over itself",
+                 "conservation")
+      .below(drift, 1e-12);
+  test::verified("two blocks of tetrahedra with ten nodes collide: imbalance over the initial energy",
+                 "conservation")
+      .below(imbalance, 1e-4);
+  // Nine corners on each side, and sixteen nodes between them.
+  EXPECT_GT(pairs, 18);
+  EXPECT_GT(domain.contacts[0].worst_penetration, 0.0);
+  EXPECT_LT(domain.contacts[0].worst_penetration, 0.2);
+  EXPECT_EQ(domain.contacts[0].active_pairs, 0) << "the blocks have parted";
+  double lower = 0;
+  for (Index i = 0; i < domain.nodes.count(); ++i)
+    if (domain.nodes.reference[i].z < 10.005) lower += domain.nodes.mass[i] * domain.nodes.velocity[i].z;
+  std::printf("ten nodes: momentum of the lower block %.4f, pairs %d, imbalance %.2e\n", lower / before.z,
+              static_cast<int>(pairs), imbalance);
+  // Equal bodies: the momentum goes over, apart from what stays as vibration and turning.
+  EXPECT_GT(lower / before.z, 0.7);
 }
 
 TEST(Collision, AngularMomentumIsKeptInAnOffCentreImpact) {

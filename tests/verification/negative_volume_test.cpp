@@ -25,8 +25,8 @@ model::Model pushed_through(model::SolidFormulation formulation) {
 
 TEST(NegativeVolume, EndsTheRunWithTheElement) {
   using enum model::SolidFormulation;
-  for (const auto formulation :
-       {OnePointHexahedron, SelectiveHexahedron, Tetrahedron, NodalPressureTetrahedron}) {
+  for (const auto formulation : {OnePointHexahedron, SelectiveHexahedron, AssumedStrainHexahedron,
+                                 Tetrahedron, NodalPressureTetrahedron}) {
     const model::Model model = pushed_through(formulation);
     timeloop::Simulation simulation(model, test::execution());
     try {

@@ -62,6 +62,7 @@ std::vector<NamedSolid> benchmark_solids() {
           {"one-point-hexahedron-ihq-5", OnePointHexahedron, ExactVolumeStiffness},
           {"one-point-hexahedron-ihq-6", OnePointHexahedron, AssumedStrain},
           {"selective-hexahedron", SelectiveHexahedron},
+          {"assumed-strain-hexahedron", AssumedStrainHexahedron},
           {"tetrahedron", Tetrahedron},
           {"nodal-pressure-tetrahedron", NodalPressureTetrahedron}};
 }

@@ -117,6 +117,14 @@ std::array<Index, 8> nodes_of(const domain::Domain& domain, const ElementPlace& 
   return domain.solids[place.block - static_cast<Index>(domain.shells.size())].nodes_of(place.element);
 }
 
+/// True for all nodes of an element, those between its corners among them.
+bool has_node(const domain::Domain& domain, const ElementPlace& place, Index node) {
+  const domain::SolidBlock& block = domain.solids[place.block - static_cast<Index>(domain.shells.size())];
+  for (Index corner = 0; corner < block.corners; ++corner)
+    if (block.node_of(place.element, corner) == node) return true;
+  return false;
+}
+
 SolidShape shape_of(const domain::Domain& domain, const std::array<Index, 8>& nodes) {
   SolidShape shape;
   for (std::size_t k = 0; k < 8; ++k) {
@@ -200,7 +208,7 @@ std::vector<Found> find_nodes(const Surface& surface, const domain::Domain& doma
     for (const Index node : near.of(s)) {
       const Index place = surface.place[node];
       if (!surface.bears(place) || (surface.node_side[place] & solids.touched_by[s]) == 0 ||
-          std::ranges::find(nodes, node) != nodes.end() || !may_move_apart(surface, domain, place, nodes))
+          has_node(domain, solids.place[s], node) || !may_move_apart(surface, domain, place, nodes))
         continue;
       const PlaceInSolid where = place_in(shape, domain.nodes.position[node]);
       if (where.inside) found.push_back({place, s, where});

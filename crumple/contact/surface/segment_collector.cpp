@@ -22,7 +22,7 @@ struct SegmentCollector::NewSegment {
   bool face = false;
   bool of_solid = false;
   bool known_orientation = false;
-  std::array<Index, 8> nodes_behind{};  ///< of a face
+  std::array<Index, most_nodes_of_solid> nodes_behind{};  ///< of a face
   ElementPlace behind;
   ElementPlace ahead;
 };
@@ -43,7 +43,24 @@ double true_thickness(const model::Model& model, const model::ShellElement& shel
   return 0.25 * (at_nodes[0] + at_nodes[1] + at_nodes[2] + at_nodes[3]);
 }
 
-/// Volume from the areas and places of the faces, taken as flat (Gauss's theorem) [length^3].
+/// Domain nodes of a solid, some of them more than once.
+std::array<Index, most_nodes_of_solid> nodes_of(const model::SolidElement& solid,
+                                                const domain::NodeFields& nodes) {
+  std::array<Index, most_nodes_of_solid> found{};
+  found.fill(nodes.domain_node[solid.node[0]]);
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < solid.node.size(); ++k) {
+    // Of a tetrahedron with ten nodes the corners that are repeated are left out.
+    if (solid.node.has_middles() && k < model::SolidNodes::corners &&
+        std::ranges::find(model::corners_of_tetrahedron, k) == model::corners_of_tetrahedron.end())
+      continue;
+    found[count++] = nodes.domain_node[solid.node[k]];
+  }
+  return found;
+}
+
+/// Volume from the areas and places of the faces, taken as flat (Gauss's theorem) [length^3]; of a
+/// tetrahedron with ten nodes that of the eight it is cut into, as its segments are theirs.
 double volume_of(const model::SolidElement& solid, const domain::NodeFields& nodes) {
   double sum = 0;
   for (const std::array<Index, 4>& face : model::faces_of(solid)) {
@@ -53,7 +70,7 @@ double volume_of(const model::SolidElement& solid, const domain::NodeFields& nod
     const Vec3 centre = (1 / corners) * (x[0] + x[1] + x[2] + (corners == 4 ? x[3] : Vec3{}));
     sum += dot(centre, cross(x[2] - x[0], x[3] - x[1])) / 6;
   }
-  return sum;
+  return solid.node.has_middles() ? sum / 8 : sum;
 }
 
 }  // namespace
@@ -146,7 +163,7 @@ void SegmentCollector::add_shell(Index shell, const ElementPlace& place, double 
   if (contact_.oriented) {
     segment.face = true;
     segment.height = std::sqrt(size.area);
-    for (std::size_t k = 0; k < 8; ++k) segment.nodes_behind[k] = segment.nodes[k % 4];
+    for (std::size_t k = 0; k < most_nodes_of_solid; ++k) segment.nodes_behind[k] = segment.nodes[k % 4];
   }
   segment.half_thickness = 0.5 * thickness_of(element, segment.sides, size.shortest_edge);
   segment.stiffness = stiffness_scale(segment.sides) * modulus * size.area / size.largest_diagonal;
@@ -179,7 +196,7 @@ void SegmentCollector::add_face(const model::SolidFace& face, std::uint8_t sides
   const model::SolidElement& solid = model_.solids[face.solid];
   NewSegment segment;
   for (std::size_t k = 0; k < 4; ++k) segment.nodes[k] = domain_.nodes.domain_node[face.node[k]];
-  for (std::size_t k = 0; k < 8; ++k) segment.nodes_behind[k] = domain_.nodes.domain_node[solid.node[k]];
+  segment.nodes_behind = nodes_of(solid, domain_.nodes);
   segment.id = solid.id;
   segment.sides = sides;
   segment.face = segment.of_solid = true;

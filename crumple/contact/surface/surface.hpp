@@ -62,6 +62,9 @@ struct SurfaceBeam {
   double stiffness = 0;  ///< [force/length]
 };
 
+/// Of tetrahedra with ten.
+inline constexpr std::size_t most_nodes_of_solid = 10;
+
 /// What takes part in a contact: the shells and the faces of the solids as segments, their nodes and nodes
 /// without segments, and what the contact needs to know of them. Made at the start of the run; changes only
 /// when elements erode, see follow_erosion(). A face is a segment with an outside, the side of its normal:
@@ -91,7 +94,7 @@ struct Surface {
   std::vector<std::uint8_t> segment_side;  ///< sides of the contact that it is on, bits as in node_side
   std::vector<std::uint8_t> touched_by;    ///< sides of the nodes that may touch it, bits as in node_side
   /// Domain nodes of the element behind, of faces alone: they are the first segments.
-  std::vector<std::array<Index, 8>> nodes_behind;
+  std::vector<std::array<Index, most_nodes_of_solid>> nodes_behind;
   std::vector<ElementPlace> behind;  ///< the element that the segment belongs to
   std::vector<ElementPlace> ahead;   ///< the element that hides it as long as it has not eroded
   std::vector<std::uint8_t> active;  ///< 1 if the element behind is there and the one ahead is not

@@ -128,11 +128,13 @@ class StressBuilder {
     const auto formulation =
         build_.model.solid_sections[static_cast<std::size_t>(part.solid_section)].formulation;
     const std::size_t points = raw.stress.points.size();
-    if (formulation != model::SolidFormulation::SelectiveHexahedron || points == 1 || points == 8)
-      return true;
-    build_.report.field_error(raw.where,
-                              {"NINT", std::to_string(points), "1 or 8",
-                               fmt::format("solids of part {} have eight points", part.id), "points"});
+    if (!model::is_selective(formulation) && !model::is_quadratic(formulation)) return true;
+    const std::size_t own = model::is_quadratic(formulation) ? 4 : 8;
+    if (points == 1 || points == own) return true;
+    build_.report.field_error(
+        raw.where,
+        {"NINT", std::to_string(points), fmt::format("1 or {}", own),
+         fmt::format("solids of part {} have {} points", part.id, own == 4 ? "four" : "eight"), "points"});
     return false;
   }
 

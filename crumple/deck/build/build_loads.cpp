@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loads on nodes and segments.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "deck/build/build.hpp"
+#include "model/solid_faces.hpp"
 
 namespace crumple::deck {
 
@@ -102,6 +106,31 @@ void find_loaded_shells(model::Model& model) {
   for (model::BlastSegment& load : model.blast_segments) load.shell = shell_of(load.node);
 }
 
+/// Says that pressure on the three corners of a face of a tetrahedron with ten nodes leaves its other nodes
+/// out.
+void warn_of_lone_corners(Build& build) {
+  std::set<std::array<Index, 4>> faces;
+  for (const model::SolidElement& solid : build.model.solids) {
+    if (!solid.node.has_middles()) continue;
+    constexpr std::size_t corners[4][3] = {{0, 1, 2}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}};
+    for (const auto& face : corners) {
+      const Index last = solid.node[face[2]];
+      faces.insert(model::key_of({solid.node[face[0]], solid.node[face[1]], last, last}));
+    }
+  }
+  const auto count = std::count_if(
+      build.model.pressure_loads.begin(), build.model.pressure_loads.end(),
+      [&](const model::PressureLoad& load) { return faces.contains(model::key_of(load.node)); });
+  if (count == 0) return;
+  build.report.warning(
+      build.deck.pressure_loads.front().where, "corners",
+      fmt::format(
+          "{} segments with pressure are the three corners of a face of a tetrahedron with ten nodes; "
+          "the pressure acts on these alone; give the face as four segments, with the nodes in the "
+          "middle of its sides",
+          count));
+}
+
 }  // namespace
 
 std::optional<ForceAndMoment> find_force(Build& build, int direction, double scale, UserId system,
@@ -132,6 +161,7 @@ void build_loads(Build& build) {
   for (const RawPressureLoad& raw : build.deck.pressure_loads) build_pressure_load(raw, build);
   build_blasts(build);
   find_loaded_shells(build.model);
+  warn_of_lone_corners(build);
 }
 
 }  // namespace crumple::deck

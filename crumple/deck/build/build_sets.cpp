@@ -126,8 +126,8 @@ Index named(const RawMember& member, Item item, Build& build) {
   return build.find(item, {member.first, member.field, member.where});
 }
 
-template <std::size_t Count>
-bool all_inside(const RawBox& box, const std::array<Index, Count>& node, const model::Nodes& nodes) {
+template <class Members>
+bool all_inside(const RawBox& box, const Members& node, const model::Nodes& nodes) {
   return std::all_of(node.begin(), node.end(), [&](Index n) {
     return n != no_index && is_inside(box, nodes.position[static_cast<std::size_t>(n)]);
   });

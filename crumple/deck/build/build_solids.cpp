@@ -77,7 +77,7 @@ bool repeats_neighbours_only(const std::array<Index, 8>& node) {
 /// LS-DYNA's tetrahedron N1, N2, N3, N4, N4, N4, N4, N4 has N4 in the face of N1 to N3: as a hexahedron that
 /// face is warped through the middle of the tetrahedron, and half the volume is lost. N3 and N4 four times is
 /// the whole.
-void unfold_tetrahedron(std::array<Index, 8>& node) {
+void unfold_tetrahedron(model::SolidNodes& node) {
   const bool folded = std::all_of(node.begin() + 4, node.end(), [&](Index n) { return n == node[3]; });
   if (folded) node[3] = node[2];
 }
@@ -107,13 +107,30 @@ bool check_formulation(const model::SolidElement& solid, const Where& where, Bui
   const model::Part& part = build.model.parts[static_cast<std::size_t>(solid.part)];
   const model::SolidSection& section =
       build.model.solid_sections[static_cast<std::size_t>(part.solid_section)];
-  if (!model::is_tetrahedral(section.formulation) || model::is_tetrahedron(solid)) return true;
+  if (!model::is_tetrahedral(section.formulation) && !solid.node.has_middles()) return true;
+  if (model::is_tetrahedron(solid) && solid.node.has_middles() != model::is_quadratic(section.formulation)) {
+    build.report.error(
+        where, "formulation",
+        solid.node.has_middles()
+            ? fmt::format(
+                  "solid {} has ten nodes, which only ELFORM 16 and 17 compute; section {} of its part "
+                  "has another formulation",
+                  solid.id, section.id)
+            : fmt::format(
+                  "solid {} has four nodes, but section {} of its part has a formulation for ten, ELFORM "
+                  "16 or 17; put tetrahedra of four nodes into a part with ELFORM 13 or 10",
+                  solid.id, section.id));
+    return false;
+  }
+  if (model::is_tetrahedron(solid)) return true;
   build.report.error(
       where, "formulation",
       fmt::format("solid {} is no tetrahedron, but section {} of its part has a formulation for tetrahedra, "
-                  "ELFORM 10 or 13; expected N1, N2, N3, N4, N4, N4, N4, N4; put other solids into a part "
-                  "of their own",
-                  solid.id, section.id));
+                  "{}; put other solids into a part of their own",
+                  solid.id, section.id,
+                  model::is_quadratic(section.formulation)
+                      ? "ELFORM 16 or 17; expected two cards, the second with N1 to N10"
+                      : "ELFORM 10 or 13; expected N1, N2, N3, N4, N4, N4, N4, N4"));
   return false;
 }
 
@@ -164,6 +181,46 @@ void check_shape(const model::SolidElement& solid, const Where& where, Build& bu
                     solid.id));
 }
 
+/// Nodes of a tetrahedron with ten that are not where the order of the card says: each is nearest to the
+/// middle of its own side.
+void check_middles(const model::SolidElement& solid, const Where& where, Build& build) {
+  const auto position = [&](Index node) {
+    return build.model.nodes.position[static_cast<std::size_t>(node)];
+  };
+  const auto middle_of = [&](std::size_t side) {
+    const auto [one, other] = model::sides_of_tetrahedron[side];
+    const Vector a = position(solid.node[model::corners_of_tetrahedron[one]]);
+    const Vector b = position(solid.node[model::corners_of_tetrahedron[other]]);
+    return Vector{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
+  };
+  for (std::size_t side = 0; side < model::SolidNodes::middles; ++side) {
+    const Vector x = position(solid.node.middle(side));
+    const double own = length_of(difference(x, middle_of(side)));
+    for (std::size_t other = 0; other < model::SolidNodes::middles; ++other) {
+      if (other == side || length_of(difference(x, middle_of(other))) > own) continue;
+      const auto [first, second] = model::sides_of_tetrahedron[side];
+      build.report.error(
+          where, "order",
+          fmt::format("N{} of solid {} is not in the middle of the side from N{} to N{}; N5 to N10 are those "
+                      "between N1 and N2, N2 and N3, N3 and N1, N1 and N4, N2 and N4, N3 and N4",
+                      side + 5, solid.id, first + 1, second + 1));
+      return;
+    }
+  }
+}
+
+/// The nodes in the middle of the sides; false, with a message, if one of them is not there.
+bool add_middles(const RawSolid& raw, model::SolidElement& solid, Build& build) {
+  static constexpr std::array<std::string_view, 6> fields = {"N5", "N6", "N7", "N8", "N9", "N10"};
+  model::SolidNodes::Middles middle{};
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    middle[i] = build.find(Item::Node, {raw.middle[i], fields[i], raw.nodes_where});
+    if (middle[i] == no_index) return false;
+  }
+  solid.node = model::SolidNodes(solid.node, middle);
+  return true;
+}
+
 }  // namespace
 
 void build_solids(Build& build) {
@@ -185,8 +242,12 @@ void build_solids(Build& build) {
     }
     build.enter(Item::Solid, {raw.id, "EID", raw.where}, solids.size());
     if (complete) unfold_tetrahedron(solid.node);
+    if (complete && raw.middle[0] != 0) complete = add_middles(raw, solid, build);
     if (complete && check_repetitions(solid, raw.nodes_where, build.report)) {
-      if (check_formulation(solid, raw.nodes_where, build)) check_shape(solid, raw.nodes_where, build);
+      if (check_formulation(solid, raw.nodes_where, build)) {
+        check_shape(solid, raw.nodes_where, build);
+        if (solid.node.has_middles()) check_middles(solid, raw.nodes_where, build);
+      }
       check_sorting(solid, raw.nodes_where, build);
       ++build.solids_of_part[static_cast<std::size_t>(solid.part)];
     }

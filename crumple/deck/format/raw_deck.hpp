@@ -68,6 +68,7 @@ struct RawSolid {
   UserId id = 0;
   UserId part = 0;
   std::array<UserId, 8> node{};
+  std::array<UserId, 6> middle{};  ///< N5 to N10 of a tetrahedron with ten nodes, else zero
   Where where;
   Where nodes_where;  ///< of the card with the nodes
 };

@@ -27,4 +27,11 @@ void mirror_solid(std::array<T, 8>& node) {
   for (const std::size_t i : {2, 4, 6}) std::swap(node[i], node[i + 1]);
 }
 
+/// The same of the nodes between the corners 1-2, 2-3, 3-1, 1-4, 2-4, 3-4 of a tetrahedron.
+template <class T>
+void mirror_middles(std::array<T, 6>& middle) {
+  std::swap(middle[1], middle[2]);
+  std::swap(middle[3], middle[4]);
+}
+
 }  // namespace crumple::deck

@@ -23,9 +23,6 @@ constexpr Field element_card[] = {
     sized(8, reference("N8")),
 };
 
-constexpr std::string_view no_ten_nodes =
-    "tetrahedra with ten nodes are not supported; take those with four, N1, N2, N3, N4, N4, N4, N4, N4";
-
 constexpr Field node_card[] = {
     sized(8, reference("N1")),
     sized(8, reference("N2")),
@@ -35,8 +32,8 @@ constexpr Field node_card[] = {
     sized(8, reference("N6")),
     sized(8, reference("N7")),
     sized(8, reference("N8")),
-    sized(8, only("N9", {0}, no_ten_nodes)),
-    sized(8, only("N10", {0}, no_ten_nodes)),
+    sized(8, reference("N9", IdKind::Node)),
+    sized(8, reference("N10", IdKind::Node)),
 };
 
 constexpr Field section_card[] = {
@@ -61,12 +58,19 @@ struct NamedForm {
 constexpr std::string_view take_hexahedron = "take 2, or 1 with hourglass control";
 constexpr std::string_view take_tetrahedron = "take 13, or 10, with four nodes";
 constexpr std::string_view equal_nodes = "wedges are computed as hexahedra with equal nodes";
+constexpr std::string_view as_assumed_strains =
+    "bending is freed of shear by assumed strains in elements of any shape, not by factors of their aspect "
+    "ratio; results differ where the mesh is coarse";
+constexpr std::string_view as_quadratic =
+    "computed as 16, with quadratic shape functions, not as composed of tetrahedra with four nodes";
 constexpr std::string_view no_substitute = "there is nothing like it here";
 
 constexpr NamedForm forms[] = {
     {1, model::SolidFormulation::OnePointHexahedron, "the hexahedron with one point", ""},
-    {-2, {}, "the fully integrated hexahedron for poor aspect ratios, accurate form", take_hexahedron},
-    {-1, {}, "the fully integrated hexahedron for poor aspect ratios, efficient form", take_hexahedron},
+    {-2, model::SolidFormulation::AssumedStrainHexahedron,
+     "the fully integrated hexahedron for poor aspect ratios, accurate form", as_assumed_strains},
+    {-1, model::SolidFormulation::AssumedStrainHexahedron,
+     "the fully integrated hexahedron for poor aspect ratios, efficient form", as_assumed_strains},
     {2, model::SolidFormulation::SelectiveHexahedron, "the selectively reduced hexahedron", ""},
     {3, {}, "the hexahedron with rotations at its nodes", take_hexahedron},
     {4, {}, "the tetrahedron with rotations at its nodes", take_tetrahedron},
@@ -80,8 +84,8 @@ constexpr NamedForm forms[] = {
     {13, model::SolidFormulation::NodalPressureTetrahedron, "the tetrahedron with averaged nodal pressure",
      ""},
     {15, model::SolidFormulation::SelectiveHexahedron, "the wedge with two points", equal_nodes},
-    {16, {}, "the ten-node tetrahedron", take_tetrahedron},
-    {17, {}, "the composite ten-node tetrahedron", take_tetrahedron},
+    {16, model::SolidFormulation::QuadraticTetrahedron, "the ten-node tetrahedron", ""},
+    {17, model::SolidFormulation::QuadraticTetrahedron, "the composite ten-node tetrahedron", as_quadratic},
     {18, {}, "the hexahedron for linear statics", take_hexahedron},
     {19, {}, "the cohesive element", no_substitute},
     {20, {}, "the cohesive element with offsets for shells", no_substitute},
@@ -98,7 +102,7 @@ model::SolidFormulation formulation_of(const Card& card, Report& report) {
   if (form != std::end(forms) && form->formulation) {
     if (!form->instead.empty())
       report.field_warning(card.where(),
-                           {"ELFORM", std::string(card.text("ELFORM")), "1, 2, 10 or 13",
+                           {"ELFORM", std::string(card.text("ELFORM")), "1, 2, 10, 13 or 16",
                             fmt::format("of {}: {}", form->name, form->instead), "formulation"});
     return *form->formulation;
   }
@@ -136,6 +140,25 @@ bool complete_nodes(RawSolid& solid, Report& report) {
   return true;
 }
 
+/// N5 to N10 of a card with all ten. False, with a message, if some of them are missing.
+bool take_middles(const Card& card, RawSolid& solid, Report& report) {
+  constexpr std::array<std::string_view, 6> names = {"N5", "N6", "N7", "N8", "N9", "N10"};
+  if (!card.good("N9") || !card.good("N10")) return false;
+  if (card.integer("N9") == 0 && card.integer("N10") == 0) return true;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    solid.middle[i] = card.integer(names[i]);
+    if (solid.middle[i] != 0) continue;
+    report.field_error(
+        card.where(), {names[i], "0", "the id of a node",
+                       "a tetrahedron with ten nodes has N5 to N10 in the middle of its sides; leave out all "
+                       "six of them, or none",
+                       "left out"});
+    return false;
+  }
+  std::fill(solid.node.begin() + 4, solid.node.end(), solid.node[3]);
+  return true;
+}
+
 /// True if all of them could be read.
 bool take_nodes(const Card& card, RawSolid& solid) {
   bool good = true;
@@ -162,11 +185,14 @@ void read_element_solid(Cards& cards, RawDeck& deck) {
         std::all_of(solid.node.begin(), solid.node.end(), [](UserId node) { return node == 0; });
     if (good && no_nodes) {
       const Card second = cards.next(node_card);
-      good = take_nodes(second, solid) && second.good("N9") && second.good("N10");
+      good = take_nodes(second, solid) && take_middles(second, solid, cards.report());
     }
     if (!good || !card.good("EID") || !card.good("PID")) continue;
     if (!complete_nodes(solid, cards.report())) continue;
-    if (cards.placement().map.mirrors()) mirror_solid(solid.node);
+    if (cards.placement().map.mirrors()) {
+      mirror_solid(solid.node);
+      mirror_middles(solid.middle);
+    }
     deck.solids.push_back(solid);
   }
 }

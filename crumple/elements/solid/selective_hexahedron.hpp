@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/solid/assumed_bending.hpp"
 #include "elements/solid/hexahedron_gather.hpp"
 #include "elements/solid/solid_geometry.hpp"
 #include "elements/solid/solid_resistance.hpp"
@@ -48,10 +49,10 @@ CRUMPLE_INLINE void for_each_point(const Visit& visit) {
 
 /// The eight-node hexahedron with 2 x 2 x 2 points, whose dilatation is everywhere the mean over the element
 /// (selectively reduced integration as mean dilatation: Nagtegaal, Parks & Rice, CMAME 4 (1974) 153-177;
-/// Hughes, IJNME 15 (1980) 1413-1418): docs/theory/selectively_reduced_hexahedron.md.
-struct SelectiveHexahedron {
-  static constexpr model::SolidFormulation formulation = model::SolidFormulation::SelectiveHexahedron;
-  static constexpr const char* name = "selectively reduced hexahedron";
+/// Hughes, IJNME 15 (1980) 1413-1418): docs/theory/selectively_reduced_hexahedron.md. With `AssumesStrains`
+/// less the strains that bending must not have (assumed_bending.hpp).
+template <bool AssumesStrains>
+struct AnySelectiveHexahedron {
   static constexpr int points = 8;
   static constexpr int corners = 8;
   static constexpr KeptItem kept{};
@@ -68,28 +69,50 @@ struct SelectiveHexahedron {
   static SolidForces<Pack> forces(const SolidPlace<RealOf<Pack>>& place);
 };
 
+struct SelectiveHexahedron : AnySelectiveHexahedron<false> {
+  static constexpr model::SolidFormulation formulation = model::SolidFormulation::SelectiveHexahedron;
+  static constexpr const char* name = "selectively reduced hexahedron";
+};
+
+/// For elements that are much longer than thick: docs/theory/assumed_strain_hexahedron.md.
+struct AssumedStrainHexahedron : AnySelectiveHexahedron<true> {
+  static constexpr model::SolidFormulation formulation = model::SolidFormulation::AssumedStrainHexahedron;
+  static constexpr const char* name = "assumed strain hexahedron";
+};
+
+template <bool AssumesStrains>
 template <class Pack>
-CRUMPLE_INLINE void SelectiveHexahedron::strains(const SolidPlace<RealOf<Pack>>& place) {
+CRUMPLE_INLINE void AnySelectiveHexahedron<AssumesStrains>::strains(const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   const SolidMotion<Pack> motion = gathered_motion<Pack>(place, kept.count);
   const SolidPatterns<Pack>& x = motion.x;
   const SolidPatterns<Pack>& v = motion.v;
   const SolidGeometry<Pack> whole = solid_geometry(x, true);
-  const Pack dilatation = trace(velocity_gradient(whole, v, true));
+  const PackMatrix<Pack> mean = velocity_gradient(whole, v, true);
+  const Pack dilatation = trace(mean);
   keep_row(place, row_volume, whole.volume);
   keep_row(place, row_dilatation, dilatation);
   resist_early(place, whole.volume, dilatation);
+  [[maybe_unused]] BendingFrame<Pack> frame;
+  [[maybe_unused]] BendingModes<Pack> modes;
+  if constexpr (AssumesStrains) {
+    frame = bending_frame(x);
+    modes = bending_modes(frame, x, v, mean);
+  }
   for_each_point<Pack>([&](int point, const Pack& xi, const Pack& eta, const Pack& zeta) {
     const PointGeometry<Pack> g = geometry_at(tangents_at(x, xi, eta, zeta));
     PackMatrix<Pack> l = gradient_of(tangents_at(v, xi, eta, zeta), g.area, Pack(Pack(Real(1)) / g.jacobian));
+    if constexpr (AssumesStrains) correct_bending(frame, modes, g.jacobian, {xi, eta, zeta}, l);
     lessen_diagonal(l, Pack(Pack(Real(1.0 / 3.0)) * (trace(l) - dilatation)));
     leave_strains(place, point, l);
     keep_row(place, row_jacobian + point, g.jacobian);
   });
 }
 
+template <bool AssumesStrains>
 template <class Pack>
-CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<RealOf<Pack>>& place) {
+CRUMPLE_INLINE SolidForces<Pack> AnySelectiveHexahedron<AssumesStrains>::forces(
+    const SolidPlace<RealOf<Pack>>& place) {
   using Real = RealOf<Pack>;
   using Vec = math::PackVec3<Pack>;
   using math::multiply_add;
@@ -104,12 +127,19 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
   Pack narrowest(Real(1e30));  // square, with the sign of the Jacobian
   SolidPatterns<Pack> conjugate;
   for (Vec& f : conjugate.of) f = {zero, zero, zero};
+  [[maybe_unused]] BendingFrame<Pack> frame;
+  [[maybe_unused]] BendingModes<Pack> on_modes;
+  if constexpr (AssumesStrains) {
+    frame = bending_frame(x);
+    on_modes = no_bending<Pack>();
+  }
   for_each_point<Pack>([&](int point, const Pack& xi, const Pack& eta, const Pack& zeta) {
     using namespace pattern;
     const PointGeometry<Pack> g = geometry_at(tangents_at(x, xi, eta, zeta));
     PackMatrix<Pack> stress = stress_of<Pack>(place, point, active);
     const Pack mean = Pack(Real(1.0 / 3.0)) * trace(stress);
     lessen_diagonal(stress, mean);
+    if constexpr (AssumesStrains) add_bending(frame, stress, {xi, eta, zeta}, on_modes);
     spherical = multiply_add(g.jacobian, mean, spherical);
     work = multiply_add(Pack(active * kept_row<Pack>(place, solid_scratch::material_energy + point)),
                         kept_row<Pack>(place, row_jacobian + point), work);
@@ -131,6 +161,7 @@ CRUMPLE_INLINE SolidForces<Pack> SelectiveHexahedron::forces(const SolidPlace<Re
   keep_row(place, solid_scratch::internal_energy, work);
   leave_damping_energy(place, active, row_jacobian);
   keep_row(place, solid_scratch::hourglass_energy, zero);
+  if constexpr (AssumesStrains) take_bending_forces(frame, on_modes, x, whole, conjugate);
   const Pack pressure = multiply_add(spherical, resistance.per_volume, Pack(-resistance.pressure));
   for (int p = 0; p < 6; ++p) conjugate.of[p] = multiply_add(pressure, whole.gradient[p], conjugate.of[p]);
   // One that is inside out at a point ends the run.

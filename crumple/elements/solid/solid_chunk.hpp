@@ -6,6 +6,7 @@
 #include "elements/common/prefetch.hpp"
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/solid/hexahedron_gather.hpp"
+#include "elements/solid/quadratic_tetrahedron_nodes.hpp"
 #include "elements/solid/solid_formulation.hpp"
 #include "elements/solid/tetrahedron_nodes.hpp"
 
@@ -23,7 +24,9 @@ struct SolidScratch {
 
 /// Rows of what a formulation keeps of the nodes.
 template <class Formulation>
-inline constexpr int node_rows = Formulation::corners == 8 ? hexahedron_rows : tetrahedron_row::count;
+inline constexpr int node_rows = Formulation::corners == 8    ? hexahedron_rows
+                                 : Formulation::corners == 10 ? quadratic_tetrahedron::rows
+                                                              : tetrahedron_row::count;
 
 /// A loop over the packs of one group of a tile, with the place of their first element in the group.
 template <class Formulation, class Pack, class Visit>
@@ -50,6 +53,18 @@ CRUMPLE_INLINE void for_each_solid_pack(const SolidTask<RealOf<Pack>>& task, Ind
         [&](const SolidPlace<RealOf<Pack>>& place, Index /*lane*/) { visit(place); });
 }
 
+/// Row of the sides of a tetrahedron that is the corner of a cube, at rest.
+CRUMPLE_INLINE constexpr double at_rest(int row) {
+  // The first three vectors are the axes of the cube. Others are those to the middle between two nodes, of
+  // which the first is number 0.
+  constexpr int ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+  const int side = row / 3;
+  const int axis = row % 3 + 1;
+  if (side < 3) return axis == side + 1 ? 1 : 0;
+  if (side >= quadratic_tetrahedron::sides) return 0;
+  return (ends[side - 3][0] == axis || ends[side - 3][1] == axis) ? 0.5 : 0;
+}
+
 /// Puts the corner of a cube at rest in the place of failed tetrahedra, as rest_failed() does for shells.
 template <class Formulation, class Pack>
 CRUMPLE_INLINE void rest_failed_tetrahedra(const SolidPlace<RealOf<Pack>>& place) {
@@ -57,10 +72,8 @@ CRUMPLE_INLINE void rest_failed_tetrahedra(const SolidPlace<RealOf<Pack>>& place
   const MaskOf<Pack> gone = gone_for_ever<Pack>(place, Formulation::kept.count);
   if (!any<Pack>(gone)) return;
   for (int row = 0; row < node_rows<Formulation>; ++row) {
-    // The first three vectors are the axes of the cube.
-    const bool side = row < 9 && row % 4 == 0;
     Real* const at = place.nodes + row * width_of<Pack>;
-    store(at, select<Pack>(gone, Pack(side ? Real(1) : Real(0)), load<Pack>(at)));
+    store(at, select<Pack>(gone, Pack(Real(at_rest(row))), load<Pack>(at)));
   }
 }
 
@@ -106,9 +119,12 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
     const GroupsAhead<Pack> ahead(task, Formulation::corners, first + tile_groups, tile_groups);
     ahead.state();
-    if constexpr (Formulation::corners == 4)
+    if constexpr (Formulation::corners != 8)
       for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch, [](const SolidPlace<Real>& place) {
-        gather_tetrahedra<Pack>(place.task.nodes, place.node, place.nodes);
+        if constexpr (Formulation::corners == 10)
+          gather_quadratic_tetrahedra<Pack>(place.task.nodes, place.node, place.nodes);
+        else
+          gather_tetrahedra<Pack>(place.task.nodes, place.node, place.nodes);
         if (place.task.constants.can_fail) rest_failed_tetrahedra<Formulation, Pack>(place);
       });
     for_each_solid_pack<Formulation, Pack>(task, first, groups, scratch, [](const SolidPlace<Real>& place) {

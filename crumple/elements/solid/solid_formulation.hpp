@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Solid elements of four and eight nodes.
+// Solid elements of four, eight and ten nodes.
 //
 //     OnePointHexahedron         ELFORM 1    D.P. Flanagan & T. Belytschko, IJNME 17 (1981) 679-706; needs
 //                                            hourglass control (hexahedron_hourglass.hpp)
 //     SelectiveHexahedron        ELFORM 2    J.C. Nagtegaal, D.M. Parks & J.R. Rice, CMAME 4 (1974) 153-177;
 //                                            2 x 2 x 2 points, one dilatation
+//     AssumedStrainHexahedron     ELFORM -1, -2   the same with assumed strains of bending
+//                                            (assumed_bending.hpp)
 //     Tetrahedron                ELFORM 10   constant strain
 //     NodalPressureTetrahedron   ELFORM 13   J. Bonet & A.J. Burton, Commun. Numer. Meth. Engng 14 (1998)
 //                                            437-449; dilatation averaged at the nodes (nodal_average.hpp)
+//     QuadraticTetrahedron       ELFORM 16, 17   O.C. Zienkiewicz & R.L. Taylor: ten nodes, four points
 //
 //         8--------7       Fields of a hexahedron are sums of the eight patterns of the trilinear map: 1, xi,
 //        /|       /|       eta, zeta, and four hourglass patterns (solid_patterns.hpp). Their coefficients
@@ -25,7 +28,7 @@
 // A formulation of solids is a type with
 //   static constexpr model::SolidFormulation formulation, const char* name
 //   static constexpr int points          integration points
-//   static constexpr int corners         nodes, 8 or 4
+//   static constexpr int corners         nodes, 8, 4 or 10
 //   static constexpr int rows            numbers per element kept from strains() to forces()
 //   static constexpr KeptItem kept       what it keeps from step to step
 //   static constexpr bool averages       dilatation averaged at the nodes before (nodal_average.hpp)

@@ -3,6 +3,7 @@
 
 #include "elements/common/formulation_list.hpp"
 #include "elements/solid/one_point_hexahedron.hpp"
+#include "elements/solid/quadratic_tetrahedron.hpp"
 #include "elements/solid/selective_hexahedron.hpp"
 #include "elements/solid/tetrahedron.hpp"
 
@@ -12,7 +13,9 @@ namespace crumple::elements {
 using SolidFormulations = FormulationList<  //
     OnePointHexahedron,                     //
     SelectiveHexahedron,                    //
+    AssumedStrainHexahedron,                //
     Tetrahedron,                            //
-    NodalPressureTetrahedron>;
+    NodalPressureTetrahedron,               //
+    QuadraticTetrahedron>;
 
 }  // namespace crumple::elements

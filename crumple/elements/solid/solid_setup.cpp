@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "elements/solid/quadratic_tetrahedron_nodes.hpp"
 #include "elements/solid/selective_hexahedron.hpp"
 #include "elements/solid/tetrahedron_nodes.hpp"
 
@@ -31,6 +32,27 @@ SolidSize tetrahedron_size(const std::array<math::Vec3, 8>& corner) {
   return {six_volumes / 6, tetrahedron_length(area, six_volumes)};
 }
 
+SolidSize quadratic_size(const domain::Domain& domain, const domain::SolidBlock& block, Index place,
+                         double shear_share) {
+  QuadraticSides<double> side;
+  const math::Vec3& first = domain.nodes.position[block.node_of(place, 0)];
+  for (Index s = 0; s < quadratic_tetrahedron::sides; ++s) {
+    const math::Vec3 d = domain.nodes.position[block.node_of(place, s + 1)] - first;
+    side.of[s] = {d.x, d.y, d.z};
+  }
+  QuadraticStiffness<double> stiffness = no_quadratic_stiffness<double>();
+  double volume = 0;
+  for (int point = 0; point < quadratic_tetrahedron::points; ++point) {
+    const ThreeVectors<double> tangent = quadratic_tangents(side, point);
+    const ThreeVectors<double> area = areas_across(tangent);
+    const double six_volumes = math::dot(tangent.of[0], area.of[0]);
+    stiffness.add(area, six_volumes);
+    volume += six_volumes / 24;
+  }
+  if (!(stiffness.narrowest > 0)) return {stiffness.narrowest, stiffness.narrowest};
+  return {volume, quadratic_length(stiffness, volume, shear_share)};
+}
+
 double least_jacobian(const SolidPatterns<double>& x) {
   double least = 1e300;
   for_each_point<double>([&](int /*point*/, double xi, double eta, double zeta) {
@@ -47,18 +69,19 @@ SolidSize solid_size(const domain::Domain& domain, const domain::SolidBlock& blo
   std::array<math::Vec3, 8> corner;
   for (std::size_t k = 0; k < 8; ++k) corner[k] = domain.nodes.position[node[k]];
   if (block.corners == 4) return tetrahedron_size(corner);
-  const SolidPatterns<double> x = patterns_of(corner);
-  const SolidGeometry<double> geometry = solid_geometry(x, constants.exact_volume);
-  const double volume = geometry.volume;
   double share = constants.shear_share;
   if (constants.present_wave_speed > 0) {
     const double speed = block.state(place, constants.present_wave_speed);
     if (speed > 0)
       share = std::min(1.0, share * constants.wave_speed * constants.wave_speed / (speed * speed));
   }
+  if (block.corners == 10) return quadratic_size(domain, block, place, share);
+  const SolidPatterns<double> x = patterns_of(corner);
+  const SolidGeometry<double> geometry = solid_geometry(x, constants.exact_volume);
+  const double volume = geometry.volume;
   const double length = std::min(volume / square_root(largest_face_squared(x)),
                                  free_length(geometry, patterns_of_gradient(constants.exact_volume), share));
-  if (block.formulation == model::SolidFormulation::SelectiveHexahedron)
+  if (model::is_selective(block.formulation))
     if (const double least = least_jacobian(x); !(least > 0)) return {least, length};
   return {volume, length};
 }

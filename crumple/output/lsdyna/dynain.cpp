@@ -107,6 +107,20 @@ class Writer {
     result_.text += '\n';
   }
 
+  /// Ten nodes on a card of their own.
+  void write_quadratic(const model::SolidElement& solid, Index part) {
+    fmt::format_to(std::back_inserter(result_.text), "{:8}{:8}\n", solid.id,
+                   view_.model.parts[static_cast<std::size_t>(part)].id);
+    const auto write = [&](Index node) {
+      fmt::format_to(std::back_inserter(result_.text), "{:8}",
+                     view_.model.nodes.id[static_cast<std::size_t>(node)]);
+      node_is_written_[static_cast<std::size_t>(node)] = 1;
+    };
+    for (const std::size_t corner : model::corners_of_tetrahedron) write(solid.node[corner]);
+    for (std::size_t side = 0; side < model::SolidNodes::middles; ++side) write(solid.node.middle(side));
+    result_.text += '\n';
+  }
+
   void write_shells() {
     bool first = true;
     int layered = 0;
@@ -138,7 +152,11 @@ class Writer {
       const domain::SolidBlock& block = view_.domain.solids[static_cast<std::size_t>(b)];
       if (!takes(block, place)) continue;
       if (std::exchange(first, false)) result_.text += "*ELEMENT_SOLID\n";
-      write_element(view_.model.solids[i].id, block.part, view_.model.solids[i].node);
+      const model::SolidElement& solid = view_.model.solids[i];
+      if (solid.node.has_middles())
+        write_quadratic(solid, block.part);
+      else
+        write_element(solid.id, block.part, solid.node);
     }
   }
 

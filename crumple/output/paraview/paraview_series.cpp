@@ -25,6 +25,7 @@ constexpr std::uint8_t vtk_line = 3;
 constexpr std::uint8_t vtk_triangle = 5;
 constexpr std::uint8_t vtk_quad = 9;
 constexpr std::uint8_t vtk_tetrahedron = 10;
+constexpr std::uint8_t vtk_quadratic_tetrahedron = 24;
 constexpr std::uint8_t vtk_hexahedron = 12;
 constexpr std::uint8_t vtk_wedge = 13;
 constexpr std::uint8_t vtk_pyramid = 14;
@@ -67,7 +68,8 @@ struct SolidCell {
   std::uint8_t type = vtk_hexahedron;
   std::vector<std::size_t> corner;
 };
-SolidCell cell_of(const std::array<Index, 8>& node) {
+SolidCell cell_of(const model::SolidNodes& node) {
+  if (node.has_middles()) return {vtk_quadratic_tetrahedron, {0, 1, 2, 4, 8, 9, 10, 11, 12, 13}};
   const auto same = [&](std::size_t a, std::size_t b) { return node[a] == node[b]; };
   const bool tip = same(4, 5) && same(5, 6) && same(6, 7);
   if (tip && same(2, 3)) return {vtk_tetrahedron, {0, 1, 2, 4}};

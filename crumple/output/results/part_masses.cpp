@@ -33,7 +33,7 @@ PartMasses::PartMasses(const View& view) {
     for (Index place = 0; place < block.elements; ++place)
       for (Index corner = 0; corner < block.corners; ++corner)
         by_node[block.part][block.node_of(place, corner)] +=
-            density * block.state(place, volume->first) / block.corners;
+            density * block.state(place, volume->first) * block.mass_share(corner);
   }
   for (const domain::BeamBlock& block : view.domain.beams) {
     const model::Part& part = view.model.parts[block.part];

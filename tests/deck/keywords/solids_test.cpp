@@ -159,6 +159,16 @@ TEST(SolidSection, EveryFormulation) {
   EXPECT_EQ(read("13"), NodalPressureTetrahedron);
 }
 
+TEST(SolidSection, PoorAspectRatiosAreTheHexahedronWithAssumedStrains) {
+  for (const char* number : {"-1", "-2"}) {
+    SolidDeck deck;
+    deck.section = std::string("*SECTION_SOLID\n1,") + number + "\n";
+    const ReadResult result = read_deck_text(deck.text());
+    ASSERT_TRUE(result.model);
+    EXPECT_EQ(result.model->solid_sections[0].formulation, model::SolidFormulation::AssumedStrainHexahedron);
+  }
+}
+
 TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
   const auto message = [](const std::string& number) {
     SolidDeck deck;
@@ -166,17 +176,23 @@ TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
     return listed(read_deck_text(deck.text()).diagnostics);
   };
   EXPECT_EQ(
-      message("16"),
-      "deck.k:20: error: *SECTION_SOLID card 1 field ELFORM: read \"16\", expected 1 (the hexahedron with "
+      message("4"),
+      "deck.k:20: error: *SECTION_SOLID card 1 field ELFORM: read \"4\", expected 1 (the hexahedron with "
       "one point), 2 (the selectively reduced hexahedron), 10 (the tetrahedron with one point), 13 (the "
-      "tetrahedron with averaged nodal pressure); 16 is the ten-node tetrahedron; take 13, or 10, with "
-      "four nodes\n");
+      "tetrahedron with averaged nodal pressure), 16 (the ten-node tetrahedron); 4 is the tetrahedron with "
+      "rotations at its nodes; take 13, or 10, with four nodes\n");
   EXPECT_EQ(
       message("15"),
       "deck.k: note: densities and moduli look like the units kg, mm, ms\n"
-      "deck.k:20: warning: *SECTION_SOLID card 1 field ELFORM: read \"15\", expected 1, 2, 10 or 13; of "
+      "deck.k:20: warning: *SECTION_SOLID card 1 field ELFORM: read \"15\", expected 1, 2, 10, 13 or 16; of "
       "the wedge with two points: wedges are computed as hexahedra with equal nodes\n");
   EXPECT_EQ(message("115").find("error"), std::string::npos);
+  for (const char* number : {"-1", "-2"}) {
+    EXPECT_NE(message(number).find("warning: *SECTION_SOLID card 1 field ELFORM"), std::string::npos);
+    EXPECT_NE(message(number).find("by assumed strains in elements of any shape"), std::string::npos);
+    EXPECT_EQ(message(number).find("error"), std::string::npos);
+  }
+  EXPECT_NE(message("3").find("3 is the hexahedron with rotations at its nodes; take 2"), std::string::npos);
   EXPECT_NE(message("77").find("read \"77\", expected 1"), std::string::npos);
   EXPECT_EQ(message("0").find("error"), std::string::npos);
   SolidDeck deck;

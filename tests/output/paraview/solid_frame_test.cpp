@@ -53,5 +53,27 @@ TEST_F(SolidFrameTest, ShowsShellsThenSolidsAsTheShapesTheyAre) {
   EXPECT_EQ(file["alive"].values<std::uint8_t>(), (std::vector<std::uint8_t>(5, 1)));
 }
 
+TEST_F(SolidFrameTest, ShowsTetrahedraWithTenNodesAsQuadraticOnes) {
+  model::Model model = test::one_solid_part(test::elastic_steel());
+  model.solid_sections[0].formulation = model::SolidFormulation::QuadraticTetrahedron;
+  test::add_box(model, 0, 1, 1, 1, [](double u, double v, double w) { return test::Point{u, v, w}; });
+  model.solids[0].node = {0, 1, 3, 3, 4, 4, 4, 4};
+  test::add_middle_nodes(model);
+  domain::Domain domain = domain::build(model, {});
+  domain::SolidBlock& block = domain.solids.at(0);
+  EXPECT_EQ(block.corners, 10);
+  block.points = 4;
+  domain::add_item(block, "stress", "stress", 24);
+  block.allocate(Precision::Double);
+  const View view{model, domain, 0};
+  ParaviewSeries(folder_, "run", view).write_frame(view);
+  const VtuReader file(read(folder_ / "vtu/run_000000.vtu"));
+  EXPECT_EQ(file["types"].values<std::uint8_t>(), (std::vector<std::uint8_t>{24}));
+  EXPECT_EQ(file["offsets"].values<std::int32_t>(), (std::vector<std::int32_t>{10}));
+  // The corners, then 0-1, 1-2, 2-0, 0-3, 1-3, 2-3 of them.
+  EXPECT_EQ(file["connectivity"].values<std::int32_t>(),
+            (std::vector<std::int32_t>{0, 1, 3, 4, 8, 9, 10, 11, 12, 13}));
+}
+
 }  // namespace
 }  // namespace crumple::output::solid_frame_test

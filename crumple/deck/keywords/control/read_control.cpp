@@ -75,9 +75,9 @@ constexpr Field solution_card[] = {
 
 constexpr Field solid_card[] = {
     integer("ESORT"),
-    unused("FMATRX"),   // deformation gradients are exact
-    unused("NIPTETS"),  // of tetrahedra with ten nodes
-    unused("SWLOCL"),   // of listings
+    unused("FMATRX"),  // deformation gradients are exact
+    harmless("NIPTETS", {4, 0}, "tetrahedra with ten nodes have four points"),
+    unused("SWLOCL"),  // of listings
     only("PSFAIL", {0}, "a solid that has turned inside out ends the run"),
     unused("T10JTOL"),
     unused("ICOH"),    // of cohesive elements
