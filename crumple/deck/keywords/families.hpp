@@ -310,6 +310,16 @@ void read_contact_constraint_nodes_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_force_transducer(Cards& cards, RawDeck& deck);
 void read_contact_interior(Cards& cards, RawDeck& deck);
 
+// read_symmetry_planes.cpp
+void read_boundary_spc_symmetry_plane(Cards& cards, RawDeck& deck);
+void read_boundary_spc_symmetry_plane_set(Cards& cards, RawDeck& deck);
+
+// read_stoppers.cpp
+void read_constrained_rigid_body_stoppers(Cards& cards, RawDeck& deck);
+
+// read_friction.cpp
+void read_define_friction(Cards& cards, RawDeck& deck);
+
 // read_tied_contact.cpp
 void read_contact_tied(Cards& cards, RawDeck& deck);
 void read_contact_tied_offset(Cards& cards, RawDeck& deck);
