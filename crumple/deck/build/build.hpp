@@ -166,6 +166,10 @@ Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
 bool build_part_layup(Build& build, const RawPart& raw, model::Part& part);
 /// The layers of *ELEMENT_SHELL_COMPOSITE; shells with the same ones share a layup. False as above.
 bool build_element_layup(Build& build, const RawShell& raw, model::ShellElement& shell);
+// build_shell_axes.cpp
+/// Turns the material's axes of a shell to the x axis of the system that MCID names. False, with a message,
+/// if there is none, or if the material has axes of another kind.
+bool turn_to_system(Build& build, const RawShell& raw, model::ShellElement& shell);
 // build_transformations.cpp
 /// Moves the nodes of *NODE_TRANSFORM. Before all else that uses their positions.
 void move_nodes(Build& build);

@@ -35,7 +35,8 @@ struct RawShell {
   UserId part = 0;
   std::array<UserId, 4> node{};
   std::array<double, 4> thickness{};
-  double material_angle = 0;  ///< [rad]
+  double material_angle = 0;   ///< [rad]
+  UserId material_system = 0;  ///< MCID: its x is the first axis of the material; 0 is none
   Where where;
   std::size_t layers = 0;  ///< of *ELEMENT_SHELL_COMPOSITE: place in RawDeck::element_layers, from 1; 0: none
 };

@@ -2,6 +2,8 @@
 // *CONSTRAINED_RIGID_BODY_STOPPERS and *BOUNDARY_SPC_SYMMETRY_PLANE.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "deck/small_deck.hpp"
 
 namespace crumple::deck::test::stoppers_test {
