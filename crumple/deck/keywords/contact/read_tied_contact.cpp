@@ -204,6 +204,13 @@ model::TieSoftening softening_by_energy(Cards& cards, const Card& card) {
   softening.exponent = exponent == 0 ? 1 : std::fabs(exponent);
   softening.shear_ratio = card.real("CT2CN");
   softening.stiffness = card.real("CN");
+  if (softening.stiffness > 0)
+    cards.report().field_warning(
+        card.where(),
+        {"CN", std::string(card.text("CN")), "0, or a stiffness that the time step allows",
+         "what is beyond half of the stability budget of contact is cut: the bond is softer then "
+         "up to its strength, which stays, as does its energy",
+         "stiffness"});
   return softening;
 }
 
