@@ -35,6 +35,7 @@ double move_once(const model::Model& model, const model::Contact& contact, domai
   const Surface surface = build_surface(model, domain, contact);
   model::Contact without_friction = contact;
   without_friction.static_friction = without_friction.dynamic_friction = 0;
+  without_friction.part_friction = {};
   Multipliers multipliers(surface, without_friction);
   // All rests, so that the predicted places are the present ones.
   const Kinematics at_rest = multipliers.predict(domain, 1, 1);

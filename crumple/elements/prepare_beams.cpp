@@ -70,6 +70,18 @@ void take_weld(const model::SpotWeldLaw& law, const model::BeamSection& section,
                 law.torsion_strength, law.bending_strength_s, law.bending_strength_t};
 }
 
+/// Of one point a criterion of plastic strain is the failure of the law, the smaller limit counting.
+void take_erosion(const model::Material& material, const model::Part& part, BeamConstants& c) {
+  if (!material.erosion) return;
+  model::ErosionCriteria rest = *material.erosion;
+  const std::optional<double> limit = rest.effective_plastic_strain;
+  rest.effective_plastic_strain.reset();
+  require(!rest.any() && rest.conditions == 1, part,
+          "of the criteria of erosion these beams know the plastic strain alone");
+  if (limit && c.plastic != 0)
+    c.failure_strain = c.failure_strain > 0 ? std::min(c.failure_strain, *limit) : *limit;
+}
+
 /// Stresses are those of the material at the points of the section.
 BeamConstants integrated_constants(const model::Material& material, const model::Part& part,
                                    const model::BeamSection& section) {
@@ -102,6 +114,7 @@ BeamConstants constants_of(const model::Model& model, const BeamBlock& block) {
             "spot weld beams need a round section with a shear area");
     take_elastic(weld->youngs_modulus, weld->poissons_ratio, section, c);
     take_weld(*weld, section, c);
+    take_erosion(model.materials[part.material], part, c);
     return c;
   }
   if (const auto* elastic = std::get_if<model::Elastic>(&law)) {
@@ -116,6 +129,7 @@ BeamConstants constants_of(const model::Model& model, const BeamBlock& block) {
     take_elastic(plastic->youngs_modulus, plastic->poissons_ratio, section, c);
     take_plastic(*plastic, c);
   }
+  if (truss) take_erosion(model.materials[part.material], part, c);
   return c;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,33 @@ enum class ContactEdges {
   All,   ///< folds inside of the surface as well
 };
 
+/// Coulomb friction with a coefficient that falls with the speed v of sliding: mu = FD + (FS - FD) exp(-DC
+/// v).
+struct Friction {
+  double at_rest = 0;       ///< FS [-]
+  double when_sliding = 0;  ///< FD [-]
+  double decay = 0;         ///< DC [time/length]
+  double stress = 0;        ///< VC VSF: friction over the segment's area stays below it [stress]; 0: none
+
+  bool acts() const { return at_rest > 0 || when_sliding > 0; }
+};
+
+/// Friction that depends on which two parts touch (FS = -1 and -2 of *CONTACT). Parts that rub alike are of
+/// one group.
+struct PartFriction {
+  std::vector<Index> group;       ///< by part, below `groups`; empty: friction is the same everywhere
+  Index groups = 0;               ///< how many
+  std::vector<Friction> between;  ///< groups x groups, symmetric
+
+  bool empty() const { return group.empty(); }
+  /// Between two parts of the model, neither no_index.
+  const Friction& of(Index one, Index other) const {
+    return between[static_cast<std::size_t>(group[static_cast<std::size_t>(one)]) *
+                       static_cast<std::size_t>(groups) +
+                   static_cast<std::size_t>(group[static_cast<std::size_t>(other)])];
+  }
+};
+
 /// Contact of shells and solids with themselves or each other (*CONTACT). The first side is SURFA of
 /// LS-DYNA's cards (slave in old manuals), the second SURFB.
 struct Contact {
@@ -67,6 +95,7 @@ struct Contact {
   double dynamic_friction = 0;  ///< FD
   double friction_decay = 0;    ///< DC: mu = FD + (FS - FD) exp(-DC |v|) [time/length]
   double friction_stress = 0;   ///< VC VSF: friction over the segment's area stays below it [stress]; 0: none
+  PartFriction part_friction;   ///< instead of these four, where both parts are known
   double viscous_damping = 0;   ///< VDC, fraction of critical [-]; 0.2 is 20 %
   double soft_scale = 0;        ///< SOFSCL with SOFT = 1: least stiffness by mass and step [-]; 0 is none
   bool mass_stiffness = false;  ///< SOFT = 2: stiffness by mass and step, whatever the material
@@ -77,6 +106,13 @@ struct Contact {
   double solid_modulus = 0;    ///< SLDSTF: for their stiffness, instead of the bulk modulus [stress]; 0: that
   double birth_time = 0;       ///< BT [time]
   double death_time = 1e20;    ///< DT [time]
+
+  /// Friction between two parts; no_index is a node without elements, or an unknown part.
+  Friction friction_between(Index one, Index other) const {
+    if (part_friction.empty() || one == no_index || other == no_index)
+      return {static_friction, dynamic_friction, friction_decay, friction_stress};
+    return part_friction.of(one, other);
+  }
 };
 
 /// Measures what the contacts of the model do to a surface, and changes nothing (*CONTACT_FORCE_TRANSDUCER).

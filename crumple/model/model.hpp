@@ -53,6 +53,7 @@ struct Model {
   std::vector<ShellSet> shell_sets;
   std::vector<SegmentSet> segment_sets;
   std::vector<RigidBody> rigid_bodies;
+  std::vector<RigidBodyStopper> rigid_body_stoppers;
   std::vector<SpotWeld> spot_welds;
   std::vector<Rivet> rivets;
   std::vector<ConstrainedNodeSet> constrained_node_sets;

@@ -43,4 +43,21 @@ struct RigidBody {
   std::vector<Index> added_nodes{};
 };
 
+/// Bounds of the motion of a rigid body along a direction (*CONSTRAINED_RIGID_BODY_STOPPERS). It stops where
+/// it meets one, and is free to move away from it.
+struct RigidBodyStopper {
+  /// A curve over time, of the displacement or of the coordinate of the centre of mass.
+  struct Bound {
+    Index curve = no_index;        ///< in Model::curves; no_index: none
+    bool is_displacement = false;  ///< since time zero; else the coordinate along the direction
+  };
+  Index body = no_index;              ///< in Model::rigid_bodies
+  std::array<double, 3> direction{};  ///< of unit length, fixed in space
+  Bound largest;                      ///< LCMAX
+  Bound smallest;                     ///< LCMIN
+  Index speed_curve = no_index;       ///< LCVMNX: largest speed along the direction; no_index: none
+  double birth_time = 0;              ///< TB [time]
+  double death_time = 1e21;           ///< TD [time]
+};
+
 }  // namespace crumple::model

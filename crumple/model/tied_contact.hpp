@@ -26,6 +26,23 @@ struct TieFailure {
   bool by_stress = true;       ///< N and S are over the area of the node, else forces
 };
 
+/// How a tie lets go once it has reached its strength: instead of breaking at once it is damaged, and does
+/// work. Damage does not heal, and pressure is borne as before (docs/theory/cohesive_ties.md).
+struct TieSoftening {
+  enum class Law {
+    PowerLaw,          ///< mixed modes by (G_I/G_Ic)^exponent + (G_II/G_IIc)^exponent = 1
+    BenzeggaghKenane,  ///< mixed modes by G = G_Ic + (G_IIc - G_Ic) (G_II/G)^exponent
+    CriticalOpening,   ///< the stress falls evenly to zero at a distance, whatever the mode
+  };
+  Law law = Law::PowerLaw;
+  double normal_energy = 0;     ///< G_Ic: ERATEN, of the first two laws [energy/area]
+  double shear_energy = 0;      ///< G_IIc: ERATES, likewise [energy/area]
+  double exponent = 1;          ///< likewise, above zero [-]
+  double critical_opening = 0;  ///< CCRIT of the third law [length]
+  double shear_ratio = 1;       ///< CT2CN: stiffness in shear over that in tension [-]
+  double stiffness = 0;         ///< CN [stress/length]; 0: that of ties
+};
+
 /// Nodes of the first side are joined to segments of the second (*CONTACT_TIED, *CONTACT_TIEBREAK): those
 /// that are near enough at time zero.
 struct TiedContact {
@@ -36,7 +53,8 @@ struct TiedContact {
   std::array<ContactSide, 2> side;
   double tolerance = 0;  ///< distance up to which a node is tied [length]; 0: by thickness and segment
   std::optional<TieFailure> failure;
-  double death_time = 1e20;  ///< DT: the tie ends [time]
+  std::optional<TieSoftening> softening{};  ///< with failure by stress alone; absent: ties break at once
+  double death_time = 1e20;                 ///< DT: the tie ends [time]
 };
 
 }  // namespace crumple::model

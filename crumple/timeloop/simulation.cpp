@@ -48,6 +48,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       interpolations_(model, domain_),
       rivets_(model, domain_),
       prescribed_motions_(model, domain_),
+      rigid_body_stoppers_(model, domain_),
       local_constraints_(model, domain_),
       supports_(model, domain_),
       nodal_loads_(model, domain_),

@@ -41,6 +41,7 @@
 #include "constraints/node_sets.hpp"
 #include "constraints/prescribed_motion.hpp"
 #include "constraints/rigid_bodies.hpp"
+#include "constraints/rigid_body_stoppers.hpp"
 #include "constraints/rigid_wall.hpp"
 #include "constraints/rivets.hpp"
 #include "constraints/spot_welds.hpp"
@@ -169,6 +170,7 @@ class Simulation {
   constraints::Interpolations interpolations_;
   constraints::Rivets rivets_;
   constraints::PrescribedMotions prescribed_motions_;
+  constraints::RigidBodyStoppers rigid_body_stoppers_;
   constraints::LocalConstraints local_constraints_;
   std::vector<constraints::RigidWall> walls_;
   Supports supports_;

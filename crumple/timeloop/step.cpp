@@ -185,6 +185,7 @@ void Simulation::kick(double interval) {
 void Simulation::impose_motions(double interval) {
   constraints::KineticChange change;
   if (!prescribed_motions_.empty()) change = prescribed_motions_.impose(domain_, interval, next_step_);
+  rigid_body_stoppers_.impose(domain_, next_step_);
   if (!local_constraints_.empty()) {
     const constraints::KineticChange local = local_constraints_.impose(domain_, interval, next_step_);
     change.translational += local.translational;

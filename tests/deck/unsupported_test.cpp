@@ -36,6 +36,27 @@ TEST(Unsupported, PartsOfUnsupportedMaterialsAreLeftOutWithTheirShells) {
   EXPECT_EQ(result.model->parts.size(), 1U);
 }
 
+/// Histories of what is left out point to the reason instead of saying that there is no such element.
+TEST(Unsupported, WhatNamesAnElementThatIsLeftOutSaysSo) {
+  SmallDeck deck;
+  deck.part = "*PART\nfirst\n1,1,1\nsecond\n2,1,2\n";
+  deck.shells = "*ELEMENT_SHELL\n11,1,1,2,3,4\n12,2,2,5,6,3\n";
+  deck.more = "*MAT_WOOD\n2,7.83E-6,207,0.3\n*DATABASE_HISTORY_SHELL\n11,12\n";
+  const std::string refused = listed(read_deck_text(deck.text()).diagnostics);
+  EXPECT_EQ(refused.find("DATABASE_HISTORY_SHELL"), std::string::npos) << refused;
+  ReadOptions options;
+  options.allow_unsupported = true;
+  const ReadResult result = read_deck_text(deck.text(), options);
+  ASSERT_TRUE(result.model) << listed(result.diagnostics);
+  EXPECT_EQ(result.model->output.history_shells, (std::vector<Index>{0}));
+  EXPECT_NE(listed(result.diagnostics).find("shell 12 is left out, see the message at it or at its part"),
+            std::string::npos)
+      << listed(result.diagnostics);
+  deck.more = "*DATABASE_HISTORY_SHELL\n13\n";
+  EXPECT_NE(listed(read_deck_text(deck.text()).diagnostics).find("the deck has no shell 13"),
+            std::string::npos);
+}
+
 TEST(Units, GuessedFromSteel) {
   const auto units = [](const std::string& density, const std::string& modulus) {
     SmallDeck deck;

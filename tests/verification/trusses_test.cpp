@@ -158,6 +158,25 @@ TEST(Trusses, FailAndGiveTheirEnergyToTheEroded) {
   EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-3 * domain.energy.initial_total);
 }
 
+/// EFFEPS below zero of *MAT_ADD_EROSION is the failure of the law, bit by bit, the smaller of both counting.
+TEST(Trusses, FailByACriterionOfPlasticStrain) {
+  const auto run = [](double of_law, double criterion) {
+    model::PlasticKinematic law = soft_metal();
+    law.failure_strain = of_law;
+    model::Model model = bar_with_mass(law, 1.0);
+    if (criterion > 0) model.materials[0].erosion.emplace().effective_plastic_strain = criterion;
+    model.control.end_time = 2;
+    timeloop::Simulation simulation(model, test::execution());
+    test::run(simulation);
+    EXPECT_EQ(simulation.domain().beams[0].eroded, 1);
+    return simulation.state_hash();
+  };
+  const auto expected = run(0.01, 0);
+  EXPECT_EQ(run(0, 0.01), expected);
+  EXPECT_EQ(run(0.02, 0.01), expected);
+  EXPECT_EQ(run(0.01, 0.02), expected);
+}
+
 TEST(Trusses, WaveRunsThroughARowOfThem) {
   // A free bar whose first half moves: after the time L / c the other half moves.
   model::Model model = test::one_beam_part(

@@ -158,8 +158,10 @@ void print_conditions(std::ostream& out, const model::Model& model) {
     print(out, "  rigid wall {:<10} {}{}, stops {}, friction {:g}\n", wall.id, name_of(wall.shape),
           describe_motion(wall), counted(wall.nodes.size(), "node"), wall.friction);
   for (const model::Contact& contact : model.contacts)
-    print(out, "  contact {:<13} {}, friction {:g}/{:g}\n", contact.id, describe(contact),
-          contact.static_friction, contact.dynamic_friction);
+    print(out, "  contact {:<13} {}, friction {}\n", contact.id, describe(contact),
+          contact.part_friction.empty()
+              ? fmt::format("{:g}/{:g}", contact.static_friction, contact.dynamic_friction)
+              : "by parts");
   for (const model::ForceTransducer& transducer : model.force_transducers)
     print(out, "  transducer {:<10} {}{}\n", transducer.id, describe(transducer.side[0]),
           transducer.side[1].empty() ? "" : ", from " + describe(transducer.side[1]));

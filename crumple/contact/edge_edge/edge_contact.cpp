@@ -96,6 +96,7 @@ Touch EdgeContact::touch_of(const EdgePair& pair) const {
                     : std::numeric_limits<double>::max();
   touch.stiffness = std::min(edges_.stiffness[pair.key.first], edges_.stiffness[pair.key.second]);
   touch.area = std::min(edges_.area[pair.key.first], edges_.area[pair.key.second]);
+  touch.part = {edges_.part[pair.key.first], edges_.part[pair.key.second]};
   touch.fade = pair.share;
   touch.starts_loaded = pair.starts_loaded;
   touch.slip = pair.slip;

@@ -117,6 +117,7 @@ void take_from_segments(Edges& edges, const Surface& surface) {
       edges.stiffness[e] = std::min(edges.stiffness[e], surface.stiffness[s]);
       edges.area[e] = std::min(edges.area[e], surface.area[s]);
       if (edges.id[e] == 0) edges.id[e] = surface.segment_id[s];
+      if (edges.part[e] == no_index) edges.part[e] = surface.segment_part[s];
     }
     const bool free = segments == 1 && shells == 1;
     edges.active[e] = free || faces > 0 || (edges.which == model::ContactEdges::All && shells > 0) ? 1 : 0;
@@ -137,6 +138,7 @@ void take_from_beams(Edges& edges, const domain::Domain& domain) {
     edges.stiffness[e] = std::min(edges.stiffness[e], beam.stiffness);
     edges.area[e] = std::min(edges.area[e], beam.area);
     if (edges.id[e] == 0) edges.id[e] = beam.id;
+    if (edges.part[e] == no_index) edges.part[e] = beam.part;
   }
 }
 
@@ -195,6 +197,7 @@ void refresh(Edges& edges, const Surface& surface, const domain::Domain& domain)
   edges.stiffness.assign(count, std::numeric_limits<double>::max());
   edges.area.assign(count, std::numeric_limits<double>::max());
   edges.id.assign(count, 0);
+  edges.part.assign(count, no_index);
   take_from_segments(edges, surface);
   take_from_beams(edges, domain);
   link_nodes(edges, surface);

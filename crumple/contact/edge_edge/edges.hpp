@@ -33,6 +33,7 @@ struct Edges {
   std::vector<double> height;          ///< of the solids at it, 0 of others [length]
   std::vector<double> area;            ///< likewise; of a beam its length times its diameter [length^2]
   std::vector<UserId> id;              ///< of a shell or beam that it belongs to
+  std::vector<Index> part;             ///< of that in the model, or no_index
   std::vector<Index> taking_part;      ///< the active ones, ascending
   std::vector<Index> first_at_node;    ///< rows of edge_at_node, by place in Surface::nodes
   std::vector<Index> edge_at_node;     ///< active ones, ascending in each row

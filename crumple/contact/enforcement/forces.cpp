@@ -294,7 +294,8 @@ double Forces::friction_budget(double used) const {
 void Forces::add_friction(const domain::Domain& domain, Touch& touch, double stiffness,
                           double inverse) const {
   const domain::NodeFields& nodes = domain.nodes;
-  const bool rough = contact_.static_friction > 0 || contact_.dynamic_friction > 0;
+  const model::Friction law = contact_.friction_between(touch.part[0], touch.part[1]);
+  const bool rough = law.acts();
   std::array<Vec3, Touch::most_nodes> x;
   Vec3 arm;
   for (int i = 0; i < touch.nodes; ++i) {
@@ -322,7 +323,7 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
     if (step > 0)
       stiffness = std::min(stiffness, friction_budget(touch.penalty.slope_limit * step * step * inverse) /
                                           (step * step * (inverse + turning)));
-    touch.friction = friction(touch, size, touch.share * touch.fade * stiffness, domain.clock.step);
+    touch.friction = friction(law, touch, size, touch.share * touch.fade * stiffness, domain.clock.step);
   }
   // Where the points are above their segments the normal force has no moment.
   touch.couple = couple.forces(-cross(arm, touch.is_raised() ? touch.friction : touch.force()));
@@ -331,20 +332,20 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
 
 /// Coulomb friction by a tangential spring that gives way at mu f: sticks below, slips above
 /// (Hallquist, LS-DYNA Theory Manual, friction of sliding interfaces).
-Vec3 Forces::friction(const Touch& touch, double normal_force, double stiffness, double step) const {
-  if (contact_.static_friction <= 0 && contact_.dynamic_friction <= 0) return {};
+Vec3 Forces::friction(const model::Friction& law, const Touch& touch, double normal_force, double stiffness,
+                      double step) {
   const auto tangential = [&](const Vec3& a) { return a - dot(a, touch.normal) * touch.normal; };
   const Vec3 slip = tangential(touch.slip);
-  const double more = contact_.static_friction - contact_.dynamic_friction;
-  double mu = contact_.dynamic_friction;
+  const double more = law.at_rest - law.when_sliding;
+  double mu = law.when_sliding;
   if (more != 0) {
     const double speed = step > 0 ? norm(slip) / step : 0.0;
-    mu += more * decay(contact_.friction_decay * speed);
+    mu += more * decay(law.decay * speed);
   }
   const Vec3 trial = tangential(touch.friction) - stiffness * slip;
   const double size = norm(trial);
   double capacity = mu * normal_force;
-  if (contact_.friction_stress > 0) capacity = std::min(capacity, contact_.friction_stress * touch.area);
+  if (law.stress > 0) capacity = std::min(capacity, law.stress * touch.area);
   return size > capacity ? capacity / size * trial : trial;
 }
 

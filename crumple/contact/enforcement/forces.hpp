@@ -92,7 +92,8 @@ class Forces {
   double slope_limit(const PenaltyMemory& before, double inverse, double step) const;
   double friction_budget(double used) const;
   void add_friction(const domain::Domain& domain, Touch& touch, double stiffness, double inverse) const;
-  Vec3 friction(const Touch& touch, double normal_force, double stiffness, double step) const;
+  static Vec3 friction(const model::Friction& law, const Touch& touch, double normal_force, double stiffness,
+                       double step);
   void scatter(domain::Domain& domain, std::span<const Touch> touches);
   void add_work(const domain::Domain& domain, domain::ContactReport& report);
   void hand_over(domain::Domain& domain);

@@ -68,8 +68,10 @@ Multipliers::Unknown Multipliers::prepare(const Touch& touch) const {
   if (largest > tolerances::most_leverage * unknown.tangential_compliance)
     unknown.compliance = unknown.tangential_compliance = 0;
   const Vec3 slip = touch.slip - dot(touch.slip, touch.normal) * touch.normal;
-  unknown.friction = contact_.dynamic_friction + (contact_.static_friction - contact_.dynamic_friction) *
-                                                     decay(contact_.friction_decay * norm(slip) / step_);
+  const model::Friction law = contact_.friction_between(touch.part[0], touch.part[1]);
+  unknown.friction =
+      law.when_sliding + (law.at_rest - law.when_sliding) * decay(law.decay * norm(slip) / step_);
+  unknown.friction_stress = law.stress;
   return unknown;
 }
 
@@ -108,7 +110,7 @@ double Multipliers::correct_friction(const Touch& touch, Unknown& unknown) {
   const Vec3 slip = tangential(touch.slip + moved(touch));
   Vec3 force = unknown.friction_force - (1 / unknown.tangential_compliance) * slip;
   double capacity = unknown.friction * unknown.force;
-  if (contact_.friction_stress > 0) capacity = std::min(capacity, contact_.friction_stress * touch.area);
+  if (unknown.friction_stress > 0) capacity = std::min(capacity, unknown.friction_stress * touch.area);
   const double size = norm(force);
   if (size > capacity) force = (capacity / size) * force;
   const Vec3 change = force - unknown.friction_force;

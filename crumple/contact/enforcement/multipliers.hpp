@@ -39,6 +39,7 @@ class Multipliers {
     double compliance = 0;             ///< relative displacement per normal force [length/force]
     double tangential_compliance = 0;  ///< the largest in the tangential plane [length/force]
     double friction = 0;               ///< coefficient
+    double friction_stress = 0;        ///< bound over the area of the touch [stress]; 0: none
     double force = 0;                  ///< [force]
     Vec3 friction_force;               ///< on the first point [force]
   };

@@ -36,6 +36,7 @@ Touch touch_of(const Surface& surface, const ContactPair& pair) {
   touch.reach = surface.is_face(pair.segment) ? std::numeric_limits<double>::max() : pair.reach;
   touch.stiffness = std::min(surface.node_stiffness[pair.node], surface.stiffness[pair.segment]);
   touch.area = surface.area[pair.segment];
+  touch.part = {surface.node_part[pair.node], surface.segment_part[pair.segment]};
   touch.share = pair.share;
   touch.fade = pair.fade;
   touch.starts_loaded = pair.fade < 1;

@@ -34,8 +34,10 @@ struct Touch {
   double stiffness = 0;   ///< penalty stiffness [force/length]
   PenaltyMemory penalty;  ///< at the last step, then at the present one
   double last_speed =
-      0;             ///< at which the points of the last step part now along the normal of then [length/time]
-  double area = 0;   ///< on which friction may act at most [length^2]
+      0;            ///< at which the points of the last step part now along the normal of then [length/time]
+  double area = 0;  ///< on which friction may act at most [length^2]
+  /// Parts of the model that the two points belong to, for friction; no_index where that is unknown.
+  std::array<Index, 2> part{no_index, no_index};
   double share = 1;  ///< of the force
   double fade = 1;   ///< part of that which acts where edges and nodes take over from each other
   /// A touch may begin deep without an approach: over the rim of a face, or where edges and nodes take over

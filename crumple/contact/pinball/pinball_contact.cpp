@@ -232,6 +232,7 @@ Touch PinballContact::touch_of(const PinballPair& pair) const {
   touch.reach = contact_distance(pair.first, pair.second) - pair.offset;
   touch.stiffness = std::min(surface_->stiffness[pair.first], surface_->stiffness[pair.second]);
   touch.area = std::min(surface_->area[pair.first], surface_->area[pair.second]);
+  touch.part = {surface_->segment_part[pair.first], surface_->segment_part[pair.second]};
   touch.height = {ball_height(*surface_, pinballs_, pair.first),
                   ball_height(*surface_, pinballs_, pair.second)};
   touch.slip = pair.slip;

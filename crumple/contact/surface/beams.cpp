@@ -46,6 +46,7 @@ std::vector<ContactBeam> collect_beams(const model::Model& model, const domain::
       beam.stiffness = scale * bulk_modulus(model, part) * 2 * radius;
       beam.area = 2 * radius * norm(domain.nodes.reference[one] - domain.nodes.reference[other]);
       beam.id = model.beams[block.element[at]].id;
+      beam.part = block.part;
       found.push_back(beam);
     }
   }

@@ -21,6 +21,7 @@ struct ContactBeam {
   double stiffness = 0;   ///< penalty stiffness [force/length]
   double area = 0;        ///< length times diameter, undeformed [length^2]
   UserId id = 0;
+  Index part = no_index;  ///< of the model
 };
 
 /// True if a contact has edges and beams: not if its forces are multipliers, which know nodes alone.

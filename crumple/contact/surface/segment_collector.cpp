@@ -15,6 +15,7 @@ namespace crumple::contact {
 struct SegmentCollector::NewSegment {
   std::array<Index, 4> nodes{};
   UserId id = 0;
+  Index part = no_index;
   double half_thickness = 0;
   double stiffness = 0;
   double height = 0;
@@ -112,6 +113,7 @@ SegmentCollector::Measure SegmentCollector::measure(const std::array<Index, 4>& 
 void SegmentCollector::add(const NewSegment& segment, const Measure& size) {
   surface_.connectivity.insert(surface_.connectivity.end(), segment.nodes.begin(), segment.nodes.end());
   surface_.segment_id.push_back(segment.id);
+  surface_.segment_part.push_back(segment.part);
   surface_.half_thickness.push_back(segment.half_thickness);
   surface_.stiffness.push_back(segment.stiffness);
   surface_.area.push_back(size.area);
@@ -158,6 +160,7 @@ void SegmentCollector::add_shell(Index shell, const ElementPlace& place, double 
     segment.nodes[k] = domain_.nodes.domain_node[given != nullptr ? (*given)[k] : element.node[k]];
   segment.known_orientation = given != nullptr;
   segment.id = element.id;
+  segment.part = element.part;
   segment.behind = place;
   const Measure size = measure(segment.nodes);
   if (contact_.oriented) {
@@ -198,6 +201,7 @@ void SegmentCollector::add_face(const model::SolidFace& face, std::uint8_t sides
   for (std::size_t k = 0; k < 4; ++k) segment.nodes[k] = domain_.nodes.domain_node[face.node[k]];
   segment.nodes_behind = nodes_of(solid, domain_.nodes);
   segment.id = solid.id;
+  segment.part = solid.part;
   segment.sides = sides;
   segment.face = segment.of_solid = true;
   segment.known_orientation = true;

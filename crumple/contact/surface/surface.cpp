@@ -93,9 +93,28 @@ void add_beams(const std::vector<ContactBeam>& beams, Surface& surface) {
     const std::array<Index, 2> places{surface.place[beam.nodes[0]], surface.place[beam.nodes[1]]};
     for (const Index place : places) surface.node_side[place] |= beam.side;
     surface.largest_half_thickness = std::max(surface.largest_half_thickness, beam.radius);
-    surface.beams.push_back({places, beam.place, beam.radius, beam.stiffness});
+    surface.beams.push_back({places, beam.place, beam.radius, beam.stiffness, beam.part});
   }
   use_beams([](const ElementPlace&) { return true; }, surface);
+}
+
+/// The part of the first segment that a node has, else of its first beam; of a node that stands alone that of
+/// the first element of the model, shells before solids before beams.
+void parts_of_nodes(const model::Model& model, const domain::NodeFields& nodes, Surface& surface) {
+  surface.node_part.assign(surface.nodes.size(), no_index);
+  const auto take = [&](Index place, Index part) {
+    if (place != no_index && surface.node_part[place] == no_index) surface.node_part[place] = part;
+  };
+  for (std::size_t i = 0; i < surface.connectivity.size(); ++i)
+    take(surface.place[surface.connectivity[i]], surface.segment_part[i / 4]);
+  for (const SurfaceBeam& beam : surface.beams)
+    for (const Index place : beam.node) take(place, beam.part);
+  const auto take_element = [&](const auto& element) {
+    for (const Index node : element.node) take(surface.place[nodes.domain_node[node]], element.part);
+  };
+  for (const model::ShellElement& shell : model.shells) take_element(shell);
+  for (const model::SolidElement& solid : model.solids) take_element(solid);
+  for (const model::BeamElement& beam : model.beams) take_element(beam);
 }
 
 /// Length to measure distances by where there are no segments [length].
@@ -273,6 +292,7 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
   if (contact.symmetry_planes) leave_symmetry_planes_alone(domain.nodes, surface);
   measure_lone_nodes(model, domain.nodes, contact, surface);
   add_beams(beams, surface);
+  parts_of_nodes(model, domain.nodes, surface);
   follow_active(surface);
   if (contact.oriented && face_other_side(surface, domain.nodes, collector.known_orientation()))
     follow_active(surface);

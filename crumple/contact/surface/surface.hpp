@@ -58,8 +58,9 @@ struct ElementPlace {
 struct SurfaceBeam {
   std::array<Index, 2> node{};  ///< places in Surface::nodes
   ElementPlace place;
-  double radius = 0;     ///< [length]
-  double stiffness = 0;  ///< [force/length]
+  double radius = 0;      ///< [length]
+  double stiffness = 0;   ///< [force/length]
+  Index part = no_index;  ///< of the model
 };
 
 /// Of tetrahedra with ten.
@@ -80,7 +81,8 @@ struct Surface {
   std::vector<double> lone_half_thickness;  ///< of nodes without a segment and of beams, else 0 [length]
   std::vector<double> lone_stiffness;       ///< of nodes of beams, else the largest number [force/length]
   std::vector<SurfaceBeam> beams;           ///< none where nodes are named one by one
-  std::vector<Index> node_body;             ///< rigid body of the node, by place, or no_index
+  std::vector<Index> node_part;  ///< part of the model, by place, or no_index: see parts_of_nodes()
+  std::vector<Index> node_body;  ///< rigid body of the node, by place, or no_index
 
   std::vector<Index> connectivity;     ///< four domain nodes per segment; a triangle repeats its last node
   std::vector<double> half_thickness;  ///< contact thickness over two, per segment [length]
@@ -88,6 +90,7 @@ struct Surface {
   std::vector<double> area;            ///< of the reference geometry, per segment [length^2]
   std::vector<double> height;  ///< of a face that of its solid, or the root of its area; 0 of others [length]
   std::vector<UserId> segment_id;          ///< of the shell or solid
+  std::vector<Index> segment_part;         ///< part of the model that it belongs to
   std::vector<std::uint8_t> face;          ///< 1: a face, whose outside is the side of the normal
   std::vector<double> release_depth;       ///< overlap from which on a node is let go [length]
   std::vector<std::uint8_t> of_solid;      ///< 1: of a solid, 0: of a shell

@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "contact/enforcement/penalty.hpp"
 #include "contact/surface/segment_shape.hpp"
+#include "contact/tied/cohesive_law.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -78,6 +82,9 @@ TieSprings::TieSprings(const model::Model& model, const domain::Domain& domain, 
   loads_.resize(springs_.size());
   previous_.resize(springs_.size());
   turn_.resize(springs_.size());
+  if (!contact_.softening) return;
+  bedding_.resize(springs_.size());
+  damage_.resize(springs_.size());
 }
 
 std::array<Index, TieSprings::ends> TieSprings::nodes_of(const Spring& spring) const {
@@ -125,45 +132,106 @@ double TieSprings::share_of_strength(const Spring& spring, double tension, doubl
   return share;
 }
 
-TieSprings::Load TieSprings::evaluate(const domain::Domain& domain, std::size_t at, double step) {
-  const domain::NodeFields& nodes = domain.nodes;
-  const Spring& spring = springs_[at];
-  const domain::TiedNode& tied = spring.tied;
+TieSprings::Place TieSprings::place_of(const domain::NodeFields& nodes, const domain::TiedNode& tied) {
   const SegmentShape shape = shape_of(nodes, tied);
-  const Vec3 first = shape.corner[2] - shape.corner[0];
-  const Vec3 second = shape.corner[3] - shape.corner[1];
-  const Vec3 product = cross(first, second);
-  const double size = norm(product);
+  Place place;
+  place.first = shape.corner[2] - shape.corner[0];
+  place.second = shape.corner[3] - shape.corner[1];
+  const Vec3 product = cross(place.first, place.second);
+  place.size = norm(product);
+  if (!(place.size > 0)) return place;
+  place.normal = (1 / place.size) * product;
+  place.away = nodes.position[tied.node] - tied.height * place.normal;
+  for (std::size_t k = 0; k < 4; ++k) place.away -= tied.weight[k] * shape.corner[k];
+  if (norm(place.away) <= tolerances::no_stretch * largest_coordinate(nodes.position[tied.node]))
+    place.away = Vec3{};
+  return place;
+}
+
+/// The stiffness of ties that soften is chosen once, as the energy that they take depends on it. Throws Error
+/// where they could not soften with it.
+void TieSprings::settle_stiffness(double step) {
+  const model::TieSoftening& given = *contact_.softening;
+  const CohesiveLaw law(*contact_.failure, given);
+  for (std::size_t at = 0; at < springs_.size(); ++at) {
+    const Spring& spring = springs_[at];
+    const double area = spring.tied.area;
+    const double wanted = given.stiffness > 0 ? given.stiffness * area : spring.tied.stiffness;
+    const double largest = budget_ / (step * step * spring.inverse_mass * std::max(1.0, given.shear_ratio));
+    bedding_[at] = std::min(wanted, largest);
+    if (active_[at] == 0 || !(area > 0)) continue;
+    const double bedding = bedding_[at] / area;
+    const std::string mode = law.brittle_mode({bedding, given.shear_ratio * bedding});
+    if (mode.empty()) continue;
+    throw Error("Tied contact " + std::to_string(contact_.id) + " cannot soften in " + mode +
+                ": its stiffness is " + std::to_string(bedding) + " (stress over length)" +
+                (wanted > largest ? ", which is what the time step allows," : "") +
+                " and with that it takes more up to its strength than its energy says, or opens further than "
+                "PARAM. Raise " +
+                (wanted > largest ? std::string("the energy or PARAM, lower the strength, or make the step "
+                                                "shorter by TSSFAC.")
+                                  : std::string("CN or the energy or PARAM, or lower the strength.")));
+  }
+}
+
+TieSprings::Secant TieSprings::secant_of(std::size_t at, const Place& place, double limit) {
+  const Spring& spring = springs_[at];
+  const double most = limit / spring.inverse_mass;
+  if (!contact_.softening || bedding_[at] == 0) {
+    const double stiffness = std::min(spring.tied.stiffness, most);
+    return {stiffness, stiffness};
+  }
+  const double normal = bedding_[at];
+  const double shear = contact_.softening->shear_ratio * normal;
+  const double opening = spring.tied.side * dot(place.away, place.normal);
+  const double sliding = norm(place.away - dot(place.away, place.normal) * place.normal);
+  const double area = spring.tied.area;
+  damage_[at] = CohesiveLaw(*contact_.failure, *contact_.softening)
+                    .damage(opening, sliding, {normal / area, shear / area}, damage_[at]);
+  const double left = 1 - damage_[at];
+  return {std::min(opening > 0 ? left * normal : normal, most), std::min(left * shear, most)};
+}
+
+/// Of ties that hold rotations.
+void TieSprings::add_moment(const domain::Domain& domain, std::size_t at, double limit, Load& load) {
+  const Spring& spring = springs_[at];
+  if (!(spring.turning_stiffness > 0)) return;
+  const domain::NodeFields& nodes = domain.nodes;
+  const Frame frame = frame_of(shape_of(nodes, spring.tied));
+  const Vec3 spin = nodes.angular_velocity[spring.tied.node] - spin_of(nodes, spring.tied);
+  turn_[at] += domain.clock.step * frame.to_local(spin);
+  const double turning = std::min(spring.turning_stiffness, limit / spring.inverse_inertia);
+  load.moment = -turning * frame.to_global(turn_[at]);
+}
+
+TieSprings::Load TieSprings::evaluate(const domain::Domain& domain, std::size_t at, double step) {
+  const domain::TiedNode& tied = springs_[at].tied;
+  const Place place = place_of(domain.nodes, tied);
   Load load;
-  if (!(size > 0)) return load;
-  const Vec3 normal = (1 / size) * product;
-  Vec3 away = nodes.position[tied.node] - tied.height * normal;
-  for (std::size_t k = 0; k < 4; ++k) away -= tied.weight[k] * shape.corner[k];
-  if (norm(away) <= tolerances::no_stretch * largest_coordinate(nodes.position[tied.node])) away = Vec3{};
-  const double limit = budget_ / (step * step);
-  const double stiffness = step > 0 ? std::min(tied.stiffness, limit / spring.inverse_mass) : tied.stiffness;
-  const Vec3 force = -stiffness * away;
+  if (!(place.size > 0)) return load;
+  const double limit = step > 0 ? budget_ / (step * step) : std::numeric_limits<double>::max();
+  const Secant secant = secant_of(at, place, limit);
+  const Vec3& normal = place.normal;
+  const double more = (secant.normal - secant.shear) * dot(place.away, normal);
+  Vec3 force = -secant.shear * place.away;
+  if (more != 0) force -= more * normal;
   load.force[0] = force;
   for (std::size_t k = 0; k < 4; ++k) load.force[1 + k] = -tied.weight[k] * force;
   // The normal turns with the diagonals.
-  const Vec3 couple = (tied.height / size) * (force - dot(force, normal) * normal);
-  const Vec3 on_first = cross(second, couple);
-  const Vec3 on_second = cross(couple, first);
+  const Vec3 tangential = force - dot(force, normal) * normal;
+  Vec3 couple = (tied.height / place.size) * tangential;
+  if (more != 0) couple += (more / place.size) * (place.away - dot(place.away, normal) * normal);
+  const Vec3 on_first = cross(place.second, couple);
+  const Vec3 on_second = cross(couple, place.first);
   load.force[3] -= on_first;
   load.force[1] += on_first;
   load.force[4] -= on_second;
   load.force[2] += on_second;
-  load.opening = norm(away);
-  load.share =
-      share_of_strength(spring, -tied.side * dot(force, normal), norm(force - dot(force, normal) * normal));
-  if (spring.turning_stiffness > 0) {
-    const Frame frame = frame_of(shape);
-    const Vec3 spin = nodes.angular_velocity[tied.node] - spin_of(nodes, tied);
-    turn_[at] += domain.clock.step * frame.to_local(spin);
-    const double turning = step > 0 ? std::min(spring.turning_stiffness, limit / spring.inverse_inertia)
-                                    : spring.turning_stiffness;
-    load.moment = -turning * frame.to_global(turn_[at]);
-  }
+  load.opening = norm(place.away);
+  load.share = contact_.softening
+                   ? damage_[at]
+                   : share_of_strength(springs_[at], -tied.side * dot(force, normal), norm(tangential));
+  add_moment(domain, at, limit, load);
   return load;
 }
 
@@ -204,6 +272,7 @@ void TieSprings::add_forces(domain::Domain& domain) {
   eroded_ = eroded;
   const double step = std::max(domain.clock.step, step_scale_ * domain.clock.element_limit);
   const auto count = static_cast<Index>(springs_.size());
+  if (contact_.softening && step > 0 && count > 0 && bedding_.front() == 0) settle_stiffness(step);
   parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i)
       loads_[i] = active_[i] != 0 ? evaluate(domain, static_cast<std::size_t>(i), step) : Load{};
@@ -229,6 +298,10 @@ void TieSprings::add_forces(domain::Domain& domain) {
 void TieSprings::declare(domain::StateList& list) {
   list.add("tie_springs", "-", domain::Entity::Contact, 1, std::span(active_));
   list.add("tie_spring_loads", "by item", domain::Entity::Contact, 20, std::span(previous_));
+  if (contact_.softening) {
+    list.add("tie_spring_stiffness", "force/length", domain::Entity::Contact, 1, std::span(bedding_));
+    list.add("tie_spring_damage", "-", domain::Entity::Contact, 1, std::span(damage_));
+  }
   list.add("tie_spring_turns", "rad", domain::Entity::Contact, 3, std::span(turn_));
   list.keep("tie_spring_eroded", "-", domain::Entity::Contact, eroded_);
 }

@@ -14,8 +14,8 @@
 // The forces on the corners are the derivatives of the spring's energy by their positions, so that force and
 // moment of force sum to zero and no rigid motion makes a force (own derivation, docs/theory/tied.md). The
 // stiffness is ten times that of a contact, at most what half of the stability budget of contact allows. With
-// TIEBREAK a tie ends where tension and shear exceed its strength; all ties end with their segment, or when
-// their time is over.
+// TIEBREAK a tie ends where tension and shear exceed its strength, or is damaged from there until it has
+// taken its energy (cohesive_law.hpp); all ties end with their segment, or when their time is over.
 //
 // Order of calls: find_ties() before the elements are prepared, as it moves nodes; a TieSprings for each tie
 // by penalty; add_forces() in every step.
@@ -55,17 +55,34 @@ class TieSprings {
     double turning_stiffness = 0;  ///< 0: rotations are free [force * length]
     double inverse_inertia = 0;    ///< as inverse_mass [1/(mass * length^2)]
   };
+  /// Where the ends of a spring are.
+  struct Place {
+    Vec3 first;       ///< diagonals of the segment [length]
+    Vec3 second;      ///< likewise
+    Vec3 normal;      ///< of the segment, of unit length
+    double size = 0;  ///< of the product of the diagonals; 0: the segment has no normal [length^2]
+    Vec3 away;        ///< stretch of the spring [length]
+  };
+  /// Stiffness now, damage included [force/length].
+  struct Secant {
+    double normal = 0;
+    double shear = 0;
+  };
   /// Forces of a spring, and of its moments.
   struct Load {
     std::array<Vec3, ends> force{};  ///< on the node and on the corners [force]
     Vec3 moment;                     ///< on the node; reversed and shared by weights on the corners
     double opening = 0;              ///< stretch of the spring [length]
-    double share = 0;                ///< of its strength [-]
+    double share = 0;                ///< of its strength, or its damage [-]
   };
 
   std::array<Index, ends> nodes_of(const Spring& spring) const;
   void set_limits(const domain::Domain& domain, const std::vector<Index>& springs_at, Spring& spring) const;
   bool ends_now(const domain::Domain& domain, const Spring& spring, bool look) const;
+  void settle_stiffness(double step);
+  static Place place_of(const domain::NodeFields& nodes, const domain::TiedNode& tied);
+  Secant secant_of(std::size_t at, const Place& place, double limit);
+  void add_moment(const domain::Domain& domain, std::size_t at, double limit, Load& load);
   Load evaluate(const domain::Domain& domain, std::size_t at, double step);
   double share_of_strength(const Spring& spring, double tension, double shear) const;
   double add(domain::Domain& domain, std::size_t at, const Load& load);
@@ -77,9 +94,11 @@ class TieSprings {
   Index eroded_ = 0;
   std::vector<Spring> springs_;
   std::vector<std::int32_t> active_;
-  std::vector<Load> loads_;     ///< now
-  std::vector<Load> previous_;  ///< at time n - 1
-  std::vector<Vec3> turn_;      ///< of the node against its segment, in the segment's frame [rad]
+  std::vector<Load> loads_;      ///< now
+  std::vector<Load> previous_;   ///< at time n - 1
+  std::vector<double> bedding_;  ///< of ties that soften, before damage; 0: not settled [force/length]
+  std::vector<double> damage_;   ///< likewise, 1 is broken [-]
+  std::vector<Vec3> turn_;       ///< of the node against its segment, in the segment's frame [rad]
 };
 
 }  // namespace crumple::contact

@@ -52,6 +52,7 @@ const ItemWords& words(Item item) {
       {"vector", "*DEFINE_VECTOR", "*DEFINE_VECTOR_", ""},
       {"integration rule", "*INTEGRATION_SHELL", "*INTEGRATION_", ""},
       {"blast", "*LOAD_BLAST_ENHANCED", "*LOAD_BLAST_ENHANCED_", ""},
+      {"friction table", "*DEFINE_FRICTION", "*DEFINE_FRICTION_", ""},
   };
   return table[static_cast<std::size_t>(item)];
 }
@@ -108,6 +109,24 @@ bool Build::is_definition_faulty(Item item) const {
   });
 }
 
+/// True of an element that the deck has and the model has not: what is wrong with it, or with its part, has
+/// been said.
+bool Build::is_left_out(Item item, UserId id) {
+  const auto [entry, is_new] = element_ids_.try_emplace(item);
+  std::vector<UserId>& ids = entry->second;
+  if (is_new) {
+    const auto take = [&](const auto& elements) {
+      for (const auto& element : elements) ids.push_back(element.id);
+    };
+    if (item == Item::Shell) take(deck.shells);
+    if (item == Item::Solid) take(deck.solids);
+    if (item == Item::Beam) take(deck.beams);
+    if (item == Item::Discrete) take(deck.discretes);
+    std::sort(ids.begin(), ids.end());
+  }
+  return std::binary_search(ids.begin(), ids.end(), id);
+}
+
 Index Build::find(Item item, const Reference& reference) {
   const Index index = find_quietly(item, reference.id);
   if (index != no_index) return index;
@@ -124,6 +143,13 @@ Index Build::find(Item item, const Reference& reference) {
     // As an error it would only repeat the one at the part.
     fault.hint = fmt::format("part {} is left out, see the message there", reference.id);
     if (report.allow_unsupported()) report.field_warning(reference.where, fault);
+  } else if (is_left_out(item, reference.id)) {
+    fault.hint =
+        fmt::format("{} {} is left out, see the message at it or at its part", word.name, reference.id);
+    if (report.allow_unsupported())
+      report.field_warning(reference.where, fault);
+    else if (!report.has_errors())
+      report.field_error(reference.where, fault);
   } else if (const UnsupportedDefinition* definition = unsupported_definition(item, reference.id)) {
     fault.hint = fmt::format("{} {} is defined by {} at {}, which is not supported", word.name, reference.id,
                              definition->where.keyword, report.place(definition->where));
@@ -171,8 +197,10 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_loads(build);
   build_airbags(build);
   build_motions(build);
+  build_stoppers(build);
   build_inertia_fields(build);
   build_walls(build);
+  enter_friction_tables(build);
   build_contacts(build, options.automatic_contact);
   build_tied_contacts(build);
   check_contact_of_null_shells(build);

@@ -72,6 +72,7 @@ enum class Item {
   DefinedVector,
   IntegrationRule,
   AirBlast,
+  FrictionTable,
   Count,  ///< how many there are
 };
 
@@ -124,10 +125,12 @@ class Build {
     std::vector<Where> first;  ///< where each id was entered, in the order of entering
   };
 
+  bool is_left_out(Item item, UserId id);
   void report_twice(Item item, const Reference& reference, const Where& other);
 
   Entries entries_[static_cast<std::size_t>(Item::Count)];
   IdTable dropped_parts_;
+  std::map<Item, std::vector<UserId>> element_ids_;  ///< of the deck, ascending; made where one is missing
   std::multimap<UserId, const UnsupportedDefinition*> unsupported_;  ///< of each id in the deck's order
 };
 
@@ -163,6 +166,10 @@ Index find_part_of(Build& build, ElementKind kind, const Reference& reference);
 bool build_part_layup(Build& build, const RawPart& raw, model::Part& part);
 /// The layers of *ELEMENT_SHELL_COMPOSITE; shells with the same ones share a layup. False as above.
 bool build_element_layup(Build& build, const RawShell& raw, model::ShellElement& shell);
+// build_shell_axes.cpp
+/// Turns the material's axes of a shell to the x axis of the system that MCID names. False, with a message,
+/// if there is none, or if the material has axes of another kind.
+bool turn_to_system(Build& build, const RawShell& raw, model::ShellElement& shell);
 // build_transformations.cpp
 /// Moves the nodes of *NODE_TRANSFORM. Before all else that uses their positions.
 void move_nodes(Build& build);
@@ -242,6 +249,10 @@ void build_joint_stiffnesses(Build& build);
 void build_walls(Build& build);
 // build_rigid_bodies.cpp
 void build_rigid_bodies(Build& build);
+// build_stoppers.cpp
+/// Bounds of the motion of rigid bodies. What holds these must be known.
+void build_stoppers(Build& build);
+// build_rigid_bodies.cpp
 /// Before anything asks which parts are rigid: those of *DEFORMABLE_TO_RIGID are.
 void make_parts_rigid(Build& build);
 /// The rigid body of every node, or no_index.
@@ -270,6 +281,11 @@ struct ForceAndMoment {
 /// What DOF, SF, CID and M1 to M3 say; absent, with a message, if an item is missing.
 std::optional<ForceAndMoment> find_force(Build& build, int direction, double scale, UserId system,
                                          const std::array<UserId, 3>& plane, const Where& where);
+// build_friction.cpp
+/// Enters the ids of *DEFINE_FRICTION.
+void enter_friction_tables(Build& build);
+/// Gives a contact the friction of its parts or of a table, where FS says so.
+void take_part_friction(Build& build, const RawContact& raw, model::Contact& contact);
 // build_contacts.cpp
 void build_contacts(Build& build, bool automatic_contact);
 /// Id of a contact that the deck gives none, from its place among all contacts; of no other one.

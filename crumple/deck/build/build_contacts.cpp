@@ -254,6 +254,7 @@ void build_contact(Build& build, Sides& sides, const RawContact& raw, std::size_
     return;
   }
   set_thickness(build, raw, contact);
+  take_part_friction(build, raw, contact);
   build.model.contacts.push_back(std::move(contact));
 }
 

@@ -91,16 +91,27 @@ void check_place_of_axes(const RawPart& raw, const model::Part& part, Build& bui
        "axes"});
 }
 
+/// Whether a kind of beam knows all criteria of erosion: those of one point the plastic strain.
+bool fails_by(model::BeamFormulation formulation, model::ErosionCriteria criteria) {
+  if (formulation != model::BeamFormulation::Truss && formulation != model::BeamFormulation::SpotWeld)
+    return !criteria.any();
+  criteria.effective_plastic_strain.reset();
+  return !criteria.any() && criteria.conditions == 1;
+}
+
 /// Laws that a kind of beam can have, said at the part.
 void check_beam_law(const RawPart& raw, const model::Part& part, Build& build) {
   const model::Material& material = build.model.materials[static_cast<std::size_t>(part.material)];
-  if (material.erosion)
-    build.report.field_unsupported(
-        raw.where, {"MID", std::to_string(raw.material), "a material without *MAT_ADD_EROSION",
-                    "beams do not fail by it", "erosion"});
   const model::ConstitutiveLaw& law = material.law;
   const model::BeamFormulation formulation =
       build.model.beam_sections[static_cast<std::size_t>(part.beam_section)].formulation;
+  if (material.erosion && !fails_by(formulation, *material.erosion))
+    build.report.field_unsupported(
+        raw.where, {"MID", std::to_string(raw.material), "a material without *MAT_ADD_EROSION",
+                    "of beams only trusses (ELFORM 3) and spot welds (9) fail by it, and by plastic strain "
+                    "alone: EFFEPS "
+                    "below zero, NCS = 1 and nothing else",
+                    "erosion"});
   if (formulation == model::BeamFormulation::Discrete) check_place_of_axes(raw, part, build);
   if (suits(formulation, law)) return;
   const auto [expected, hint] = suiting_laws(formulation);

@@ -173,6 +173,33 @@ Found select_elements(const RawMember& member, Item item, const Elements& elemen
   }
 }
 
+/// Nodes of elements that the model has, each as often as it comes.
+template <class Elements>
+std::vector<Index> nodes_of(const Elements& elements, const std::vector<Index>& which) {
+  std::vector<Index> found;
+  for (const Index element : which)
+    for (const Index node : elements[static_cast<std::size_t>(element)].node)
+      if (node != no_index) found.push_back(node);
+  return found;
+}
+
+/// Nodes of one element of a kind.
+template <class Elements>
+Found nodes_of_element(const RawMember& member, Item item, const Elements& elements, Build& build) {
+  const Index element = named(member, item, build);
+  if (element == no_index) return std::nullopt;
+  return nodes_of(elements, {element});
+}
+
+/// Nodes of a set of elements, whose members stand in `sets`.
+template <class Elements>
+Found nodes_of_set(const RawMember& member, Item item, const Elements& elements,
+                   const std::vector<std::vector<Index>>& sets, Build& build) {
+  const Index set = named(member, item, build);
+  if (set == no_index) return std::nullopt;
+  return nodes_of(elements, sets[static_cast<std::size_t>(set)]);
+}
+
 Found select_nodes(const RawMember& member, Build& build) {
   const model::Nodes& nodes = build.model.nodes;
   switch (member.what) {
@@ -192,12 +219,22 @@ Found select_nodes(const RawMember& member, Build& build) {
     case What::ShellSet: {
       const Index set = named(member, Item::ShellSet, build);
       if (set == no_index) return std::nullopt;
-      std::vector<Index> found;
-      for (const Index shell : build.model.shell_sets[static_cast<std::size_t>(set)].shells)
-        for (const Index node : build.model.shells[static_cast<std::size_t>(shell)].node)
-          if (node != no_index) found.push_back(node);
-      return found;
+      return nodes_of(build.model.shells, build.model.shell_sets[static_cast<std::size_t>(set)].shells);
     }
+    case What::SolidSet:
+      return nodes_of_set(member, Item::SolidSet, build.model.solids, build.solid_sets, build);
+    case What::BeamSet:
+      return nodes_of_set(member, Item::BeamSet, build.model.beams, build.beam_sets, build);
+    case What::DiscreteSet:
+      return nodes_of_set(member, Item::DiscreteSet, build.model.discretes, build.discrete_sets, build);
+    case What::Shell:
+      return nodes_of_element(member, Item::Shell, build.model.shells, build);
+    case What::Solid:
+      return nodes_of_element(member, Item::Solid, build.model.solids, build);
+    case What::Beam:
+      return nodes_of_element(member, Item::Beam, build.model.beams, build);
+    case What::Discrete:
+      return nodes_of_element(member, Item::Discrete, build.model.discretes, build);
     default:
       return own_members(member, Item::Node, nodes.id, build);
   }
@@ -235,6 +272,17 @@ class Segments {
         const Index set = named(member, Item::SolidSet, build_);
         if (set == no_index) return std::nullopt;
         return of_solids(solid_sets_.members(static_cast<std::size_t>(set)));
+      }
+      case What::PartWithInside: {
+        const Index part = named(member, Item::Part, build_);
+        if (part == no_index) return std::nullopt;
+        return both(of_shells(elements_of(build_.model.shells, part)),
+                    all_of_solids(elements_of(build_.model.solids, part)));
+      }
+      case What::SolidSetWithInside: {
+        const Index set = named(member, Item::SolidSet, build_);
+        if (set == no_index) return std::nullopt;
+        return all_of_solids(solid_sets_.members(static_cast<std::size_t>(set)));
       }
       case What::Segment:
         return of_nodes(member);
@@ -286,6 +334,16 @@ class Segments {
     return found;
   }
 
+  /// The faces between two of them as well.
+  std::vector<Index> all_of_solids(std::vector<Index> solids) {
+    std::vector<Index> found = of_solids(solids);
+    std::erase_if(solids,
+                  [&](Index i) { return !is_whole(build_.model.solids[static_cast<std::size_t>(i)]); });
+    for (const model::SolidFace& face : model::all_faces(build_.model.solids, solids))
+      found.push_back(number(face.node));
+    return found;
+  }
+
   Found of_nodes(const RawMember& member) {
     static constexpr std::array<std::string_view, 4> listed = {"N1", "N2", "N3", "N4"};
     static constexpr std::array<std::string_view, 4> general = {"E1", "E2", "E3", "E4"};
@@ -306,8 +364,11 @@ class Segments {
     const Index index = named(member, Item::Box, build_);
     if (index == no_index) return std::nullopt;
     std::vector<Index> found;
-    if (member.what != What::BoxOfSolids) found = of_shells(up_to(build_.model.shells.size()));
-    if (member.what != What::BoxOfShells)
+    const bool inside_too = member.what == What::BoxOfAllFaces;
+    if (inside_too) found = all_of_solids(up_to(build_.model.solids.size()));
+    if (member.what == What::Box || member.what == What::BoxOfShells)
+      found = of_shells(up_to(build_.model.shells.size()));
+    if (member.what != What::BoxOfShells && !inside_too)
       for (std::size_t part = 0; part < build_.model.parts.size(); ++part)
         found = both(std::move(found), of_solids(elements_of(build_.model.solids, static_cast<Index>(part))));
     const RawBox& box = build_.deck.boxes[static_cast<std::size_t>(index)];

@@ -153,6 +153,51 @@ void hold_plane(const RawHeldPlane& raw, Holder& holder, Build& build) {
     build.report.warning(raw.where, "empty plane", "no node lies on the plane: nothing is held by it");
 }
 
+/// In global axes where the normal is along one of them, as these are held exactly and for less.
+void hold_by_symmetry(const Vector& normal, Hold& hold) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (std::fabs(normal[axis]) < 1) continue;
+    hold.translation[axis] = true;
+    hold.rotation = {axis != 0, axis != 1, axis != 2};
+    return;
+  }
+  hold.axes = axes_along(normal);
+  hold.translation = {true, false, false};
+  hold.rotation = {false, true, true};
+}
+
+/// *BOUNDARY_SPC_SYMMETRY_PLANE: of shells the manual gives a default tolerance.
+void hold_symmetry_plane(const RawSymmetryPlane& raw, Holder& holder, Build& build) {
+  constexpr double tolerance_of_shells = 0.2;
+  const std::vector<Index> parts =
+      find_parts(build, raw.is_set, {raw.target, raw.is_set ? "PSID" : "PID", raw.where});
+  if (parts.empty()) return;
+  const bool all_shells = std::all_of(parts.begin(), parts.end(), [&](Index part) {
+    return model::kind_of(build.model.parts[static_cast<std::size_t>(part)]) == ElementKind::Shell;
+  });
+  if (raw.tolerance == 0 && !all_shells) {
+    build.report.field_error(raw.where, {"TOL", "0", "a distance above zero on card 2",
+                                         "only of shells it has a default, 0.2", "tolerance"});
+    return;
+  }
+  const double tolerance = raw.tolerance > 0 ? raw.tolerance : tolerance_of_shells;
+  Vector normal = raw.normal;
+  const double length = length_of(normal);
+  for (double& component : normal) component /= length;
+  Hold hold;
+  hold.where = raw.where;
+  hold_by_symmetry(normal, hold);
+  Index held = 0;
+  for (const Index node : nodes_of_parts(build, parts)) {
+    const Vector away = difference(build.model.nodes.position[static_cast<std::size_t>(node)], raw.point);
+    if (std::fabs(dot(away, normal)) > tolerance) continue;
+    holder.apply(node, hold);
+    ++held;
+  }
+  if (held == 0)
+    build.report.warning(raw.where, "empty plane", "no node lies on the plane: nothing is held by it");
+}
+
 }  // namespace
 
 void build_fixed_nodes(Build& build) {
@@ -167,6 +212,7 @@ void build_fixed_nodes(Build& build) {
     holder.apply(static_cast<Index>(i), hold);
   }
   for (const RawHeldPlane& raw : build.deck.held_planes) hold_plane(raw, holder, build);
+  for (const RawSymmetryPlane& raw : build.deck.symmetry_planes) hold_symmetry_plane(raw, holder, build);
   for (const RawFixed& raw : build.deck.fixed) {
     Hold hold;
     hold.translation = raw.translation;

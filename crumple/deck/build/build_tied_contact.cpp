@@ -58,6 +58,21 @@ bool take_side(Build& build, const RawContactSide& raw, const Where& where, bool
   return false;
 }
 
+bool has_shells(const Build& build, const model::ContactSide& side) {
+  return !side.shells.empty() || std::any_of(side.parts.begin(), side.parts.end(), [&](Index part) {
+    return build.shells_of_part[static_cast<std::size_t>(part)] > 0;
+  });
+}
+
+/// Springs know the mid-surfaces of shells and not the surfaces that are glued.
+void check_softening(Build& build, const model::TiedContact& tied, const Where& where) {
+  if (!tied.softening || !(has_shells(build, tied.side[0]) || has_shells(build, tied.side[1]))) return;
+  build.report.warning(
+      where, "softening shells",
+      "openings are measured between the mid-surfaces of shells: where the two turn against "
+      "each other, sliding of their distance times the angle is added, which mixes the modes");
+}
+
 }  // namespace
 
 void build_tied_contacts(Build& build) {
@@ -78,6 +93,7 @@ void build_tied_contacts(Build& build) {
                                 "area"});
       continue;
     }
+    check_softening(build, tied, raw.where);
     if (raw.afterwards) {
       model::Contact after = *raw.afterwards;
       after.id = tied.id;

@@ -111,6 +111,30 @@ struct RawHeldPlane {
   Where where;
 };
 
+/// *BOUNDARY_SPC_SYMMETRY_PLANE: nodes of some parts that lie near a plane are held as by symmetry.
+struct RawSymmetryPlane {
+  UserId target = 0;  ///< a part or a part set
+  bool is_set = false;
+  std::array<double, 3> point{};
+  std::array<double, 3> normal{};  ///< of any length
+  double tolerance = 0;            ///< [length]; 0 is the default
+  Where where;
+};
+
+/// *CONSTRAINED_RIGID_BODY_STOPPERS.
+struct RawStopper {
+  UserId part = 0;
+  UserId largest = 0;   ///< LCMAX: a curve; below zero of the displacement
+  UserId smallest = 0;  ///< LCMIN, likewise
+  UserId speed = 0;     ///< LCVMNX
+  int direction = 0;    ///< DIR, 1 to 4
+  UserId vector = 0;    ///< VID, of DIR = 4
+  double birth = 0;
+  double death = 1e21;
+  Where where;
+  Where times_where;
+};
+
 /// *CONSTRAINED_INTERPOLATION.
 struct RawInterpolation {
   struct Independent {

@@ -10,6 +10,7 @@
 
 #include "base/index.hpp"
 #include "deck/format/raw_connections.hpp"
+#include "deck/format/raw_friction.hpp"
 #include "deck/format/raw_loads.hpp"
 #include "deck/format/raw_properties.hpp"
 #include "deck/format/raw_transformation.hpp"
@@ -34,7 +35,8 @@ struct RawShell {
   UserId part = 0;
   std::array<UserId, 4> node{};
   std::array<double, 4> thickness{};
-  double material_angle = 0;  ///< [rad]
+  double material_angle = 0;   ///< [rad]
+  UserId material_system = 0;  ///< MCID: its x is the first axis of the material; 0 is none
   Where where;
   std::size_t layers = 0;  ///< of *ELEMENT_SHELL_COMPOSITE: place in RawDeck::element_layers, from 1; 0: none
 };
@@ -118,8 +120,9 @@ struct RawPart {
   UserId hourglass = 0;
   std::optional<RawInertia> inertia{};
   UserId equation_of_state = 0;
-  double contact_thickness = 0;        ///< OPTT; 0 is none
-  double contact_thickness_scale = 1;  ///< SFT
+  double contact_thickness = 0;               ///< OPTT; 0 is none
+  double contact_thickness_scale = 1;         ///< SFT
+  std::optional<model::Friction> friction{};  ///< of *PART_CONTACT
   Where where;
   std::vector<RawLayer> layers{};  ///< of *PART_COMPOSITE
   std::size_t own_section = 0;     ///< then its place in RawDeck::sections
@@ -168,10 +171,18 @@ struct RawMember {
     BoxOfShells,
     BoxOfSolids,
     Shell,
+    Solid,
+    Beam,
+    Discrete,
     Segment,
     OwnSet,
     ShellSet,
-    SolidSet
+    SolidSet,
+    BeamSet,
+    DiscreteSet,
+    PartWithInside,      ///< faces between its solids as well
+    BoxOfAllFaces,       ///< faces of solids, likewise
+    SolidSetWithInside,  ///< likewise
   };
   What what = What::Member;
   bool removes = false;
@@ -258,6 +269,11 @@ struct RawContact {
   bool takes_own_thickness_option = false;  ///< THKOPT: not that of *CONTROL_CONTACT
   int thickness_option = 0;                 ///< SHLTHK
   bool only_measures = false;               ///< a force transducer
+  FrictionSource friction = FrictionSource::Contact;
+  UserId friction_table = 0;  ///< 0: the only one
+  double friction_scale = 1;  ///< FSF
+  double stress_scale = 1;    ///< VSF
+  Where friction_where;
   Where where;
 };
 
@@ -428,6 +444,8 @@ struct RawDeck {
   std::vector<RawEquation> equations;
   std::vector<RawInterpolation> interpolations;
   std::vector<RawHeldPlane> held_planes;
+  std::vector<RawSymmetryPlane> symmetry_planes;
+  std::vector<RawStopper> stoppers;
   std::vector<RawMidNode> mid_nodes;
   std::vector<RawJointStiffness> joint_stiffnesses;
   std::vector<RawPrescribedMotion> prescribed_motions;
@@ -445,6 +463,7 @@ struct RawDeck {
   std::vector<RawWall> walls;
   std::vector<RawContact> contacts;
   std::vector<RawInterior> interiors;
+  std::vector<RawFrictionTable> friction_tables;
   int contact_thickness_option = 0;  ///< SHLTHK of *CONTROL_CONTACT
   std::vector<RawTiedContact> tied_contacts;
   std::vector<RawHistory> histories;

@@ -18,6 +18,9 @@ using KeywordReader = void (*)(Cards& cards, RawDeck& deck);
 void read_node(Cards& cards, RawDeck& deck);
 void read_element_shell(Cards& cards, RawDeck& deck);
 void read_element_shell_thickness(Cards& cards, RawDeck& deck);
+void read_element_shell_mcid(Cards& cards, RawDeck& deck);
+void read_element_shell_offset(Cards& cards, RawDeck& deck);
+void read_element_shell_dof(Cards& cards, RawDeck& deck);
 void read_element_mass(Cards& cards, RawDeck& deck);
 void read_element_mass_node_set(Cards& cards, RawDeck& deck);
 void read_element_seatbelt_accelerometer(Cards& cards, RawDeck& deck);
@@ -309,6 +312,16 @@ void read_contact_constraint_surface_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_constraint_nodes_to_surface(Cards& cards, RawDeck& deck);
 void read_contact_force_transducer(Cards& cards, RawDeck& deck);
 void read_contact_interior(Cards& cards, RawDeck& deck);
+
+// read_symmetry_planes.cpp
+void read_boundary_spc_symmetry_plane(Cards& cards, RawDeck& deck);
+void read_boundary_spc_symmetry_plane_set(Cards& cards, RawDeck& deck);
+
+// read_stoppers.cpp
+void read_constrained_rigid_body_stoppers(Cards& cards, RawDeck& deck);
+
+// read_friction.cpp
+void read_define_friction(Cards& cards, RawDeck& deck);
 
 // read_tied_contact.cpp
 void read_contact_tied(Cards& cards, RawDeck& deck);

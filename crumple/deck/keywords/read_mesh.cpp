@@ -47,6 +47,22 @@ constexpr Field thickness_card[] = {
     sized(16, real("BETA")),
 };
 
+constexpr Field thickness_mcid_card[] = {
+    sized(16, real("THIC1", 0, not_negative)),        sized(16, real("THIC2", 0, not_negative)),
+    sized(16, real("THIC3", 0, not_negative)),        sized(16, real("THIC4", 0, not_negative)),
+    sized(16, reference("MCID", IdKind::Definition)),
+};
+
+constexpr Field offset_card[] = {
+    sized(16, only("OFFSET", {0}, "NLOC of *SECTION_SHELL moves the shells of a part off their nodes")),
+};
+
+// Scalar nodes of shells that stretch through their thickness (ELFORM 25 to 27), which are refused.
+constexpr Field scalar_nodes_card[] = {
+    sized(8, unused("-")),   sized(8, unused("-")),   sized(8, unused("NS1")),
+    sized(8, unused("NS2")), sized(8, unused("NS3")), sized(8, unused("NS4")),
+};
+
 constexpr Field mass_card[] = {
     sized(8, id("EID")), sized(8, id("NID")), sized(16, real("MASS", 0, not_negative)),
     sized(8, unused("PID")),  // for LS-DYNA's listings only
@@ -79,6 +95,19 @@ RawShell shell_of(const Card& card, const Affine& map) {
   if (map.mirrors()) mirror_face(shell.node, shell.node[2] == shell.node[3]);
   shell.where = card.where();
   return shell;
+}
+
+/// The thickness at the nodes, and the angle where the card has one.
+void take_thickness(const Cards& cards, const Card& card, RawShell& shell) {
+  shell.thickness = {card.real("THIC1"), card.real("THIC2"), card.real("THIC3"), card.real("THIC4")};
+  if (cards.where().keyword.find("_MCID") == std::string_view::npos)
+    shell.material_angle = card.real("BETA") * std::numbers::pi / 180;
+  if (cards.placement().map.mirrors()) {
+    mirror_face(shell.thickness, shell.node[2] == shell.node[3]);
+    shell.material_angle = -shell.material_angle;
+  }
+  // Two equal nodes make a triangle; its fourth thickness is the third one's.
+  if (shell.node[3] == shell.node[2]) shell.thickness[3] = shell.thickness[2];
 }
 
 /// A card whose ids could not be read has been reported; its item would only lead to more messages.
@@ -121,17 +150,40 @@ void read_element_shell_thickness(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Card card = cards.next_filled(shell_card);
     RawShell shell = shell_of(card, cards.placement().map);
-    const Card second = cards.next(thickness_card);
-    shell.thickness = {second.real("THIC1"), second.real("THIC2"), second.real("THIC3"),
-                       second.real("THIC4")};
-    shell.material_angle = second.real("BETA") * std::numbers::pi / 180;
-    if (cards.placement().map.mirrors()) {
-      mirror_face(shell.thickness, shell.node[2] == shell.node[3]);
-      shell.material_angle = -shell.material_angle;
-    }
-    // Two equal nodes make a triangle; its fourth thickness is the third one's.
-    if (shell.node[3] == shell.node[2]) shell.thickness[3] = shell.thickness[2];
+    take_thickness(cards, cards.next(thickness_card), shell);
     if (has_ids(card)) deck.shells.push_back(shell);
+  }
+}
+
+void read_element_shell_mcid(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(shell_card);
+    RawShell shell = shell_of(card, cards.placement().map);
+    const Card second = cards.next(thickness_mcid_card);
+    take_thickness(cards, second, shell);
+    shell.material_system = second.integer("MCID");
+    if (has_ids(card)) deck.shells.push_back(shell);
+  }
+}
+
+void read_element_shell_offset(Cards& cards, RawDeck& deck) {
+  const std::string_view keyword = cards.where().keyword;
+  const bool has_thickness =
+      keyword.find("_THICKNESS") != std::string_view::npos || keyword.find("_BETA") != std::string_view::npos;
+  while (cards.more()) {
+    const Card card = cards.next_filled(shell_card);
+    RawShell shell = shell_of(card, cards.placement().map);
+    if (has_thickness) take_thickness(cards, cards.next(thickness_card), shell);
+    cards.next(offset_card);
+    if (has_ids(card)) deck.shells.push_back(shell);
+  }
+}
+
+void read_element_shell_dof(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(shell_card);
+    cards.next(scalar_nodes_card);
+    if (has_ids(card)) deck.shells.push_back(shell_of(card, cards.placement().map));
   }
 }
 

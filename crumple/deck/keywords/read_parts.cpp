@@ -28,10 +28,10 @@ constexpr Field part_card[] = {
 };
 
 constexpr Field part_contact_card[] = {
-    unused("FS"),  // with FS = -1 of the contact, which is refused there
-    unused("FD"),
-    unused("DC"),
-    unused("VC"),
+    real("FS", 0, not_negative),
+    real("FD", 0, not_negative),
+    real("DC", 0, not_negative),
+    real("VC", 0, not_negative),
     real("OPTT", 0, not_negative),
     real_or_default("SFT", 1, above_zero),
     only("SSF", {0, 1}, "the stiffness is scaled by SFS and SFM of the contact"),
@@ -193,6 +193,7 @@ void read_part_contact(Cards& cards, RawPart& part) {
   const Card contact = cards.next(part_contact_card);
   part.contact_thickness = contact.real("OPTT");
   part.contact_thickness_scale = contact.real("SFT");
+  part.friction = {contact.real("FS"), contact.real("FD"), contact.real("DC"), contact.real("VC")};
 }
 
 namespace {

@@ -77,9 +77,33 @@ struct Option {
 };
 
 constexpr Option node_options[] = {
-    {"ALL", What::All, false, 0},   {"NODE", What::Member, false, 7},        {"DNODE", What::Member, true, 7},
-    {"PART", What::Part, false, 7}, {"DPART", What::Part, true, 7},          {"BOX", What::Box, false, 7},
-    {"DBOX", What::Box, true, 7},   {"SET_SHELL", What::ShellSet, false, 7},
+    {"ALL", What::All, false, 0},
+    {"NODE", What::Member, false, 7},
+    {"DNODE", What::Member, true, 7},
+    {"PART", What::Part, false, 7},
+    {"DPART", What::Part, true, 7},
+    {"BOX", What::Box, false, 7},
+    {"DBOX", What::Box, true, 7},
+    {"SHELL", What::Shell, false, 7},
+    {"DSHELL", What::Shell, true, 7},
+    {"SOLID", What::Solid, false, 7},
+    {"DSOLID", What::Solid, true, 7},
+    {"BEAM", What::Beam, false, 7},
+    {"DBEAM", What::Beam, true, 7},
+    {"DISCRETE", What::Discrete, false, 7},
+    {"DDISCRETE", What::Discrete, true, 7},
+    {"SET", What::OwnSet, false, 7},
+    {"DSET", What::OwnSet, true, 7},
+    {"SET_NODE", What::OwnSet, false, 7},
+    {"DSET_NODE", What::OwnSet, true, 7},
+    {"SET_SHELL", What::ShellSet, false, 7},
+    {"DSET_SHELL", What::ShellSet, true, 7},
+    {"SET_SOLID", What::SolidSet, false, 7},
+    {"DSET_SOLID", What::SolidSet, true, 7},
+    {"SET_BEAM", What::BeamSet, false, 7},
+    {"DSET_BEAM", What::BeamSet, true, 7},
+    {"SET_DISCRETE", What::DiscreteSet, false, 7},
+    {"DSET_DISCRETE", What::DiscreteSet, true, 7},
 };
 
 constexpr Option part_options[] = {
@@ -97,11 +121,14 @@ constexpr Option segment_options[] = {
     {"ALL", What::All, false, 0},
     {"BOX", What::Box, false, 3},
     {"BOX_SHELL", What::BoxOfShells, false, 3},
+    {"BOX_SLDIO", What::BoxOfAllFaces, false, 3},
     {"BOX_SOLID", What::BoxOfSolids, false, 3},
     {"PART", What::Part, false, 3},
+    {"PART_IO", What::PartWithInside, false, 3},
     {"SEG", What::Segment, false, 4},
     {"SET", What::OwnSet, false, 7},
     {"SET_SHELL", What::ShellSet, false, 3},
+    {"SET_SLDIO", What::SolidSetWithInside, false, 3},
     {"SET_SOLID", What::SolidSet, false, 3},
     {"SHELL", What::Shell, false, 3},
     {"DBOX", What::Box, true, 7},
@@ -114,10 +141,11 @@ constexpr Option segment_options[] = {
 
 IdKind kind_of_option(const Card& card) {
   const std::string name = upper_case(card.text("OPTION"));
-  const std::string_view what = name.starts_with('D') ? std::string_view(name).substr(1) : name;
+  const bool removes = name.starts_with('D') && name != "DISCRETE";
+  const std::string_view what = removes ? std::string_view(name).substr(1) : name;
   if (what.starts_with("BOX")) return IdKind::Definition;
   if (what.starts_with("SET")) return IdKind::Set;
-  if (what == "PART") return IdKind::Part;
+  if (what == "PART" || what == "PART_IO") return IdKind::Part;
   return what == "NODE" || what == "SEG" ? IdKind::Node : IdKind::Element;
 }
 

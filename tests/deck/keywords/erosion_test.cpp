@@ -2,6 +2,8 @@
 // *MAT_ADD_EROSION.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "deck/small_deck.hpp"
 
 namespace crumple::deck::test::erosion_test {
@@ -27,6 +29,27 @@ void only_message(const std::string& cards, const std::string& part) {
   const auto found = messages(cards);
   ASSERT_EQ(found.size(), 1U) << cards << (found.empty() ? "" : found.back());
   EXPECT_NE(found[0].find(part), std::string::npos) << found[0];
+}
+
+/// A plate and a rod of a material of its own.
+SmallDeck rod(const std::string& form, const std::string& criteria) {
+  SmallDeck deck;
+  deck.part += "rod\n3,3,3\n";
+  deck.section += "*SECTION_BEAM\n3," + form + (form == "1" ? ",,,1\n0.5,0.5\n" : "\n0.5\n");
+  deck.material += "*MAT_PLASTIC_KINEMATIC\n3,7.8E-6,210,0.3,0.3,1\n\n*MAT_ADD_EROSION\n" + criteria + "\n\n";
+  deck.more = "*ELEMENT_BEAM\n31,3,5,6,1\n";
+  return deck;
+}
+
+TEST(MatAddErosion, OfTrussesByPlasticStrainAlone) {
+  const model::Model model = read_clean(rod("3", "3,,,,-0.1").text());
+  EXPECT_EQ(model.materials.at(1).erosion->effective_plastic_strain, 0.1);
+  for (const auto& [form, criteria] :
+       {std::pair{"3", "3,,,,0.1"}, {"3", "3,,,-0.2,-0.1"}, {"1", "3,,,,-0.1"}}) {
+    const std::string found = listed(read_deck_text(rod(form, criteria).text()).diagnostics);
+    EXPECT_NE(found.find("of beams only trusses (ELFORM 3) and spot welds (9) fail by it"), std::string::npos)
+        << form << " " << criteria << found;
+  }
 }
 
 TEST(MatAddErosion, EveryField) {

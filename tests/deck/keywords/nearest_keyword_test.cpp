@@ -62,7 +62,8 @@ TEST(NearestKeyword, IsItselfSupported) {
                            "LOAD_BLAST",
                            "LOAD_BLAST_CLEARING",
                            "LOAD_BRODE",
-                           "BOUNDARY_SPC_SYMMETRY_PLANE"}) {
+                           "BOUNDARY_SPC_LOCAL",
+                           "DEFINE_FRICTION_ORIENTATION"}) {
     const NearestKeyword nearest = nearest_keyword(name);
     EXPECT_TRUE(find_keyword(nearest.keyword)) << name << " " << nearest.keyword;
     EXPECT_FALSE(nearest.change.empty()) << name;

@@ -102,6 +102,52 @@ TEST(NodeSet, NodesOfShellSets) {
   EXPECT_EQ(sorted(model.node_sets[0].nodes), (Indices{7, 8, 10, 11}));
 }
 
+TEST(NodeSet, NodesOfElementsAndOfTheirSets) {
+  const model::Model model = block_with(
+      "*SET_SOLID_LIST\n5\n22\n*SET_SHELL_LIST\n6\n31\n"
+      "*SET_NODE_GENERAL\n1\nSHELL,32,31\nDSHELL,31\n*SET_NODE_GENERAL\n2\nSOLID,21\n"
+      "*SET_NODE_GENERAL\n3\nSET_SOLID,5\nDSOLID,21\n*SET_NODE_GENERAL\n4\nALL\nDSET_SOLID,5\nDSET_SHELL,6\n"
+      "*SET_NODE_GENERAL\n5\nSET,1\nSET_NODE,4\nDSET,4\n");
+  EXPECT_EQ(sorted(model.node_sets[0].nodes), (Indices{8, 11}));
+  EXPECT_EQ(sorted(model.node_sets[1].nodes), (Indices{0, 1, 3, 4, 6, 7, 9, 10}));
+  EXPECT_EQ(sorted(model.node_sets[2].nodes), (Indices{2, 5, 8, 11}));
+  EXPECT_EQ(sorted(model.node_sets[3].nodes), (Indices{0, 3}));
+  EXPECT_EQ(sorted(model.node_sets[4].nodes), (Indices{8, 11}));
+}
+
+TEST(NodeSet, NodesOfBeamsAndSprings) {
+  BlockDeck deck;
+  deck.part += "rod\n3,3,1\nspring\n4,4,4\n";
+  deck.section += "*SECTION_BEAM\n3,3\n0.5\n*SECTION_DISCRETE\n4\n\n";
+  deck.material += "*MAT_SPRING_ELASTIC\n4,1\n";
+  deck.more =
+      "*ELEMENT_BEAM\n41,3,1,2\n42,3,2,3\n*ELEMENT_DISCRETE\n51,4,4,5\n"
+      "*SET_BEAM\n5\n42\n*SET_DISCRETE\n6\n51\n"
+      "*SET_NODE_GENERAL\n1\nBEAM,41\n*SET_NODE_GENERAL\n2\nSET_BEAM,5\nDISCRETE,51\nDBEAM,41\n"
+      "*SET_NODE_GENERAL\n3\nSET_DISCRETE,6\n*SET_NODE_GENERAL\n4\nBEAM,41\nDSET_BEAM,5\nSOLID,21\n"
+      "DDISCRETE,51\nDSET_DISCRETE,6\n";
+  const model::Model model = read_clean(deck.text());
+  EXPECT_EQ(sorted(model.node_sets[0].nodes), (Indices{0, 1}));
+  EXPECT_EQ(sorted(model.node_sets[1].nodes), (Indices{2, 3, 4}));
+  EXPECT_EQ(sorted(model.node_sets[2].nodes), (Indices{3, 4}));
+  EXPECT_EQ(sorted(model.node_sets[3].nodes), (Indices{0, 1, 6, 7, 9, 10}));
+}
+
+TEST(SegmentSet, FacesInsideOfSolids) {
+  const model::Model model = block_with(
+      "*DEFINE_BOX\n4,0.9,1.1,-1.0,2.0,-1.0,2.0\n*SET_SOLID_LIST\n5\n21\n"
+      "*SET_SEGMENT_GENERAL\n1\nPART_IO,1\n*SET_SEGMENT_GENERAL\n2\nBOX_SLDIO,4\n"
+      "*SET_SEGMENT_GENERAL\n3\nSET_SLDIO,5\n*SET_SEGMENT_GENERAL\n4\nPART_IO,1\nDPART,1\n");
+  EXPECT_EQ(model.segment_sets[0].segments.size(), 11U);
+  ASSERT_EQ(model.segment_sets[1].segments.size(), 1U);
+  Segment between = model.segment_sets[1].segments[0];
+  std::sort(between.begin(), between.end());
+  EXPECT_EQ(between, (Segment{1, 4, 7, 10}));
+  EXPECT_EQ(model.segment_sets[2].segments.size(), 6U);
+  ASSERT_EQ(model.segment_sets[3].segments.size(), 1U);
+  EXPECT_EQ(model.segment_sets[3].segments[0], model.segment_sets[1].segments[0]);
+}
+
 TEST(PartSet, GeneralAddAndCollect) {
   const model::Model model = block_with(
       "*SET_PART_GENERAL\n1\nALL\nDPART,1\n*SET_PART_GENERAL\n2\nPART,1\nSET,1\n*SET_PART_GENERAL\n3\nSET,"

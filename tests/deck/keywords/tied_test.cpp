@@ -113,6 +113,54 @@ TEST(Tied, Tiebreak) {
   EXPECT_EQ(tied("*CONTACT_TIEBREAK_SURFACE_TO_SURFACE" + cards + "5,7\n").failure->shear_strength, 7);
 }
 
+TEST(Tied, TiebreakByOption) {
+  const auto read_option = [](const std::string& card) {
+    const ReadResult result = read_deck_text(
+        plates("*CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n" + card + "\n").text());
+    EXPECT_TRUE(result.model) << listed(result.diagnostics);
+    // Between shells there is a warning of what springs do not see.
+    EXPECT_EQ(listed(result.diagnostics).find("which mixes the modes") != std::string::npos, card[0] != '2');
+    return result.model.value().tied_contacts.at(0);
+  };
+  const model::TieSoftening power = read_option("9,35,45,1.45,0.25,0.75,0.5").softening.value();
+  EXPECT_EQ(power.law, model::TieSoftening::Law::PowerLaw);
+  EXPECT_EQ(power.normal_energy, 0.25);
+  EXPECT_EQ(power.shear_energy, 0.75);
+  EXPECT_EQ(power.exponent, 1.45);
+  EXPECT_EQ(power.shear_ratio, 0.5);
+  const ReadResult stiff = read_deck_text(
+      plates("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n9,35,45,1.45,0.25,0.75,0.5,1e3\n")
+          .text());
+  ASSERT_TRUE(stiff.model);
+  EXPECT_EQ(stiff.model->tied_contacts.at(0).softening->stiffness, 1e3);
+  EXPECT_NE(listed(stiff.diagnostics).find("beyond half of the stability budget of contact is cut"),
+            std::string::npos);
+  const model::TiedContact kenane = read_option("11,35,45,-2,0.25,0.75");
+  EXPECT_EQ(kenane.softening->law, model::TieSoftening::Law::BenzeggaghKenane);
+  EXPECT_EQ(kenane.softening->exponent, 2);
+  EXPECT_EQ(kenane.softening->shear_ratio, 1);
+  EXPECT_EQ(kenane.softening->stiffness, 0);
+  EXPECT_EQ(kenane.failure->normal_strength, 35);
+  EXPECT_EQ(read_option("9,35,45,,0.25,0.75").softening->exponent, 1);
+  for (const std::string option : {"6", "8"}) {
+    const model::TiedContact opening = read_option(option + ",35,0,0.2");
+    EXPECT_EQ(opening.softening->law, model::TieSoftening::Law::CriticalOpening);
+    EXPECT_EQ(opening.softening->critical_opening, 0.2);
+    EXPECT_EQ(opening.failure->normal_strength, 35);
+  }
+  EXPECT_FALSE(read_option("2,35,45").softening.has_value());
+}
+
+TEST(Tied, OptionOneNeverBreaksAndWarns) {
+  const SmallDeck deck = plates("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n1\n");
+  const ReadResult result = read_deck_text(deck.text());
+  ASSERT_TRUE(result.model);
+  EXPECT_FALSE(result.model->tied_contacts.at(0).failure.has_value());
+  EXPECT_EQ(result.model->contacts.size(), 1U);
+  EXPECT_NE(listed(result.diagnostics).find("nodes that come into contact later touch, and do not stick"),
+            std::string::npos);
+}
+
 TEST(Tied, Faults) {
   const auto only = [](const std::string& more) {
     const std::vector<std::string> found = messages(more);
@@ -130,6 +178,18 @@ TEST(Tied, Faults) {
   has("*CONTACT_TIED_SURFACE_TO_SURFACE\n2,1,3,3\n,,,,,,0.1\n\n", "BT");
   has("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n5,1,1\n", "OPTION");
   has("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n2,0,0\n", "a strength above zero");
+  const std::string tiebreak = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n2,1,3,3\n\n\n";
+  has(tiebreak + "3,1,1\n", "there is no failure after sticking (3)");
+  has(tiebreak + "2,1,1,1\n", "field PARAM");
+  has(tiebreak + "2,1,1,,,,,5\n", "warning");
+  const auto among = [&](const std::string& card, const std::string& text) {
+    const std::string found = listed(read_deck_text(plates(tiebreak + card).text()).diagnostics);
+    EXPECT_NE(found.find(text), std::string::npos) << found;
+  };
+  among("6,1,1\n", "error: *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK card 4 field PARAM");
+  among("9,1,1,,1,0\n", "field ERATES: read \"0\", expected a number above zero");
+  among("9,1,1,,0,1\n", "field ERATEN: read \"0\", expected a number above zero");
+  among("9,1,0,,1,1\n", "field SFLS: read \"0\", expected a number above zero");
   has("*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n9,1,4,3\n\n\n1,1\n*SET_NODE_LIST\n9\n5,6\n",
       "nodes alone have no area");
   has("*CONTACT_TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET\n2,1,3,3\n\n\n", "springs");

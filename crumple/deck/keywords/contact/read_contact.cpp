@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cmath>
 
 #include "deck/keywords/contact/contact_cards.hpp"
 #include "deck/keywords/families.hpp"
@@ -52,20 +53,15 @@ constexpr Field card_1_nodes[] = {
     integer("MPR"),
 };
 
-/// In LS-DYNA some values other than coefficients have meanings of their own.
-constexpr Field friction_coefficient(std::string_view name) {
-  return real(
-      name, 0,
-      within(
-          0, 1.999999,
-          "a coefficient from 0 to below 2; tables and friction by part (*PART_CONTACT) are not supported"));
-}
-
 constexpr Field contact_card_2[] = {
-    friction_coefficient("FS"),   real("FD", 0, not_negative),
-    real("DC", 0, not_negative),  real("VC", 0, not_negative),
-    real("VDC", 0, not_negative), harmless("PENCHK", {0}, "it is for other kinds of contact"),
-    real("BT", 0, not_negative),  real_or_default("DT", 1e20, above_zero),
+    real("FS"),
+    real("FD", 0, not_negative),
+    real("DC", 0, not_negative),
+    real("VC", 0, not_negative),
+    real("VDC", 0, not_negative),
+    harmless("PENCHK", {0}, "it is for other kinds of contact"),
+    real("BT", 0, not_negative),
+    real_or_default("DT", 1e20, above_zero),
 };
 
 constexpr Field contact_card_3[] = {
@@ -202,14 +198,42 @@ Layout card_1_of(const Form& form) {
   return form.kind == model::ContactKind::SingleSurface ? Layout(card_1_single) : Layout(card_1_nodes);
 }
 
+/// FS is a coefficient, or says where they are: -1 in *PART_CONTACT, -2 in the *DEFINE_FRICTION of FD.
+void read_friction(Cards& cards, const Card& second, const Card& third, RawContact& raw) {
+  constexpr double first_code = 2;  // a table by pressure and speed
+  const double at_rest = second.real("FS");
+  raw.friction_where = second.where();
+  raw.friction_scale = third.real("FSF");
+  raw.stress_scale = third.real("VSF");
+  if (at_rest == -1) {
+    raw.friction = FrictionSource::Parts;
+    return;
+  }
+  if (at_rest == -2) {
+    raw.friction = FrictionSource::Table;
+    raw.friction_table = cards.placement().id(IdKind::Definition, std::llround(second.real("FD")));
+    return;
+  }
+  if (at_rest < 0 || at_rest >= first_code) {
+    cards.report().field_error(
+        second.where(), {"FS", std::string(second.text("FS")), "a coefficient from 0 to below 2, -1 or -2",
+                         "-1 takes the friction of *PART_CONTACT, -2 that of *DEFINE_FRICTION; friction by "
+                         "tables of pressure and speed (2) is not supported",
+                         "friction"});
+    return;
+  }
+  raw.contact.static_friction = at_rest * raw.friction_scale;
+  raw.contact.dynamic_friction = second.real("FD") * raw.friction_scale;
+  raw.contact.friction_decay = second.real("DC");
+  raw.contact.friction_stress = second.real("VC") * raw.stress_scale;
+}
+
 /// Cards 2 and 3.
-void read_forces(Cards& cards, const Form& form, model::Contact& contact) {
+void read_forces(Cards& cards, const Form& form, RawContact& raw) {
+  model::Contact& contact = raw.contact;
   const Card second = cards.next(contact_card_2);
   const Card third = cards.next(contact_card_3);
-  contact.static_friction = second.real("FS") * third.real("FSF");
-  contact.dynamic_friction = second.real("FD") * third.real("FSF");
-  contact.friction_decay = second.real("DC");
-  contact.friction_stress = second.real("VC") * third.real("VSF");
+  read_friction(cards, second, third, raw);
   contact.viscous_damping = second.real("VDC") / 100;  // percent of critical
   contact.birth_time = second.real("BT");
   contact.death_time = second.real("DT");
@@ -280,7 +304,7 @@ void read(Cards& cards, RawDeck& deck, const Form& form) {
   raw.where = first.where();
   raw.side[0] = side_of(first, first_fields);
   raw.contact.side[0].node_forces = first.integer(first_fields.node_forces) > 0;
-  read_forces(cards, form, raw.contact);
+  read_forces(cards, form, raw);
   if (form.eroding) raw.contact.symmetry_planes = cards.next(contact_card_4).real("ISYM") == 1;
   if (form.constrains) {
     raw.contact.enforcement = model::Enforcement::Multipliers;

@@ -50,17 +50,27 @@ constexpr Field tied_card_3[] = {
 };
 
 constexpr Field automatic_tiebreak_card[] = {
-    only("OPTION", {2},
-         "2 ties what is in contact at time zero until stresses reach NFLS and SFLS; nodes that come into "
-         "contact later do not stick (1, 3), and there is no damage (5 to 11)"),
+    only(
+        "OPTION", {2, 1, 6, 8, 9, 11},
+        "1 ties for good, 2 until stresses reach NFLS and SFLS, 6 and 8 soften from there until the ends are "
+        "PARAM apart, 9 and 11 by ERATEN and ERATES; there is no failure after sticking (3), no sliding of "
+        "what is tied (4), no curve of damage (5), no Dycoss model (7, 10), no law of *MAT_240 (13, 14), and "
+        "no moments are tied (-1 to -3)"),
     real("NFLS", 0, not_negative),
     real("SFLS", 0, not_negative),
-    only("PARAM", {0}, "the thickness of shells is kept"),
-    unused("ERATEN"),  // of damage
-    unused("ERATES"),
-    unused("CT2CN"),
-    only("CN", {0}, "the stiffness is that of the penalty"),
+    real("PARAM"),
+    real("ERATEN", 0, not_negative),
+    real("ERATES", 0, not_negative),
+    real_or_default("CT2CN", 1, above_zero),
+    real("CN", 0, not_negative),
 };
+
+// What the codes of OPTION mean.
+constexpr int for_good = 1;
+constexpr int until_strength = 2;
+constexpr int until_opening = 6;
+constexpr int until_opening_of_shells = 8;
+constexpr int until_energy = 9;
 
 constexpr Field tiebreak_nodes_card[] = {
     real("NFLF", 0, not_negative),
@@ -172,13 +182,75 @@ void check_strength(Cards& cards, const Card& card, std::string_view field,
                                             "what never breaks is *CONTACT_TIED_..._OFFSET", "strength"});
 }
 
+/// A field that a kind of tiebreak needs.
+void require_above_zero(Cards& cards, const Card& card, std::string_view field, std::string_view why) {
+  if (!card.good(field) || card.real(field) > 0) return;
+  cards.report().field_error(card.where(), {field, std::string(card.text(field)), "a number above zero",
+                                            std::string(why), "softening"});
+}
+
+/// Ties that soften until they have taken the energies of the two modes.
+model::TieSoftening softening_by_energy(Cards& cards, const Card& card) {
+  for (const std::string_view field : {"NFLS", "SFLS"})
+    require_above_zero(cards, card, field, "OPTION 9 and 11 need both strengths, as numbers");
+  for (const std::string_view field : {"ERATEN", "ERATES"})
+    require_above_zero(cards, card, field, "OPTION 9 and 11 need the energy per area of both modes");
+  const double exponent = card.real("PARAM");
+  model::TieSoftening softening;
+  softening.law =
+      exponent < 0 ? model::TieSoftening::Law::BenzeggaghKenane : model::TieSoftening::Law::PowerLaw;
+  softening.normal_energy = card.real("ERATEN");
+  softening.shear_energy = card.real("ERATES");
+  softening.exponent = exponent == 0 ? 1 : std::fabs(exponent);
+  softening.shear_ratio = card.real("CT2CN");
+  softening.stiffness = card.real("CN");
+  if (softening.stiffness > 0)
+    cards.report().field_warning(
+        card.where(),
+        {"CN", std::string(card.text("CN")), "0, or a stiffness that the time step allows",
+         "what is beyond half of the stability budget of contact is cut: the bond is softer then "
+         "up to its strength, which stays, as does its energy",
+         "stiffness"});
+  return softening;
+}
+
+/// When and how the tie ends, by OPTION.
+void take_option(Cards& cards, const Card& card, model::TiedContact& tied) {
+  const int option = card.good("OPTION") ? static_cast<int>(card.real("OPTION")) : until_strength;
+  if (option == for_good) {
+    cards.report().field_warning(
+        card.where(), {"OPTION", "1", "2, where later contact must not stick",
+                       "what is in contact at time zero is tied for good; nodes that come into contact "
+                       "later touch, and do not stick",
+                       "sticking"});
+    return;
+  }
+  tied.failure = {.normal_strength = card.real("NFLS"), .shear_strength = card.real("SFLS")};
+  if (option < until_energy) {
+    check_strength(cards, card, "NFLS", *tied.failure);
+    if (card.real("CN") != 0)
+      cards.report().field_warning(
+          card.where(), {"CN", std::string(card.text("CN")), "0",
+                         "only OPTION 9 and 11 have it; the stiffness is that of ties", "stiffness"});
+  }
+  if (option == until_strength && card.real("PARAM") != 0)
+    cards.report().field_unsupported(card.where(), {"PARAM", std::string(card.text("PARAM")), "0",
+                                                    "the thickness of shells is kept", "thickness"});
+  if (option == until_opening || option == until_opening_of_shells) {
+    require_above_zero(cards, card, "PARAM",
+                       "with OPTION 6 and 8 it is the distance at which the tie is gone");
+    tied.softening = model::TieSoftening{.law = model::TieSoftening::Law::CriticalOpening,
+                                         .critical_opening = card.real("PARAM")};
+  }
+  if (option >= until_energy) tied.softening = softening_by_energy(cards, card);
+}
+
 void read_automatic(Cards& cards, RawDeck& deck, model::ContactKind kind) {
   bool good = false;
   RawTiedContact raw = read_first_cards(cards, good);
   const Card card = cards.next(automatic_tiebreak_card);
   raw.tied.method = model::TieMethod::Penalty;
-  raw.tied.failure = {.normal_strength = card.real("NFLS"), .shear_strength = card.real("SFLS")};
-  check_strength(cards, card, "NFLS", *raw.tied.failure);
+  take_option(cards, card, raw.tied);
   raw.afterwards->kind = kind;
   finish(cards, deck, std::move(raw), good);
 }
