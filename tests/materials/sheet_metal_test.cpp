@@ -247,6 +247,44 @@ TEST_P(Sheet, YieldFunctionIsKeptAfterEveryStep) {
     }
 }
 
+/// Whatever the step, the plastic strain is normal to the yield surface where the stress has come to, and the
+/// effective one is its size: the closest point, not just any on the surface.
+TEST_P(Sheet, PlasticStrainIsNormalToTheSurface) {
+  test::Largest off(
+      "Barlat & Lian, m 2 to 20, single steps of up to 100 yield strains: plastic strain, relative error",
+      "normal by differences", 1e-6);
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int compared = 0;
+  for (const Ratios& r : {isotropic, aluminium, steel})
+    for (const double exponent : {2.0, 6.0, 8.0, 20.0}) {
+      auto material = sheet(false, exponent, r);
+      const auto& law = law_of(material);
+      const double p = shear_factor(law);
+      for (int i = 0; i < 100; ++i) {
+        const double size = 0.01 * std::exp2(3.5 * uniform(generator));
+        const Five strain{size * uniform(generator), size * uniform(generator), size * uniform(generator), 0,
+                          0};
+        PointDriver<double> point = driver_of<double>(material, GetParam(), 0);
+        point.apply(strain);
+        const Five s = point.stress();
+        const double flow = point.item("plastic_strain");
+        if (flow < 1e-4) continue;
+        const double plastic[] = {strain[0] - (s[0] - poissons_ratio * s[1]) / youngs_modulus,
+                                  strain[1] - (s[1] - poissons_ratio * s[0]) / youngs_modulus,
+                                  strain[2] - s[2] / shear_modulus};
+        const double e = 1e-3;
+        const double normal[] = {
+            (barlat(law, p, s[0] + e, s[1], s[2]) - barlat(law, p, s[0] - e, s[1], s[2])) / (2 * e),
+            (barlat(law, p, s[0], s[1] + e, s[2]) - barlat(law, p, s[0], s[1] - e, s[2])) / (2 * e),
+            (barlat(law, p, s[0], s[1], s[2] + e) - barlat(law, p, s[0], s[1], s[2] - e)) / (2 * e)};
+        for (int k = 0; k < 3; ++k) off.compare(plastic[k] / flow, normal[k], 1, std::to_string(exponent));
+        ++compared;
+      }
+    }
+  EXPECT_GT(compared, 800);
+}
+
 /// The same strains in axes that are turned give the turned stresses.
 TEST_P(Sheet, AxesTurnWithTheSheet) {
   test::Largest off("Barlat & Lian, axes turned by 0.7 rad: stress, error over 250 MPa", "invariance", 1e-11);
