@@ -28,6 +28,7 @@
 
 #include "materials/eos/gruneisen.hpp"
 #include "materials/eos/linear_polynomial.hpp"
+#include "materials/laws/bilkhu_dubois_foam.hpp"
 #include "materials/laws/blatz_ko.hpp"
 #include "materials/laws/composite_damage.hpp"
 #include "materials/laws/crushable_foam.hpp"
@@ -35,6 +36,7 @@
 #include "materials/laws/fabric.hpp"
 #include "materials/laws/honeycomb.hpp"
 #include "materials/laws/johnson_cook.hpp"
+#include "materials/laws/laminated_fabric.hpp"
 #include "materials/laws/low_density_foam.hpp"
 #include "materials/laws/mooney_rivlin.hpp"
 #include "materials/laws/null.hpp"
@@ -44,6 +46,7 @@
 #include "materials/laws/plastic_kinematic.hpp"
 #include "materials/laws/polynomial_rubber.hpp"
 #include "materials/laws/power_law_plasticity.hpp"
+#include "materials/laws/sheet_plasticity.hpp"
 #include "materials/laws/simplified_rubber.hpp"
 #include "materials/laws/soil_and_foam.hpp"
 #include "materials/laws/strain_limited_plasticity.hpp"
@@ -70,7 +73,10 @@ using ShellLaws = LawList<         //
     OrthotropicElasticLaw,         //
     CompositeDamageLaw,            //
     NullLaw,                       //
-    FabricLaw>;
+    FabricLaw,                     //
+    NormalAnisotropyLaw,           //
+    BarlatLaw,                     //
+    LaminatedFabricLaw>;
 
 /// Every constitutive law of solids. What a law must have is written in solid_update.hpp (its SolidUpdate).
 using SolidLaws = LawList<         //
@@ -90,7 +96,8 @@ using SolidLaws = LawList<         //
     HoneycombLaw,                  //
     SoilAndFoamLaw,                //
     ViscousFoamLaw,                //
-    SimplifiedRubberLaw>;
+    SimplifiedRubberLaw,           //
+    BilkhuDuboisFoamLaw>;
 
 /// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp
 /// says.

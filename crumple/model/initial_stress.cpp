@@ -30,6 +30,7 @@ struct Refusal {
   std::string operator()(const OrthotropicElastic& /*law*/) const { return ""; }
   std::string operator()(const Fabric& /*law*/) const { return ""; }
   std::string operator()(const NullMaterial& /*law*/) const { return "the material has no stress"; }
+  std::string operator()(const SheetPlasticity& /*law*/) const { return plastic_refusal(stress, nullptr); }
   std::string operator()(const PowerLawPlasticity& /*law*/) const { return plastic_refusal(stress, nullptr); }
   std::string operator()(const PiecewiseLinearPlasticity& law) const {
     return plastic_refusal(

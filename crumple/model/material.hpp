@@ -9,6 +9,8 @@
 
 #include "base/index.hpp"
 #include "model/erosion.hpp"
+#include "model/foam_material.hpp"
+#include "model/orthotropic_material.hpp"
 
 namespace crumple::model {
 
@@ -108,64 +110,6 @@ struct JohnsonCook {
   Spall spall = Spall::None;  ///< what happens to solids at the cut-off
   bool simplified = false;    ///< stems from *MAT_SIMPLIFIED_JOHNSON_COOK: for its name alone
 };
-
-/// Linear orthotropic elasticity (*MAT_ORTHOTROPIC_ELASTIC) with axes a, b in the shell and c along its
-/// normal.
-struct OrthotropicElastic {
-  /// What the axis a follows at time zero, in the plane of the shell.
-  enum class Axes {
-    Side,         ///< the side from the first to the second node
-    Vector,       ///< `direction`, projected
-    CrossNormal,  ///< the cross product of `direction` with the normal
-  };
-
-  /// Of the isotropic law that stands in for step size, hourglass control, rotary inertia and contact: not
-  /// slower nor softer in shear than this one, see orthotropic_stand_in().
-  double youngs_modulus = 0;  ///< [stress]
-  double poissons_ratio = 0;  ///< [-]
-  double modulus_a = 0;       ///< E_a [stress]
-  double modulus_b = 0;       ///< E_b [stress]
-  double modulus_c = 0;       ///< E_c [stress]
-  double poisson_ba = 0;      ///< nu_ba: -strain a over strain b under stress b [-]
-  double poisson_ca = 0;      ///< nu_ca [-]
-  double poisson_cb = 0;      ///< nu_cb [-]
-  double shear_ab = 0;        ///< G_ab [stress]
-  double shear_bc = 0;        ///< G_bc [stress]
-  double shear_ca = 0;        ///< G_ca [stress]
-  Axes axes = Axes::Side;
-  std::array<double, 3> direction{};  ///< of any length
-  double angle = 0;  ///< from what a follows to a, about the normal [rad]; an element's own goes before it
-};
-
-/// Unidirectional layers that fail by modes: fibres and matrix, each in tension and compression
-/// (*MAT_ENHANCED_COMPOSITE_DAMAGE, *MAT_COMPOSITE_DAMAGE). Strengths and limits of zero are none.
-struct CompositeDamage : OrthotropicElastic {
-  enum class Matrix {
-    Chang,       ///< tension and compression apart, Chang & Chang 1987 (CRIT = 54)
-    TsaiWu,      ///< one quadratic form for both, Tsai & Wu 1971 (CRIT = 55)
-    ChangShear,  ///< as Chang with the shear energy of the nonlinear law (*MAT_COMPOSITE_DAMAGE)
-  };
-  Matrix matrix = Matrix::Chang;
-  double tension_a = 0;            ///< XT, along the fibres [stress]
-  double compression_a = 0;        ///< XC, a positive number [stress]
-  double tension_b = 0;            ///< YT, across [stress]
-  double compression_b = 0;        ///< YC, a positive number [stress]
-  double shear_strength = 0;       ///< SC in the plane [stress]
-  double shear_softening = 0;      ///< alpha: shear strain = tau / G + alpha tau^3 [1/stress^3]
-  double shear_in_fibre_mode = 0;  ///< beta of the tensile fibre mode [-]
-  double fibre_tension_left = 0;   ///< factor on XT where the matrix has failed in compression; 0 is 1 [-]
-  double fibre_compression_by_matrix = 0;  ///< then XC is this times YC; 0: it stays [-]
-  double failure_tension = 0;              ///< strain along the fibres at which a point goes [-]
-  double failure_compression = 0;          ///< below zero [-]
-  double failure_matrix = 0;               ///< strain across, either sign [-]
-  double failure_shear = 0;                ///< of the tensor, either sign [-]
-  double failure_effective = 0;            ///< sqrt(4/3 (a^2 + ab + b^2 + shear^2)) [-]
-  bool goes_by_fibre_tension = false;      ///< a point goes as soon as its fibres fail in tension
-};
-
-/// Sets the isotropic stand-in: its plate waves are as fast as the fastest in any direction in the plane, its
-/// shear modulus is not below those of the transverse shears.
-void set_stand_in(OrthotropicElastic& law);
 
 /// How fabric lets gas through: an effective area of FLC(t) FAC(P) times its own.
 struct FabricLeakage {
@@ -422,7 +366,8 @@ using ConstitutiveLaw =
     std::variant<Elastic, PlasticKinematic, PiecewiseLinearPlasticity, PowerLawPlasticity, JohnsonCook,
                  OrthotropicElastic, CompositeDamage, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo,
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
-                 DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric>;
+                 DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric,
+                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

@@ -148,6 +148,12 @@ struct RateWords {
       if (law.cowper_symonds_rate > 0) return with_option("Cowper-Symonds", law.viscoplastic);
     return "none";
   }
+  std::string operator()(const model::SheetPlasticity& law) const {
+    return law.cowper_symonds_rate > 0 ? with_option("Cowper-Symonds", false) : "none";
+  }
+  std::string operator()(const model::BilkhuDuboisFoam& law) const {
+    return law.rate_factor.abscissa.empty() ? "none" : "factors by rate";
+  }
   std::string operator()(const model::JohnsonCook& law) const {
     return law.rate_coefficient > 0 ? with_option("C ln(rate)", law.viscoplastic) : "none";
   }

@@ -101,6 +101,24 @@ void take_pressures(const RawMaterial& raw, model::SoilAndFoam& law, Build& buil
   law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
 }
 
+/// LCRATE: constant before its first point.
+void take_rate_factor(const RawMaterial& raw, model::BilkhuDuboisFoam& law, Build& build) {
+  const model::Curve* const curve = curve_of(build, raw.rate_curve, "LCRATE", raw.curve_where);
+  if (curve == nullptr) return;
+  law.rate_factor = {curve->abscissa, curve->ordinate};
+  const bool sound =
+      curve->abscissa.front() >= 0 &&
+      std::all_of(curve->ordinate.begin(), curve->ordinate.end(), [](double y) { return y > 0; });
+  if (!sound)
+    build.report.field_error(raw.curve_where, {"LCRATE", std::to_string(curve->id),
+                                               "a curve of factors above zero over rates not below zero",
+                                               "it is over the rate of -ln V, of either sign", "rate"});
+  else if (curve->abscissa.front() > 0) {
+    law.rate_factor.abscissa.insert(law.rate_factor.abscissa.begin(), 0.0);
+    law.rate_factor.ordinate.insert(law.rate_factor.ordinate.begin(), curve->ordinate.front());
+  }
+}
+
 /// LC/TBID of rubber or foam: force over the change of the gauge length.
 void take_test(const RawMaterial& raw, model::SimplifiedRubber& law, Build& build) {
   if (build.find_quietly(Item::Table, raw.hardening_curve) != no_index) {
@@ -144,11 +162,57 @@ void take_test(const RawMaterial& raw, model::SimplifiedRubber& law, Build& buil
                     law.bulk_modulus, curve->id, law.youngs_modulus));
 }
 
+/// Whether the points of a curve are sound for Bilkhu & Du Bois' foam; says what is not.
+bool is_yield(const model::Curve& curve, std::string_view field, const Where& where, Report& report) {
+  const bool above =
+      std::all_of(curve.ordinate.begin(), curve.ordinate.end(), [](double y) { return y > 0; });
+  const std::size_t last = curve.ordinate.size() - 1;
+  const bool falls = last > 0 && curve.ordinate[last] < curve.ordinate[last - 1];
+  if (curve.abscissa.front() == 0 && above && !falls) return true;
+  report.field_error(
+      where, {field, std::to_string(curve.id),
+              "a curve of numbers above zero from 0 on that does not fall at its end",
+              curve.abscissa.front() < 0
+                  ? "a part in tension, at strains below zero, is not supported: give TSC, VTSC, PC or VPC"
+                  : "it is over -ln V, above zero in compression",
+              "curve"});
+  return false;
+}
+
+void take_yields(const RawMaterial& raw, model::BilkhuDuboisFoam& law, Build& build) {
+  const auto take = [&](UserId id, std::string_view field, model::PointCurve& into) {
+    const model::Curve* const curve = curve_of(build, id, field, raw.curve_where);
+    if (curve == nullptr || !is_yield(*curve, field, raw.curve_where, build.report)) return false;
+    into = {curve->abscissa, curve->ordinate};
+    return true;
+  };
+  const bool has_pressure = take(raw.hardening_curve, "LCPY", law.pressure);
+  const bool has_uniaxial = take(raw.more_curves[0], "LCUYS", law.uniaxial);
+  take_rate_factor(raw, law, build);
+  if (!has_pressure || !has_uniaxial) return;
+  const double where_not = no_ellipse(law);
+  if (where_not >= 0)
+    build.report.error(
+        raw.curve_where, "ellipse",
+        fmt::format("at -ln V = {:.4g} the yield pressure of curve {} is not above a third of the "
+                    "uniaxial yield stress of curve {}: no ellipse goes through both; both "
+                    "curves go on with their last slopes",
+                    where_not, raw.hardening_curve, raw.more_curves[0]));
+  const double least = *std::min_element(law.uniaxial.ordinate.begin(), law.uniaxial.ordinate.end());
+  if (law.tension_stress > least && law.tension_stress_share == 0)
+    build.report.warning(
+        raw.curve_where, "tension",
+        fmt::format("TSC is {:g}, and LCUYS has {:g}: the strength in tension stays below that in "
+                    "compression",
+                    law.tension_stress, least));
+}
+
 }  // namespace
 
 void take_foam_curves(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build) {
   if (auto* honeycomb = std::get_if<model::Honeycomb>(&law)) take_crushes(raw, *honeycomb, build);
   if (auto* soil = std::get_if<model::SoilAndFoam>(&law)) take_pressures(raw, *soil, build);
+  if (auto* foam = std::get_if<model::BilkhuDuboisFoam>(&law)) take_yields(raw, *foam, build);
   if (auto* rubber = std::get_if<model::SimplifiedRubber>(&law)) take_test(raw, *rubber, build);
 }
 

@@ -138,6 +138,24 @@ void take_hardening(const RawMaterial& raw, model::PiecewiseLinearPlasticity& la
   extend(law.plastic_strain, law.yield_stress, raw, *points, build.report);
 }
 
+/// HLCID or LCID of sheet metal. Tables by strain rate are not supported.
+void take_hardening(const RawMaterial& raw, model::SheetPlasticity& law, Build& build) {
+  if (raw.hardening_curve == 0) return;
+  const std::string_view field = law.is_normal ? "HLCID" : "LCID";
+  if (build.find_quietly(Item::Table, raw.hardening_curve) != no_index) {
+    build.report.field_unsupported(raw.curve_where,
+                                   {field, std::to_string(raw.hardening_curve), "the id of a curve",
+                                    "a table by strain rate is not supported", "table"});
+    return;
+  }
+  const Index index = find_points(build, {raw.hardening_curve, field, raw.curve_where});
+  if (index == no_index) return;
+  take_hardening(build.model.curves[static_cast<std::size_t>(index)], raw.where, law.plastic_strain,
+                 law.yield_stress, build.report);
+  extend(law.plastic_strain, law.yield_stress, raw, build.deck.curves[static_cast<std::size_t>(index)].where,
+         build.report);
+}
+
 /// LCSR: factors on the yield stress over strain rate.
 void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
   if (raw.rate_curve == 0) return;
@@ -400,6 +418,8 @@ void build_properties(Build& build, const ReadOptions& options) {
       take_hardening(raw, *law, build);
       take_factors(raw, *law, build);
     }
+    if (auto* law = std::get_if<model::SheetPlasticity>(&model.materials.back().law))
+      take_hardening(raw, *law, build);
     if (auto* law = std::get_if<model::DiscreteBeamLaw>(&model.materials.back().law))
       take_direction_curves(raw, *law, build);
     if (auto* law = std::get_if<model::Fabric>(&model.materials.back().law)) {

@@ -25,6 +25,10 @@ struct FirstYield {
     const auto& stress = law.by_rate.empty() ? law.yield_stress : law.by_rate.front().yield_stress;
     return stress.empty() ? 0 : stress.front();
   }
+  double operator()(const model::SheetPlasticity& law) const {
+    return law.yield_stress.empty() ? law.strength * std::pow(law.yield_strain, law.hardening_exponent)
+                                    : law.yield_stress.front();
+  }
   double operator()(const model::PowerLawPlasticity& law) const {
     return law.strength * std::pow(law.yield_strain, law.exponent);
   }

@@ -63,9 +63,11 @@ bool is_plastic(const model::ConstitutiveLaw& law) {
   return !std::holds_alternative<model::Elastic>(law) &&
          !std::holds_alternative<model::OrthotropicElastic>(law) &&
          !std::holds_alternative<model::CompositeDamage>(law) &&
+         !std::holds_alternative<model::LaminatedFabric>(law) &&
          !std::holds_alternative<model::Fabric>(law) && !std::holds_alternative<model::NullMaterial>(law) &&
          !std::holds_alternative<model::BlatzKo>(law) && !std::holds_alternative<model::MooneyRivlin>(law) &&
          !std::holds_alternative<model::CrushableFoam>(law) &&
+         !std::holds_alternative<model::BilkhuDuboisFoam>(law) &&
          !std::holds_alternative<model::LowDensityFoam>(law) &&
          !std::holds_alternative<model::OgdenRubber>(law) &&
          !std::holds_alternative<model::PolynomialRubber>(law) &&

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "materials/common/deformation.hpp"
-#include "materials/laws/orthotropic_elastic.hpp"
+#include "materials/laws/ply_update.hpp"
 
 namespace crumple::materials {
 
@@ -59,18 +59,13 @@ struct CompositeDamageLaw {
   struct Update;
 };
 
-/// Stresses in the plane along fibres, across, and their shear; or strains with the engineering shear.
-template <class Pack>
-struct PlyPlane {
-  Pack a, b, ab;
-};
-
 template <class Pack>
 struct CompositeDamageLaw::Update : OrthotropicElasticLaw::Update<Pack> {
   using Real = RealOf<Pack>;
   using Mask = MaskOf<Pack>;
   using History = HistoryView<Real>;
   using Ply = PlyPlane<Pack>;
+  using Axes = PlyAxes<Pack>;
   using Elastic = OrthotropicElasticLaw::Update<Pack>;
 
   CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task) : Elastic(task) {}
@@ -84,42 +79,6 @@ struct CompositeDamageLaw::Update : OrthotropicElasticLaw::Update<Pack> {
   CRUMPLE_INLINE static Real* strain(const History& history, int component) {
     return history.at(2 + composite_mode::count * history.points + 3 * history.point + component);
   }
-
-  /// Along the axes of the ply.
-  struct Axes {
-    Pack cosine, sine;
-
-    CRUMPLE_INLINE explicit Axes(const History& history)
-        : cosine(load<Pack>(history.at(0))), sine(load<Pack>(history.at(1))) {}
-    CRUMPLE_INLINE Ply stress(const PlaneStress<Pack>& s) const {
-      const Pack cc = cosine * cosine;
-      const Pack ss = sine * sine;
-      const Pack sc = sine * cosine;
-      const Pack twice = (sc + sc) * s.xy;
-      return {multiply_add(cc, s.xx, multiply_add(ss, s.yy, twice)),
-              multiply_add(ss, s.xx, multiply_add(cc, s.yy, Pack(-twice))),
-              multiply_add(sc, Pack(s.yy - s.xx), Pack((cc - ss) * s.xy))};
-    }
-    CRUMPLE_INLINE Ply strain(const PlaneStrain<Pack>& e) const {
-      const Pack cc = cosine * cosine;
-      const Pack ss = sine * sine;
-      const Pack sc = sine * cosine;
-      const Pack share = sc * e.xy;
-      return {multiply_add(cc, e.xx, multiply_add(ss, e.yy, share)),
-              multiply_add(ss, e.xx, multiply_add(cc, e.yy, Pack(-share))),
-              multiply_add(Pack(sc + sc), Pack(e.yy - e.xx), Pack((cc - ss) * e.xy))};
-    }
-    /// Adds a change of the stress in the axes of the ply.
-    CRUMPLE_INLINE void add(const Ply& change, PlaneStress<Pack>& s) const {
-      const Pack cc = cosine * cosine;
-      const Pack ss = sine * sine;
-      const Pack sc = sine * cosine;
-      const Pack twice = (sc + sc) * change.ab;
-      s.xx = s.xx + multiply_add(cc, change.a, multiply_add(ss, change.b, Pack(-twice)));
-      s.yy = s.yy + multiply_add(ss, change.a, multiply_add(cc, change.b, twice));
-      s.xy = s.xy + multiply_add(sc, Pack(change.a - change.b), Pack((cc - ss) * change.ab));
-    }
-  };
 
   /// The shear stress of a strain increment by gamma = tau / G + alpha tau^3: Newton from the linear one, on
   /// the side where the slope is the larger, so that no step passes the root.
@@ -289,39 +248,9 @@ struct CompositeDamageLaw::Update : OrthotropicElasticLaw::Update<Pack> {
             select<Pack>(stays, now.zx, zero)};
   }
 
+  CRUMPLE_INLINE static Real* gone(const History& history) { return mode(history, composite_mode::gone); }
   CRUMPLE_INLINE void update(const MaterialTask<Real>& task, Index group, Index lane) const {
-    Real* const state = task.state + group * task.group_stride + lane;
-    const Index place = group * lanes + lane;
-    const auto history_of = [&](int p) {
-      return History{state + task.history * lanes, task.all_points, task.first_point + p};
-    };
-    const auto stiffness = this->turned(history_of(0));
-    const Axes axes(history_of(0));
-    const Pack zero(Real(0));
-    Pack energy = zero;
-    Pack thickness = zero;
-    Pack intact = zero;
-    for (int p = 0; p < task.points; ++p) {
-      const History history = history_of(p);
-      Real* const stress_state = state + (task.stress + components * (task.first_point + p)) * lanes;
-      const auto old = load_five<PlaneStress<Pack>>(stress_state, lanes);
-      const auto increment =
-          load_five<PlaneStrain<Pack>>(task.strain + p * components * tile_lanes + place, tile_lanes);
-      const auto now = stress_of(stiffness, axes, history, old, increment);
-      const Pack weight(task.weight[p]);
-      Pack share = weight;
-      if (task.area != nullptr) share = weight * load<Pack>(task.area + p * tile_lanes + place);
-      energy = multiply_add(share, mean_work(old, now, increment), energy);
-      thickness = multiply_add(weight, stiffness.lateral_strain(old, now), thickness);
-      intact = larger(intact, Pack(Real(1)) - load<Pack>(mode(history, composite_mode::gone)));
-      store_five(stress_state, lanes, now);
-    }
-    store(task.energy + place, energy);
-    store(task.thickness_strain + place, thickness);
-    if (task.intact != nullptr) store(task.intact + place, intact);
-    if (task.yield == nullptr) return;
-    store(task.yield + yield_row::stress * tile_lanes + place, Pack(static_cast<Real>(unlimited)));
-    store(task.yield + yield_row::left * tile_lanes + place, Pack(Real(1)));
+    update_plies<Update, Pack>(*this, task, group, lane);
   }
 };
 

@@ -9,6 +9,13 @@
 
 namespace crumple::materials {
 
+/// Of the squares of half the sum of the direct stresses, and of half their difference and the shears, in the
+/// square of the equivalent stress. Those of von Mises; Hill's with normal anisotropy differ.
+struct YieldWeights {
+  double sum = 1;
+  double rest = 3;
+};
+
 /// J2 plasticity in plane stress with two transverse shears: the return of Simo & Taylor (IJNME 22 (1986)
 /// 649-670) in the five components at once, since sum, difference and shears of the stress are the
 /// eigenvectors of both elasticity and yield function (docs/theory/plane_stress_plasticity.md). `Hardening`
@@ -32,8 +39,8 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
 
   /// The trial stress relative to the back stress, as its squares.
   struct Trial {
-    Pack sum_square;   ///< 1/4 (xx + yy)^2
-    Pack rest_square;  ///< 3/4 (xx - yy)^2 + 3 (xy^2 + yz^2 + zx^2)
+    Pack sum_square;   ///< 1/4 (xx + yy)^2, by its weight
+    Pack rest_square;  ///< 1/4 (xx - yy)^2 + xy^2 + yz^2 + zx^2, by its weight
     Pack radius;       ///< yield stress at the old plastic strain and the present rate
     Pack rate_factor;
     Pack slope;       ///< of the yield stress at rest over the plastic strain
@@ -50,19 +57,25 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
   Real kinematic;   ///< 2/3 of the kinematic hardening modulus; 0: there is no back stress in the state
   Real sum_slope;   ///< by which gamma divides the sum: 1 + sum_slope gamma
   Real rest_slope;  ///< the same for difference and shears
+  Real sum_weight;  ///< of the square of the sum, not of its half
+  Real rest_weight;
+  Real thinning;  ///< minus the plastic strain zz, over gamma and half the sum
 
   CRUMPLE_INLINE PlaneStressPlasticity(double youngs_modulus, double poissons_ratio, double kinematic_modulus,
                                        const Hardening& hardening_law, const Rate& rate_effect,
-                                       double failure_strain)
+                                       double failure_strain, const YieldWeights& weights = {})
       : Point(failure_strain),
         elasticity(youngs_modulus, poissons_ratio),
         hardening(hardening_law),
         rate(rate_effect),
         kinematic(static_cast<Real>(2.0 / 3.0 * kinematic_modulus)),
-        sum_slope(
-            static_cast<Real>(youngs_modulus / (3 * (1 - poissons_ratio)) + 2.0 / 3.0 * kinematic_modulus)),
-        rest_slope(static_cast<Real>(youngs_modulus / (1 + poissons_ratio) + 2.0 / 3.0 * kinematic_modulus)) {
-  }
+        sum_slope(static_cast<Real>(youngs_modulus * weights.sum / (3 * (1 - poissons_ratio)) +
+                                    2.0 / 3.0 * kinematic_modulus)),
+        rest_slope(static_cast<Real>(youngs_modulus * (weights.rest / 3) / (1 + poissons_ratio) +
+                                     2.0 / 3.0 * kinematic_modulus)),
+        sum_weight(static_cast<Real>(0.25 * weights.sum)),
+        rest_weight(static_cast<Real>(weights.rest)),
+        thinning(static_cast<Real>(2.0 / 3.0 * weights.sum)) {}
 
   CRUMPLE_INLINE static Real* back_stress(const History& history) {
     return Point::back_stress(history, components);
@@ -95,8 +108,8 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     Pack radius = factor * yield.stress;
     // What has failed does not flow any more: its plastic strain stays what it was.
     if (fails()) radius = select<Pack>(intact(history), radius, Pack(unreachable));
-    return {Pack(Real(0.25)) * (sum * sum),
-            Pack(Real(3)) * rest,
+    return {Pack(sum_weight) * (sum * sum),
+            Pack(rest_weight) * rest,
             radius,
             factor,
             yield.slope,
@@ -250,7 +263,7 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     stress.zx = select<Pack>(mask, now.zx, stress.zx);
     t.flow = select<Pack>(mask, Pack(Pack(Pack(Real(2.0 / 3.0)) * gamma) * (solution.size * t.radius)), zero);
     add_plastic_strain(history, t.flow);
-    t.plastic_zz = select<Pack>(mask, Pack(-(Pack(Real(2.0 / 3.0)) * gamma * sum)), zero);
+    t.plastic_zz = select<Pack>(mask, Pack(-(Pack(thinning) * gamma * sum)), zero);
   }
 };
 

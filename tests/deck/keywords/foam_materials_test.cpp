@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_HONEYCOMB, *MAT_SOIL_AND_FOAM, *MAT_VISCOUS_FOAM, *MAT_SIMPLIFIED_RUBBER/FOAM.
+// *MAT_HONEYCOMB, *MAT_SOIL_AND_FOAM, *MAT_VISCOUS_FOAM, *MAT_SIMPLIFIED_RUBBER/FOAM,
+// *MAT_BILKHU/DUBOIS_FOAM.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -191,6 +192,57 @@ TEST(FoamMaterial, SimplifiedRubberFaults) {
   only_message(messages(rubber, replaced(test_curve, "0.0,0.0", "1.0,0.0")), "must go from compression");
   only_message(messages(rubber, "*DEFINE_TABLE\n7\n0.1\n*DEFINE_CURVE\n8\n-1,-1\n0,0\n1,1\n"),
                "a table of curves by strain rate is not supported");
+}
+
+const std::string yields =
+    "*DEFINE_CURVE\n21\n0.0,0.5\n1.0,2.0\n*DEFINE_CURVE\n22\n0.0,0.6\n1.2,2.5\n"
+    "*DEFINE_CURVE\n23\n5.0,1.0\n50.0,1.5\n";
+const std::string bilkhu_dubois = "*MAT_BILKHU/DUBOIS_FOAM\n1,6E-11,40,21,22,0.2,0.1,0\n0,0,23,0.1\n";
+
+TEST(FoamMaterial, BilkhuDubois) {
+  for (const std::string keyword : {"*MAT_BILKHU/DUBOIS_FOAM", "*MAT_075", "*MAT_75"}) {
+    const auto model = clean(replaced(bilkhu_dubois, "*MAT_BILKHU/DUBOIS_FOAM", keyword), yields);
+    const auto& law = std::get<model::BilkhuDuboisFoam>(model.materials[0].law);
+    EXPECT_EQ(law.youngs_modulus, 40);
+    EXPECT_EQ(law.poissons_ratio, 0.1);
+    EXPECT_EQ(law.damping, 0.2);
+    EXPECT_EQ(law.tension_pressure, 0.1);
+    EXPECT_EQ(law.pressure.abscissa, (std::vector<double>{0, 1}));
+    EXPECT_EQ(law.pressure.ordinate, (std::vector<double>{0.5, 2}));
+    EXPECT_EQ(law.uniaxial.ordinate, (std::vector<double>{0.6, 2.5}));
+    // Constant before the first rate.
+    EXPECT_EQ(law.rate_factor.abscissa, (std::vector<double>{0, 5, 50}));
+    EXPECT_EQ(law.rate_factor.ordinate, (std::vector<double>{1, 1, 1.5}));
+  }
+  const auto model = clean("*MAT_075\n1,6E-11,40,21,22,0,0,0.3\n\n", yields);
+  const auto& law = std::get<model::BilkhuDuboisFoam>(model.materials[0].law);
+  EXPECT_EQ(law.tension_pressure_share, 0.3);
+  EXPECT_EQ(law.poissons_ratio, 0);
+  EXPECT_TRUE(law.rate_factor.abscissa.empty());
+  const auto by_stress = clean("*MAT_075\n1,6E-11,40,21,22\n0.2,0.5\n", yields);
+  EXPECT_EQ(std::get<model::BilkhuDuboisFoam>(by_stress.materials[0].law).tension_stress, 0.2);
+  EXPECT_EQ(std::get<model::BilkhuDuboisFoam>(by_stress.materials[0].law).tension_stress_share, 0.5);
+}
+
+TEST(FoamMaterial, BilkhuDuboisFaults) {
+  const auto with = [](const std::string& from, const std::string& to) {
+    return messages(replaced(bilkhu_dubois, from, to), yields);
+  };
+  only_message(with("0,0,23,0.1", "0,0,23,0.5"), "field PR");
+  only_message(with("0,0,23,0.1", "0,0,24,0.1"), "the deck has no curve 24");
+  only_message(with("0,0,23,0.1", "0,0,23,0.1,12"), "field KCON");
+  only_message(with("0,0,23,0.1", "0,0,23,0.1,0,1"), "field ISFLG");
+  only_message(with("0,0,23,0.1", "0,0,23,0.1,0,0,12"), "field NCYCLE");
+  only_message(with("0,0,23,0.1", "0,1.5,23,0.1"), "field VTSC");
+  only_message(with("0,0,23,0.1", "0.2,0,23,0.1"), "the lower one counts");
+  only_message(with("21,22,", "0,22,"), "field LCPY");
+  only_message(with("21,22,", "21,25,"), "the deck has no curve 25");
+  only_message(messages(bilkhu_dubois, replaced(yields, "0.0,0.6", "-0.1,0.2\n0.0,0.6")), "part in tension");
+  only_message(messages(bilkhu_dubois, replaced(yields, "0.0,0.5", "0.0,-0.5")), "field LCPY");
+  only_message(messages(bilkhu_dubois, replaced(yields, "1.0,2.0", "1.0,0.6")),
+               "no ellipse goes through both");
+  only_message(messages(bilkhu_dubois, replaced(yields, "50.0,1.5", "50.0,0.0")), "field LCRATE");
+  only_message(messages("*MAT_075\n1,6E-11,40,21,22\n0.7\n", yields), "stays below that in compression");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_SOIL_AND_FOAM, *MAT_VISCOUS_FOAM, *MAT_SIMPLIFIED_RUBBER/FOAM.
+// *MAT_SOIL_AND_FOAM, *MAT_VISCOUS_FOAM, *MAT_SIMPLIFIED_RUBBER/FOAM, *MAT_BILKHU/DUBOIS_FOAM.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -78,6 +78,28 @@ constexpr Field simplified_rubber_unloading_card[] = {
     unused("STOL"),   // of a check
     only("VISCO", {0}, "stresses do not relax"),
     unused("HISOUT"),
+};
+
+constexpr Field bilkhu_dubois_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("YM", 0, above_zero),
+    id("LCPY", IdKind::Function),
+    id("LCUYS", IdKind::Function),
+    real("VC", 0, not_negative),
+    real("PC", 0, not_negative),
+    real("VPC", 0, not_negative),
+};
+constexpr Field bilkhu_dubois_second_card[] = {
+    real("TSC", 0, not_negative),
+    real("VTSC", 0, within(0, 1, "a share of the uniaxial yield stress in compression")),
+    reference("LCRATE", IdKind::Function),
+    real("PR", 0, poisson),
+    only("KCON", {0},
+         "the stiffness of contact follows from YM and PR; SFSA and SFSB of the contact scale it"),
+    only("ISFLG", {0},
+         "LCUYS has no part in tension, whose strain this would choose; give TSC, VTSC, PC or VPC"),
+    only("NCYCLE", {0, 1}, "the rate is that of the step, not a mean over several"),
 };
 
 /// The numbers of two cards.
@@ -176,6 +198,35 @@ void read_mat_viscous_foam(Cards& cards, RawDeck& deck) {
     law.elastic_exponent = card.real("N1");
     law.viscosity = card.real("V2");
     law.viscosity_exponent = card.real("N2");
+    raw.material.law = law;
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
+  }
+}
+
+void read_mat_bilkhu_dubois_foam(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(bilkhu_dubois_card);
+    const Card second = cards.next(bilkhu_dubois_second_card);
+    RawMaterial raw = material_of(heading, card);
+    model::BilkhuDuboisFoam law;
+    law.youngs_modulus = card.real("YM");
+    law.poissons_ratio = second.real("PR");
+    law.tension_pressure = card.real("PC");
+    law.tension_pressure_share = card.real("VPC");
+    law.tension_stress = second.real("TSC");
+    law.tension_stress_share = second.real("VTSC");
+    law.damping = card.real("VC");
+    if ((law.tension_pressure > 0 || law.tension_pressure_share > 0) &&
+        (law.tension_stress > 0 || law.tension_stress_share > 0) && second.good("VTSC"))
+      cards.report().warning(
+          second.where(), "tension",
+          "an ellipse has one strength in tension: of that by PC or VPC and that by TSC or "
+          "VTSC the lower one counts");
+    raw.hardening_curve = card.good("LCPY") ? card.integer("LCPY") : 0;
+    raw.more_curves[0] = card.good("LCUYS") ? card.integer("LCUYS") : 0;
+    raw.rate_curve = second.good("LCRATE") ? second.integer("LCRATE") : 0;
+    raw.curve_where = card.where();
     raw.material.law = law;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "materials/common/deformation.hpp"
+#include "materials/laws/ply_update.hpp"
+#include "math/power.hpp"
+
+namespace crumple::materials {
+
+/// Modes of a LaminatedFabricLaw, each with its damage.
+namespace fabric_mode {
+inline constexpr int tension_a = 0;
+inline constexpr int compression_a = 1;
+inline constexpr int tension_b = 2;
+inline constexpr int compression_b = 3;
+inline constexpr int shear = 4;
+inline constexpr int count = 5;
+}  // namespace fabric_mode
+
+/// Plies that lose stiffness by damage along, across and in shear, after A. Matzenmiller, J. Lubliner & R.L.
+/// Taylor, Mechanics of Materials 20 (1995) 125-152 (docs/theory/laminated_fabric.md).
+struct LaminatedFabricLaw {
+  using Model = model::LaminatedFabric;
+  static constexpr const char* name = "laminated fabric";
+  static constexpr bool updates_packs = true;
+  static constexpr int per_mode = 5;  ///< numbers of each mode among the constants
+
+  /// Those of the elastic law go before. Of each mode: strength, exponent m, 1 / (m e), share of the strength
+  /// that is left, drive at the strength.
+  enum Place {
+    YoungsA = OrthotropicElasticLaw::Count,
+    YoungsB,
+    PoissonAb,
+    PoissonBa,
+    Erosion,
+    Surface,      ///< as FS: -1, 0, 1
+    FirstShear,   ///< where the shear goes on in a straight line: strain; 0: it does not
+    FirstStress,  ///< and stress
+    LastShear,    ///< end of the line: strain at the strength
+    Modes,
+    Count = Modes + per_mode * fabric_mode::count
+  };
+
+  static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block, Index tensor);
+  static std::vector<double> constants(const model::Material& material);
+  static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).erosion_strain > 0; }
+  static void prepare_element(const model::ConstitutiveLaw& law, const LaminaAxes& axes,
+                              domain::ElementBlock& block, Index history, Index place);
+
+  template <class Pack>
+  struct Update;
+};
+
+template <class Pack>
+struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
+  using Real = RealOf<Pack>;
+  using Mask = MaskOf<Pack>;
+  using History = HistoryView<Real>;
+  using Ply = PlyPlane<Pack>;
+  using Elastic = OrthotropicElasticLaw::Update<Pack>;
+
+  CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task) : Elastic(task) {}
+
+  CRUMPLE_INLINE Real real(int place) const { return static_cast<Real>(this->c[place]); }
+
+  // The history: axis, drives of the modes, damage, whether the point is gone, strains.
+  CRUMPLE_INLINE static Real* drive(const History& history, int mode) {
+    return history.at(2 + fabric_mode::count * history.point + mode);
+  }
+  CRUMPLE_INLINE static Real* damage(const History& history, int component) {
+    return history.at(2 + fabric_mode::count * history.points + 3 * history.point + component);
+  }
+  CRUMPLE_INLINE static Real* gone(const History& history) {
+    return history.at(2 + (fabric_mode::count + 3) * history.points + history.point);
+  }
+  CRUMPLE_INLINE static Real* strain(const History& history, int component) {
+    return history.at(2 + (fabric_mode::count + 4) * history.points + 3 * history.point + component);
+  }
+
+  /// Numbers of a mode, which may differ from element to element.
+  struct Mode {
+    Pack over_strength, exponent, rate, bound, peak;
+  };
+  CRUMPLE_INLINE Real strength(int mode) const { return real(Modes + per_mode * mode); }
+  CRUMPLE_INLINE Mode mode(int which) const {
+    const int at = Modes + per_mode * which;
+    return {Pack(Real(1) / real(at)), Pack(real(at + 1)),
+            Pack(static_cast<Real>(-1.4426950408889634 * this->c[at + 2])), Pack(real(at + 3)),
+            Pack(real(at + 4))};
+  }
+  CRUMPLE_INLINE static Mode chosen(const Mask& mask, const Mode& a, const Mode& b) {
+    return {select<Pack>(mask, a.over_strength, b.over_strength), select<Pack>(mask, a.exponent, b.exponent),
+            select<Pack>(mask, a.rate, b.rate), select<Pack>(mask, a.bound, b.bound),
+            select<Pack>(mask, a.peak, b.peak)};
+  }
+
+  /// What is left of the stiffness at a drive, that is the stress without damage over the strength:
+  /// exp(-drive^m / (m e)), and so much that the stress does not fall below its bound once it has been at the
+  /// strength.
+  CRUMPLE_INLINE static Pack left(const Pack& at, const Mode& mode) {
+    const Pack share = math::power_of_two(Pack(mode.rate * math::power(at, mode.exponent)));
+    const Pack bound = mode.bound / larger(at, Pack(Real(1)));
+    return select<Pack>(at > mode.peak, larger(share, bound), share);
+  }
+
+  /// What is left in shear where FS is -1: as above up to a first point, from there a line to the strength,
+  /// then the bound. The drive is the stress without damage over that of the first point.
+  CRUMPLE_INLINE Pack left_in_line(const Pack& at) const {
+    const Pack first = Pack(real(FirstStress));
+    const Pack elastic = at * first;
+    const Pack gamma = elastic * Pack(Real(1) / real(OrthotropicElasticLaw::Gab));
+    const Real from = real(FirstShear);
+    const Real to = real(LastShear);
+    const Real top = strength(fabric_mode::shear);
+    const Pack line = first + Pack((top - real(FirstStress)) / (to - from)) * (gamma - Pack(from));
+    const Pack bound(top * static_cast<Real>(this->c[Modes + per_mode * fabric_mode::shear + 3]));
+    const Pack safe = larger(elastic, first);
+    const Mask in_line = gamma > Pack(from);
+    const Mask beyond = gamma > Pack(to);
+    const Pack by_line = select<Pack>(beyond, bound, line) / safe;
+    return select<Pack>(in_line, by_line, left(at, mode(fabric_mode::shear)));
+  }
+
+  CRUMPLE_INLINE static Ply follow(const History& history, const Ply& increment) {
+    const Index rest = 3 * lanes * history.points;
+    return {add_kept(strain(history, 0), strain(history, 0) + rest, increment.a),
+            add_kept(strain(history, 1), strain(history, 1) + rest, increment.b),
+            add_kept(strain(history, 2), strain(history, 2) + rest, increment.ab)};
+  }
+
+  /// Stresses along and across without damage, of a strain and what is left of both stiffnesses.
+  struct Direct {
+    Pack a, b;
+  };
+  CRUMPLE_INLINE Direct undamaged(const Ply& e, const Pack& left_a, const Pack& left_b) const {
+    const Real ab = real(PoissonAb);
+    const Real ba = real(PoissonBa);
+    const Pack own_a = Pack(real(YoungsA)) * e.a;
+    const Pack own_b = Pack(real(YoungsB)) * e.b;
+    const Pack over = Pack(Real(1)) / (Pack(Real(1)) - Pack(ab * ba) * (left_a * left_b));
+    return {over * multiply_add(Pack(ab) * left_b, own_b, own_a),
+            over * multiply_add(Pack(ba) * left_a, own_a, own_b)};
+  }
+
+  /// A mode that is at work: its largest drive so far, and what is left.
+  struct Active {
+    Pack drive, left;
+  };
+  /// Of a stress without damage; `beside` is what the shear adds to the square of its drive.
+  CRUMPLE_INLINE Active active(const History& history, const Pack& stress, const Pack& beside, int tension,
+                               int compression) const {
+    const Mask pulled = stress >= Pack(Real(0));
+    const Mode own = chosen(pulled, mode(tension), mode(compression));
+    const Pack ratio = stress * own.over_strength;
+    const Pack now = square_root(multiply_add(ratio, ratio, beside));
+    const Pack before =
+        select<Pack>(pulled, load<Pack>(drive(history, tension)), load<Pack>(drive(history, compression)));
+    const Pack most = larger(before, now);
+    return {most, left(most, own)};
+  }
+  CRUMPLE_INLINE static void keep(const History& history, const Pack& stress, const Pack& most, int tension,
+                                  int compression) {
+    const Mask pulled = stress >= Pack(Real(0));
+    Real* const first = drive(history, tension);
+    Real* const second = drive(history, compression);
+    store(first, select<Pack>(pulled, most, load<Pack>(first)));
+    store(second, select<Pack>(pulled, load<Pack>(second), most));
+  }
+
+  /// Stress of a ply by its whole strain; brings damage up to date. The damage of one direction depends a
+  /// little on the stress of the other by Poisson's ratios: each pass makes the error smaller by their
+  /// product.
+  CRUMPLE_INLINE Ply damaged(const History& history, const Ply& e) const {
+    constexpr int passes = 6;
+    const Pack zero(Real(0));
+    const Pack one(Real(1));
+    const double surface = this->c[Surface];
+    const Pack shear = Pack(real(OrthotropicElasticLaw::Gab)) * e.ab;
+    const Pack ratio = shear * Pack(Real(1) / strength(fabric_mode::shear));
+    const Pack square = ratio * ratio;
+    const Pack on_a = surface > 0 ? square : zero;
+    const Pack on_b = surface >= 0 ? square : zero;
+    Active a{zero, one - load<Pack>(damage(history, 0))};
+    Active b{zero, one - load<Pack>(damage(history, 1))};
+    Direct stress = undamaged(e, a.left, b.left);
+    for (int i = 0; i < passes; ++i) {
+      a = active(history, stress.a, on_a, fabric_mode::tension_a, fabric_mode::compression_a);
+      b = active(history, stress.b, on_b, fabric_mode::tension_b, fabric_mode::compression_b);
+      stress = undamaged(e, a.left, b.left);
+    }
+    keep(history, stress.a, a.drive, fabric_mode::tension_a, fabric_mode::compression_a);
+    keep(history, stress.b, b.drive, fabric_mode::tension_b, fabric_mode::compression_b);
+    const Pack left_s = shear_left(history, shear, a.drive, b.drive);
+    store(damage(history, 0), Pack(one - a.left));
+    store(damage(history, 1), Pack(one - b.left));
+    store(damage(history, 2), Pack(one - left_s));
+    return {a.left * stress.a, b.left * stress.b, left_s * shear};
+  }
+
+  /// In shear alone where the surface has facets, else by the modes that the shear takes part in.
+  CRUMPLE_INLINE Pack shear_left(const History& history, const Pack& shear, const Pack& drive_a,
+                                 const Pack& drive_b) const {
+    Real* const place = drive(history, fabric_mode::shear);
+    const bool has_line = real(FirstShear) > 0;
+    Pack now =
+        absolute(shear) * Pack(Real(1) / (has_line ? real(FirstStress) : strength(fabric_mode::shear)));
+    if (this->c[Surface] >= 0) now = larger(now, drive_b);
+    if (this->c[Surface] > 0) now = larger(now, drive_a);
+    const Pack most = larger(now, load<Pack>(place));
+    store(place, most);
+    return has_line ? left_in_line(most) : left(most, mode(fabric_mode::shear));
+  }
+
+  /// Marks points whose effective strain, at constant volume, is beyond its bound.
+  CRUMPLE_INLINE void judge(const History& history, const Ply& e) const {
+    if (this->c[Erosion] == 0) return;
+    const Pack shear = Pack(Real(0.5)) * e.ab;
+    const Pack square = multiply_add(e.a, Pack(e.a + e.b), multiply_add(e.b, e.b, Pack(shear * shear)));
+    const Pack effective = square_root(Pack(Real(4.0 / 3.0)) * square);
+    store(gone(history),
+          select<Pack>(effective > Pack(real(Erosion)), Pack(Real(1)), load<Pack>(gone(history))));
+  }
+
+  CRUMPLE_INLINE PlaneStress<Pack> stress_of(const TurnedStiffness<Pack>& stiffness,
+                                             const PlyAxes<Pack>& axes, const History& history,
+                                             const PlaneStress<Pack>& old,
+                                             const PlaneStrain<Pack>& increment) const {
+    const Pack zero(Real(0));
+    const Ply e = follow(history, axes.strain(increment));
+    const Ply ply = damaged(history, e);
+    judge(history, e);
+    const PlaneStress<Pack> elastic = stiffness.stress(old, increment);
+    PlaneStress<Pack> now{zero, zero, zero, elastic.yz, elastic.zx};
+    axes.add(ply, now);
+    const Mask stays = load<Pack>(gone(history)) == zero;
+    return {select<Pack>(stays, now.xx, zero), select<Pack>(stays, now.yy, zero),
+            select<Pack>(stays, now.xy, zero), select<Pack>(stays, now.yz, zero),
+            select<Pack>(stays, now.zx, zero)};
+  }
+
+  CRUMPLE_INLINE void update(const MaterialTask<Real>& task, Index group, Index lane) const {
+    update_plies<Update, Pack>(*this, task, group, lane);
+  }
+};
+
+}  // namespace crumple::materials
