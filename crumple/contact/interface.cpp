@@ -287,7 +287,8 @@ void Interface::inspect(domain::Domain& domain) const {
   const Implementation& own = *implementation_;
   const int threads = domain.execution.threads;
   const auto cut = intersecting_segments(own.surface, domain.nodes.position, threads);
-  const auto initial = cut.empty() ? cut : intersecting_segments(own.surface, domain.nodes.reference, threads);
+  const auto initial =
+      cut.empty() ? cut : intersecting_segments(own.surface, domain.nodes.reference, threads);
   const auto since = cut_since(own.surface, initial, cut);
   const auto& named = since.empty() ? cut : since;
   const PenetrationSummary depth = summarise(own.penetrations);

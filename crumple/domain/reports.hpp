@@ -42,7 +42,7 @@ struct SearchReport {
 /// A look at the surfaces of a contact at one time. Made on request: it costs as much as a search.
 struct ContactInspection {
   bool made = false;
-  Index intersections = 0;   ///< pairs of segments whose mid-surfaces cut through each other
+  Index intersections = 0;          ///< pairs of segments whose mid-surfaces cut through each other
   Index initial_intersections = 0;  ///< of these: where the undeformed mid-surfaces cut already
   UserId first_segment = 0;         ///< the first pair of the others, or of all if there are no others
   UserId second_segment = 0;

@@ -128,7 +128,7 @@ TEST(Collision, BlocksOfTetrahedraWithTenNodesExchangeMomentum) {
   for (Index i = 0; i < domain.nodes.count(); ++i)
     if (domain.nodes.reference[i].z < 10.005) lower += domain.nodes.mass[i] * domain.nodes.velocity[i].z;
   std::printf("ten nodes: momentum of the lower block %.4f, pairs %d, imbalance %.2e\n", lower / before.z,
-              static_cast<int>(pairs), imbalance);
+              pairs, imbalance);
   // Equal bodies: the momentum goes over, apart from what stays as vibration and turning.
   EXPECT_GT(lower / before.z, 0.7);
 }

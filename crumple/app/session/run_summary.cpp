@@ -51,7 +51,16 @@ void print_lost(std::ostream& out, const domain::LostContacts& lost, std::string
           counted(lost.count, what), lost.node, lost.segment, lost.cycle);
 }
 
-void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
+/// What sees the edges that a contact has let through.
+std::string_view edges_left_out(const model::Model& model, UserId contact) {
+  const auto found = std::ranges::find(model.contacts, contact, &model::Contact::id);
+  if (found == model.contacts.end() || found->edges == model::ContactEdges::All) return "";
+  return found->edges == model::ContactEdges::Free
+             ? "\n  edges inside of a surface take no part: AUTOMATIC_GENERAL_INTERIOR sees them"
+             : "\n  edges take no part: AUTOMATIC_GENERAL sees free ones, AUTOMATIC_GENERAL_INTERIOR all";
+}
+
+void print_inspection(std::ostream& out, const model::Model& model, const domain::ContactReport& contact) {
   const domain::ContactInspection& seen = contact.inspection;
   if (!contact.initial_overlaps.empty())
     print(out, "  {} overlapped at the start, by up to {:.4g}: the contact distance is reduced there\n",
@@ -74,6 +83,7 @@ void print_inspection(std::ostream& out, const domain::ContactReport& contact) {
     print(out, ", the first{} {} and {}",
           seen.initial_intersections > 0 && seen.intersections > seen.initial_intersections ? " other" : "",
           seen.first_segment, seen.second_segment);
+  if (seen.intersections > seen.initial_intersections) print(out, "{}", edges_left_out(model, contact.id));
   if (seen.nodes_in_solids > 0)
     print(out, "\n  in solids without contact: {}, the first {}", counted(seen.nodes_in_solids, "node"),
           seen.node_in_solid);
@@ -110,7 +120,7 @@ void print_contacts(std::ostream& out, const output::View& view) {
             contact.withheld.cycle);
     print_lost(out, contact.lost_nodes, "node", "lost beyond a surface");
     print_lost(out, contact.lost_edges, "edge pair", "lost after they had gone through each other");
-    print_inspection(out, contact);
+    print_inspection(out, view.model, contact);
     print_contact_times(out, domain, contact.times);
   }
   if (work > 0)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds for shells and solids where the deck leaves it open (docs/theory/hourglass.md, "Which form to
 // take").
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -124,19 +125,17 @@ void settle_defaults(Build& build, bool as_ls_dyna) {
   const bool thickness = open_thickness && open.deformable_shells;
   const bool shells = open_hourglass && open.hourglassing_shells;
   const bool solids = open_hourglass && open.hourglassing_solids;
-  std::vector<std::string_view> taken;
-  if (thickness)
-    taken.push_back("no *CONTROL_SHELL: the thickness of shells follows their strain (ISTUPD 1)");
-  if (shells)
-    taken.push_back("no *CONTROL_HOURGLASS: shells resist hourglassing with their material's stiffness");
-  if (solids)
-    taken.push_back(
-        "no *CONTROL_HOURGLASS: one-point hexahedra resist hourglassing by assumed strains (IHQ 6)");
+  std::string taken;
+  const auto take = [&](bool it, std::string_view what) {
+    if (it) taken += fmt::format("{}{}", taken.empty() ? "" : "; ", what);
+  };
+  take(thickness, "no *CONTROL_SHELL: the thickness of shells follows their strain (ISTUPD 1)");
+  take(shells, "no *CONTROL_HOURGLASS: shells resist hourglassing with their material's stiffness");
+  take(solids, "no *CONTROL_HOURGLASS: one-point hexahedra resist hourglassing by assumed strains (IHQ 6)");
   if (taken.empty()) return;
-  build.report.add(
-      Severity::Note, {{}, 0, 0, 0}, "defaults",
-      fmt::format("{}; --ls-dyna-defaults takes {} instead", fmt::join(taken, "; "),
-                  thickness || shells ? "constant thickness and viscous control" : "viscous control"));
+  taken += "; --ls-dyna-defaults takes ";
+  taken += thickness || shells ? "constant thickness and viscous control instead" : "viscous control instead";
+  build.report.add(Severity::Note, {{}, 0, 0, 0}, "defaults", taken);
 }
 
 }  // namespace crumple::deck

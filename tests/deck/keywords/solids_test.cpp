@@ -257,10 +257,39 @@ TEST(SolidHourglass, AssumedStrainMayHaveTheWholeStiffnessAndIsNotForShells) {
       << listed(result.diagnostics);
 }
 
-TEST(SolidHourglass, DefaultIsFlanaganBelytschkoViscous) {
-  const model::Model model = read_clean(SolidDeck().text());
-  EXPECT_EQ(model.control.hourglass.solid_form, SolidHourglassForm::FlanaganBelytschkoViscous);
-  EXPECT_EQ(model.control.hourglass.coefficient, 0.1);
+TEST(SolidHourglass, DefaultIsTheStiffnessOfTheMaterial) {
+  SolidDeck deck;
+  const auto control_of = [&](const std::string& material, const ReadOptions& options = {}) {
+    deck.material = material;
+    const model::Model model = read_clean(deck.text(), options);
+    return model::solid_hourglass_of(model, model.parts[0]);
+  };
+  const std::string elastic = "*MAT_ELASTIC\n1,7.85e-6,210.0,0.3\n";
+  EXPECT_EQ(control_of(elastic).solid_form, SolidHourglassForm::AssumedStrain);
+  EXPECT_EQ(control_of(elastic).coefficient, 1);
+  const std::string plastic = "*MAT_PLASTIC_KINEMATIC\n1,7.85e-6,210.0,0.3,0.3,1.0\n\n";
+  EXPECT_EQ(control_of(plastic).solid_form, SolidHourglassForm::AssumedStrain);
+  EXPECT_EQ(control_of(plastic).coefficient, 0.1);
+  ReadOptions as_ls_dyna;
+  as_ls_dyna.ls_dyna_defaults = true;
+  EXPECT_EQ(control_of(elastic, as_ls_dyna).solid_form, SolidHourglassForm::FlanaganBelytschkoViscous);
+  EXPECT_EQ(control_of(elastic, as_ls_dyna).coefficient, 0.1);
+  deck.more = "*CONTROL_HOURGLASS\n0,0.05\n";
+  EXPECT_EQ(control_of(elastic).solid_form, SolidHourglassForm::FlanaganBelytschkoViscous);
+  EXPECT_EQ(control_of(elastic).coefficient, 0.05);
+}
+
+TEST(SolidHourglass, DefaultIsSaid) {
+  const auto said = [](const ReadOptions& options) {
+    return listed(read_deck_text(SolidDeck().text(), options).diagnostics);
+  };
+  EXPECT_NE(said({}).find("no *CONTROL_HOURGLASS: one-point hexahedra resist hourglassing by assumed strains "
+                          "(IHQ 6); --ls-dyna-defaults takes viscous control instead"),
+            std::string::npos)
+      << said({});
+  ReadOptions as_ls_dyna;
+  as_ls_dyna.ls_dyna_defaults = true;
+  EXPECT_EQ(said(as_ls_dyna).find("assumed strains"), std::string::npos);
 }
 
 TEST(BulkViscosity, CoefficientsAndDefaults) {
