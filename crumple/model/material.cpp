@@ -45,6 +45,7 @@ LawUse use_of(const ConstitutiveLaw& law) {
 }
 
 bool is_elastic(const ConstitutiveLaw& law) {
+  if (const auto* rubber = std::get_if<SimplifiedRubber>(&law)) return !rubber->is_foam;
   return std::holds_alternative<Elastic>(law) || std::holds_alternative<BlatzKo>(law) ||
          std::holds_alternative<MooneyRivlin>(law) || std::holds_alternative<OgdenRubber>(law) ||
          std::holds_alternative<PolynomialRubber>(law);

@@ -57,7 +57,7 @@ HourglassControl solid_hourglass_of(const Model& model, const Part& part) {
   HourglassControl control = hourglass_of(model, part);
   if (control.form != HourglassForm::Material) return control;
   const ConstitutiveLaw& law = model.materials[part.material].law;
-  control.coefficient = is_elastic(law) ? 1 : 0.1;
+  control.coefficient = is_elastic(law) ? 1 : 0.01;
   control.solid_form = std::holds_alternative<NullMaterial>(law)
                            ? SolidHourglassForm::FlanaganBelytschkoViscous
                            : SolidHourglassForm::AssumedStrain;

@@ -223,7 +223,7 @@ std::vector<std::string> energy_warnings(const View& view, const PeakValues& pea
       warnings.push_back(fmt::format("Hourglass energy of part {} is {:.1f} % of its internal energy{}.",
                                      view.model.parts[i].id, 100 * parts[i].hourglass / own,
                                      resists_as_material(view, i)
-                                         ? ": its shells are too large for how they bend, and stiffen it"
+                                         ? ": its elements are too large for how they bend, and stiffen it"
                                          : " (limit 10 %)"));
   }
   for (const domain::ContactReport& contact : view.domain.contacts)

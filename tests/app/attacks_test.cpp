@@ -52,7 +52,7 @@ TEST_F(Attacks, SheetsThatMeetFastRebound) {
     const nlohmann::json record = survive(name);
     EXPECT_EQ(value(record, "mid-surface intersections"), 0) << name;
     EXPECT_EQ(value(record, "nodes on or beyond a mid-surface"), 0) << name;
-    EXPECT_EQ(value(record, "negative contact energy"), 0) << name;
+    EXPECT_LT(value(record, "negative contact energy"), 1e-5) << name;
   }
 }
 
@@ -75,8 +75,9 @@ TEST_F(Attacks, BlocksThatOverlapDeeplyAreListedAndHeld) {
   // Equal masses change their velocities.
   EXPECT_LT(last("blocks_in_each_other_closing/matsum.csv", "vz", 1), -3.5);
   EXPECT_LT(std::fabs(last("blocks_in_each_other_closing/matsum.csv", "vx", 1)), 0.05);
-  // They still overlap, and the check says so.
-  EXPECT_GT(value(closing, "mid-surface intersections"), 0);
+  // They still overlap, as they did at the start, and the record says so.
+  EXPECT_GT(closing["contact"][0]["intersections"], 0);
+  EXPECT_EQ(closing["contact"][0]["initial_intersections"], closing["contact"][0]["intersections"]);
 }
 
 TEST_F(Attacks, CrossedEdgesOfCubesAndShellsRebound) {

@@ -42,6 +42,28 @@ TEST(Guards, RoundOffOfAModelAtRestIsNoGrowth) {
   EXPECT_THROW(guard_kinetic_energy(one_node(0.9), domain), NumericalError);
 }
 
+// What springs back has nothing but what its stresses hold.
+TEST(Guards, StressesOfTheStartMayBecomeMotion) {
+  domain::Domain domain = sample();
+  model::Model model = one_node(0.9);
+  model.materials.resize(1);
+  model.materials[0].density = 2;
+  model.materials[0].law = model::Elastic{100, 0.25};
+  model.parts.resize(1);
+  model.parts[0].material = 0;
+  model.solids.resize(1);
+  model.solids[0].part = 0;
+  model.solid_stresses.resize(1);
+  model.solid_stresses[0].element = 0;
+  model.solid_stresses[0].points.resize(1);
+  model.solid_stresses[0].points[0].stress = {4, 0, 0, 0, 0, 0};
+  const double stored = 0.5 * 1.25 * 16 / 100 * 0.5;  // (1 + nu) s^2 / (2 E) times the volume
+  domain.energy.kinetic = 99 * stored;
+  EXPECT_NO_THROW(guard_kinetic_energy(model, domain));
+  domain.energy.kinetic = 101 * stored;
+  EXPECT_THROW(guard_kinetic_energy(model, domain), NumericalError);
+}
+
 TEST(Guards, GrowthIsJudgedByWhatWasSupplied) {
   domain::Domain domain = sample();
   domain.energy.external_work = -2;

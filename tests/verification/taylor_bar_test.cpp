@@ -201,7 +201,7 @@ TEST(TaylorBarSlow, OfSelectivelyReducedHexahedraAndAssumedStrains) {
   EXPECT_NEAR(assumed.foot, 7.25, 0.02);
   const Shape soft = struck_and_told(Form::AssumedStrain, 0.01, 8, Precision::Mixed);
   EXPECT_NEAR(soft.length, 21.52, 0.02);
-  EXPECT_NEAR(soft.foot, 7.20, 0.02);
+  EXPECT_NEAR(soft.foot, 7.24, 0.02);
   // Stiffness that does not yield, though less than that of forms 4 and 5.
   EXPECT_LT(struck_and_told(Form::AssumedStrain, 0.1, 8, Precision::Mixed).foot, 6.9);
 }

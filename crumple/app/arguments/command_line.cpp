@@ -143,11 +143,10 @@ void add_reading_options(CLI::App& command, Options& options, bool& automatic) {
       ->check(parameter_setting());
   command.add_flag("--allow-unsupported", options.allow_unsupported,
                    "Leave out, with a warning, what is not supported instead of refusing the deck");
-  command.add_flag(
-      "--ls-dyna-defaults", options.ls_dyna_defaults,
-      "For decks without *CONTROL_SHELL or *CONTROL_HOURGLASS: shells of constant thickness,\n"
-      "viscous hourglass control. Otherwise the thickness follows the strain, shells resist\n"
-      "hourglassing with the stiffness of their material, and hexahedra by assumed strains");
+  command.add_flag("--ls-dyna-defaults", options.ls_dyna_defaults,
+                   "For decks without *CONTROL_SHELL or *CONTROL_HOURGLASS: shells of constant thickness,\n"
+                   "viscous hourglass control. Otherwise the thickness follows the strain, shells resist\n"
+                   "hourglassing with the stiffness of their material, and hexahedra by assumed strains");
   command
       .add_option_function<std::string>(
           "--contact", [&automatic](const std::string&) { automatic = true; },

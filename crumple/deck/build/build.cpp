@@ -175,10 +175,10 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   enter_coordinate_systems(build);
   build_parts(build);
   build_shells(build);
+  build_solids(build);
   settle_defaults(build, options.ls_dyna_defaults);
   settle_distorted_shells(build);
   check_shell_options(build);
-  build_solids(build);
   build_beams(build);
   build_discretes(build);
   check_empty_parts(build);

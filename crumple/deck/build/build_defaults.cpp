@@ -28,7 +28,10 @@ OpenElements open_elements(const model::Model& model) {
     const model::Part& part = model.parts[solid.part];
     if (part.solid_section == no_index || part.hourglass != no_index || model::is_rigid(model, part))
       continue;
-    if (model.solid_sections[part.solid_section].formulation == model::SolidFormulation::OnePointHexahedron)
+    const bool null = part.material != no_index &&
+                      std::holds_alternative<model::NullMaterial>(model.materials[part.material].law);
+    if (!null &&
+        model.solid_sections[part.solid_section].formulation == model::SolidFormulation::OnePointHexahedron)
       found.hourglassing_solids = true;
   }
   for (const model::ShellElement& shell : model.shells) {

@@ -13,7 +13,8 @@ struct ReadOptions {
   bool allow_unsupported = false;
   /// Adds single-surface contact over all parts to a deck that has no *CONTACT.
   bool automatic_contact = false;
-  /// What the deck leaves open about elements is as in LS-DYNA: constant thickness, viscous hourglass control.
+  /// What the deck leaves open about elements is as in LS-DYNA: constant thickness, viscous hourglass
+  /// control.
   bool ls_dyna_defaults = false;
   /// The end of the run, in place of that of the deck, for functions of time.
   std::optional<double> end_time;

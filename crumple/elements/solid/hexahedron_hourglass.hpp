@@ -53,8 +53,14 @@ struct AssumedStrainModuli {
                                      const SolidPatterns<Pack>& x) {
     using Real = RealOf<Pack>;
     // 8/3 of every product of half sides, an eighth of the volume each, and 1/64 for the sums.
-    const Pack root = square_root(Pack(place.task.constants.hourglass * Real(1.0 / 192)) *
-                                  own_item<Pack>(place, solid_state::reference_volume));
+    const SolidConstants<Real>& constants = place.task.constants;
+    Pack root = square_root(Pack(constants.hourglass * Real(1.0 / 192)) *
+                            own_item<Pack>(place, solid_state::reference_volume));
+    // The step follows the wave speed where that varies, and so must what limits it.
+    if (constants.present_wave_speed > 0) {
+      const Pack speed = load<Pack>(place.state + constants.present_wave_speed * lanes);
+      root = smaller(Pack(Real(1)), Pack(speed * Pack(Real(1) / constants.wave_speed))) * root;
+    }
     const auto side = [&](const math::PackVec3<Pack>& axis, int p) {
       return larger(Pack(Pack(Real(0.125)) * math::dot(axis, x.of[p])), Pack(Real(0)));
     };

@@ -269,7 +269,7 @@ TEST(SolidHourglass, DefaultIsTheStiffnessOfTheMaterial) {
   EXPECT_EQ(control_of(elastic).coefficient, 1);
   const std::string plastic = "*MAT_PLASTIC_KINEMATIC\n1,7.85e-6,210.0,0.3,0.3,1.0\n\n";
   EXPECT_EQ(control_of(plastic).solid_form, SolidHourglassForm::AssumedStrain);
-  EXPECT_EQ(control_of(plastic).coefficient, 0.1);
+  EXPECT_EQ(control_of(plastic).coefficient, 0.01);
   ReadOptions as_ls_dyna;
   as_ls_dyna.ls_dyna_defaults = true;
   EXPECT_EQ(control_of(elastic, as_ls_dyna).solid_form, SolidHourglassForm::FlanaganBelytschkoViscous);
