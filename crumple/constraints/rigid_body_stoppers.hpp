@@ -10,11 +10,13 @@ namespace crumple::constraints {
 
 /// Bounds of the motion of rigid bodies (*CONSTRAINED_RIGID_BODY_STOPPERS). A body that would pass one in the
 /// next step gets the velocity that brings its centre onto it: it stops without bouncing, stays there while
-/// it is pushed, and moves with a bound that moves. The impulse is that of a prescribed motion, and its work
-/// is external work (docs/theory/prescribed_motion.md).
+/// it is pushed, and moves with a bound that moves. One that is beyond when the stopper begins to act goes no
+/// further than the bound moves, and is not thrown back. Axes that the material fixes stay fixed. The impulse
+/// is that of a prescribed motion, and its work is external work (docs/theory/prescribed_motion.md).
 class RigidBodyStoppers {
  public:
-  /// The model must outlive the stoppers. domain.rigid_bodies must be at time zero.
+  /// The model must outlive the stoppers. domain.rigid_bodies must be at time zero. Throws Error where a body
+  /// is beyond a bound that acts from time zero.
   RigidBodyStoppers(const model::Model& model, const domain::Domain& domain);
 
   bool empty() const { return stoppers_.empty(); }
@@ -30,6 +32,11 @@ class RigidBodyStoppers {
     double sign = 1;   ///< of the direction along that axis
     double start = 0;  ///< coordinate of the centre along the direction at time zero [length]
   };
+
+  using Bound = model::RigidBodyStopper::Bound;
+
+  double bound_at(const Stopper& stopper, const Bound& bound, double time) const;
+  void check_start(const Stopper& stopper, const Bound& bound, int side) const;
 
   const model::Model* model_;
   std::vector<Stopper> stoppers_;

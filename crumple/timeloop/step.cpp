@@ -145,6 +145,8 @@ void Simulation::choose_step() {
   next_step_ *= relative_dampings_.stable_share(domain_.clock.element_limit);
   if (first && control.initial_step > 0) next_step_ = std::min(next_step_, control.initial_step);
   next_step_ = std::min({next_step_, largest_step_, curve_limit(*model_, domain_.clock.time)});
+  for (const contact::TieSprings& springs : tie_springs_)
+    next_step_ = std::min(next_step_, springs.longest_step());
   for (const contact::Interface& contact : contacts_)
     next_step_ = std::min(next_step_, contact.longest_step());
   next_step_ = std::min(next_step_, joint_stiffnesses_.longest_step());

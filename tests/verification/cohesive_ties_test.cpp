@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "support/largest.hpp"
@@ -144,6 +145,71 @@ TEST(CohesiveTies, MomentaAndEnergyAreKept) {
   model.tied_contacts[0].failure = strengths;
   model.tied_contacts[0].softening = softening(Law::PowerLaw, 1.5);
   test::expect_kept_when_shaken(model);
+}
+
+/// A small cube beside the blocks gives the step until it erodes, before damage begins. The stiffness that
+/// the first step has cut stays, and with it strength and energy: the step grows no further than it allows.
+TEST(CohesiveTies, KeepEnergyAndStrengthWhenTheStepGrows) {
+  model::TieSoftening given = softening(Law::PowerLaw, 1);
+  given.stiffness = 1000;
+  model::Model model = pulled_blocks(given, 0);
+  model::Material brittle = model.materials[0];
+  brittle.id = 9;
+  brittle.erosion = model::ErosionCriteria{.time = 0.002};
+  model.materials.push_back(brittle);
+  const auto eroding = static_cast<Index>(model.materials.size()) - 1;
+  for (const auto& [id, material, size] : {std::tuple{3, eroding, 0.5}, {4, Index{0}, 4.0}}) {
+    model.parts.push_back({.id = id, .title = "beside", .solid_section = 0, .material = material});
+    test::add_box(model, static_cast<Index>(model.parts.size()) - 1, 1, 1, 1,
+                  [size = size](double u, double v, double w) {
+                    return test::Point{size * u, 50 * size + size * v, size * w};
+                  });
+  }
+  model.control.step_scale = 0.9;
+  timeloop::Simulation simulation(model, test::execution());
+  double first_step = 0;
+  double force = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    if (first_step == 0) first_step = domain.clock.step;
+    force = test::larger_of(force, norm(domain.ties[0].force) / area);
+  });
+  const domain::Domain& domain = simulation.domain();
+  std::printf("energy %.6f, force %.5f, step %.3g, at the end %.3g\n",
+              domain.ties[0].energy / area / tension_energy, force / strengths.normal_strength, first_step,
+              domain.clock.step);
+  EXPECT_GT(domain.clock.element_limit, 3 * first_step) << "so that the step could grow";
+  test::verified("ties that soften while the stable step grows: energy over area over G_Ic", "exact")
+      .near(domain.ties[0].energy / area / tension_energy, 1, 1e-3);
+  test::verified("ties that soften while the stable step grows: largest force over strength", "exact")
+      .near(force / strengths.normal_strength, 1, 0.02);
+  EXPECT_EQ(domain.ties[0].broken, 16);
+}
+
+/// test::run takes the run up again halfway with another number of threads and compares the bits: here in the
+/// middle of the softening, with more springs than a thread takes at a time.
+TEST(CohesiveTies, AreTakenUpHalfDamaged) {
+  model::Model model = test::two_blocks(2, 9, 1, model::TieMethod::Penalty, 0.3);
+  const model::Model pulled = pulled_blocks(softening(Law::PowerLaw, 1), 35);
+  model.tied_contacts = pulled.tied_contacts;
+  model.rigid_bodies.reserve(2);
+  for (Index part = 0; part < 2; ++part) {
+    test::make_rigid(model, part);
+    model.rigid_bodies.back().fixed_rotation = {true, true, true};
+  }
+  model.rigid_bodies[0].fixed_translation = {true, true, true};
+  model.curves = pulled.curves;
+  model.prescribed_motions = pulled.prescribed_motions;
+  model.control.step_scale = 0.2;
+  model.control.end_time = 0.05;
+  timeloop::Simulation simulation(model, test::execution());
+  double halfway = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    if (domain.clock.time < 0.5 * model.control.end_time) halfway = domain.ties[0].energy;
+  });
+  const domain::Tie& tie = simulation.domain().ties[0];
+  EXPECT_EQ(tie.nodes.size(), 100U);
+  EXPECT_GT(halfway, 0.3 * tie.energy);
+  EXPECT_LT(halfway, 0.95 * tie.energy);
 }
 
 TEST(CohesiveTies, SaysWhereTheyCannotSoften) {

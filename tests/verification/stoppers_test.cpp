@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
+#include "base/error.hpp"
 #include "support/conservation.hpp"
 #include "support/largest.hpp"
 #include "support/rigid.hpp"
@@ -136,6 +138,53 @@ TEST(Stoppers, SpeedIsBounded) {
   test::verified("rigid block with a largest speed for some time: displacement over exact",
                  "rigid body mechanics")
       .near(displacement(simulation.domain()) / exact, 1, 0.005);
+}
+
+/// A stopper that begins to act when the body is beyond its bound holds it where it is, and lets it go back.
+TEST(Stoppers, BodyBeyondIsNotThrownBack) {
+  model::Model model = pushed_block();
+  stop(model, {2, {0, 1e6}, {4, 4}});
+  model.rigid_body_stoppers[0].birth_time = 1.5;
+  model.curves[0] = {1, {0, 2, 2.0001, 1e6}, {1, 1, -1, -1}};
+  model.control.end_time = 2.5;
+  timeloop::Simulation simulation(model, test::execution());
+  double fastest = 0;
+  double stayed = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    const double time = domain.clock.time;
+    fastest = std::max(fastest, std::fabs(domain.rigid_bodies[0].velocity.x));
+    if (time < 1.9) stayed = displacement(domain);
+  });
+  const double birth = 0.5 * acceleration * 1.5 * 1.5;
+  test::verified("rigid block beyond a stopper that begins to act: displacement it stays at over exact",
+                 "rigid body mechanics")
+      .near(stayed / birth, 1, 0.005);
+  test::verified("rigid block beyond a stopper that begins to act: largest speed over exact",
+                 "rigid body mechanics")
+      .near(fastest / (acceleration * 1.5), 1, 0.005);
+  test::verified("rigid block beyond a stopper, pulled back: displacement over exact", "rigid body mechanics")
+      .near(displacement(simulation.domain()) / (birth - 0.5 * acceleration * 0.25), 1, 0.005);
+}
+
+TEST(Stoppers, FixedAxesStayFixed) {
+  model::Model model = pushed_block();
+  model.rigid_bodies[0].fixed_translation = {true, false, false};
+  stop(model, {2, {0, 2, 1e6}, {1, -3, -3}});
+  timeloop::Simulation simulation(model, test::execution());
+  test::run(simulation);
+  EXPECT_EQ(displacement(simulation.domain()), 0);
+}
+
+TEST(Stoppers, SayThatTheBodyStartsBeyond) {
+  model::Model model = pushed_block();
+  stop(model, {2, {0, 1e6}, {-1, -1}});
+  try {
+    const timeloop::Simulation simulation(model, test::execution());
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("beyond the largest (LCMAX), 4.0"), std::string::npos)
+        << error.what();
+  }
 }
 
 /// The coordinate itself, downwards and along y; the other directions stay free.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace crumple::contact {
 namespace {
@@ -65,6 +66,10 @@ const char* CohesiveLaw::brittle_mode(const CohesiveStiffness& stiffness) const 
   };
   if (cannot_soften(range(1, 0, stiffness))) return "tension";
   if (cannot_soften(range(0, 1, stiffness))) return "shear";
+  for (int degrees = 1; degrees < 90; ++degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    if (cannot_soften(range(std::cos(angle), std::sin(angle), stiffness))) return "mixed modes";
+  }
   return "";
 }
 

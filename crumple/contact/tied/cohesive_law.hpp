@@ -38,8 +38,8 @@ class CohesiveLaw {
   /// Damage at an opening and sliding [length], where it has been `before`; 1 is broken.
   double damage(double opening, double sliding, const CohesiveStiffness& stiffness, double before) const;
 
-  /// The mode, of tension or of shear alone, in which ties would store more up to their strength than they
-  /// may take in all, so that they could not soften; empty if there is none.
+  /// The mode, tension, shear or a mixture (rays a degree apart), in which ties would store more up to their
+  /// strength than they may take in all, so that they could not soften; empty if there is none.
   const char* brittle_mode(const CohesiveStiffness& stiffness) const;
 
  private:

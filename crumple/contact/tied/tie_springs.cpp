@@ -174,11 +174,19 @@ void TieSprings::settle_stiffness(double step) {
   }
 }
 
+double TieSprings::longest_step() const {
+  double stiffest = 0;
+  if (contact_.softening)
+    for (std::size_t at = 0; at < springs_.size(); ++at)
+      if (active_[at] != 0) stiffest = std::max(stiffest, bedding_[at] * springs_[at].inverse_mass);
+  if (!(stiffest > 0)) return std::numeric_limits<double>::max();
+  return std::sqrt(budget_ / (stiffest * std::max(1.0, contact_.softening->shear_ratio)));
+}
+
 TieSprings::Secant TieSprings::secant_of(std::size_t at, const Place& place, double limit) {
   const Spring& spring = springs_[at];
-  const double most = limit / spring.inverse_mass;
   if (!contact_.softening || bedding_[at] == 0) {
-    const double stiffness = std::min(spring.tied.stiffness, most);
+    const double stiffness = std::min(spring.tied.stiffness, limit / spring.inverse_mass);
     return {stiffness, stiffness};
   }
   const double normal = bedding_[at];
@@ -189,7 +197,7 @@ TieSprings::Secant TieSprings::secant_of(std::size_t at, const Place& place, dou
   damage_[at] = CohesiveLaw(*contact_.failure, *contact_.softening)
                     .damage(opening, sliding, {normal / area, shear / area}, damage_[at]);
   const double left = 1 - damage_[at];
-  return {std::min(opening > 0 ? left * normal : normal, most), std::min(left * shear, most)};
+  return {opening > 0 ? left * normal : normal, left * shear};
 }
 
 /// Of ties that hold rotations.

@@ -45,6 +45,10 @@ class TieSprings {
   /// whose time is over. Work since the last call goes into the tie's energy, by the trapezoidal rule.
   void add_forces(domain::Domain& domain);
 
+  /// The longest step for which ties that soften keep the stiffness of their first step: cutting it later
+  /// would take strength and energy from them. The largest number where none is left [time].
+  double longest_step() const;
+
   void declare(domain::StateList& list);
 
  private:

@@ -310,7 +310,6 @@ void build_shells(Build& build) {
     }
     build.enter(Item::Shell, {raw.id, "EID", raw.where}, shells.size());
     if (complete && raw.layers != 0) complete = build_element_layup(build, raw, shell);
-    if (complete && raw.material_system != 0) complete = turn_to_system(build, raw, shell);
     if (complete) turn_triangle(shell);
     if (complete && repeats_node(shell.node)) {
       build.report.error(
@@ -320,6 +319,7 @@ void build_shells(Build& build) {
               raw.id));
       complete = false;
     }
+    if (complete && raw.material_system != 0) complete = turn_to_system(build, raw, shell);
     if (complete) {
       if (!complete_thickness(shell, build)) report_thickness(shell, build, without_thickness);
       check_shape(shell, raw.where, build);

@@ -2,6 +2,7 @@
 // Axes of the material that single shells have (MCID).
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 #include <variant>
 
 #include "deck/build/build.hpp"
@@ -14,9 +15,15 @@ using model::OrthotropicElastic;
 
 /// The law of a shell as far as it has axes in the sheet, or null.
 const OrthotropicElastic* sheet_of(const model::ConstitutiveLaw& law) {
-  if (const auto* composite = std::get_if<model::CompositeDamage>(&law)) return composite;
-  if (const auto* fabric = std::get_if<model::Fabric>(&law)) return &fabric->sheet;
-  return std::get_if<OrthotropicElastic>(&law);
+  return std::visit(
+      [](const auto& given) -> const OrthotropicElastic* {
+        using Law = std::decay_t<decltype(given)>;
+        if constexpr (std::is_base_of_v<OrthotropicElastic, Law>) return &given;
+        if constexpr (std::is_same_v<Law, model::Fabric>) return &given.sheet;
+        if constexpr (std::is_same_v<Law, model::SheetPlasticity>) return &given.axes;
+        return nullptr;
+      },
+      law);
 }
 
 /// Angle about the shell's normal from its first side to a direction, both in its plane; absent where the
@@ -31,7 +38,7 @@ std::optional<double> angle_to(const Build& build, const std::array<Index, 4>& n
     for (std::size_t i = 0; i < 3; ++i) in_plane[i] = a[i] - dot(a, normal) / (size * size) * normal[i];
     return in_plane;
   };
-  const Vector side = flat(node[0] == node[1] ? difference(x(2), x(1)) : difference(x(1), x(0)));
+  const Vector side = flat(difference(x(1), x(0)));
   const Vector wanted = flat(direction);
   constexpr double along_normal = 1e-6;
   if (!(length_of(wanted) > along_normal)) return std::nullopt;
@@ -54,8 +61,8 @@ bool turn_to_system(Build& build, const RawShell& raw, model::ShellElement& shel
   if (is_layered || sheet->axes != OrthotropicElastic::Axes::Side) {
     build.report.field_unsupported(
         raw.where, {"MCID", read, "0, or a material with AOPT = 0 that is no layer",
-                    "elsewhere the axes are those of the material and BETA of *ELEMENT_SHELL_BETA", "axes"});
-    return false;
+                    "the material's own axes are used elsewhere, and BETA of *ELEMENT_SHELL_BETA", "axes"});
+    return build.report.allow_unsupported();
   }
   const std::optional<double> angle = angle_to(build, shell.node, (*axes)[0]);
   if (!angle) {

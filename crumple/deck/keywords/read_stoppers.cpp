@@ -20,7 +20,7 @@ constexpr Field stopper_card[] = {
 };
 
 constexpr Field stopper_times_card[] = {
-    real("TB", 0, not_negative), real_or_default("TD", 1e21, above_zero),
+    real("TB", 0, not_negative), real_or_default("TD", 1e21, above_zero), unused("-"),
     unused("STIFF"),  // implicit
 };
 

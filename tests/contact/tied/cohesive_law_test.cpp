@@ -108,5 +108,21 @@ TEST(CohesiveLaw, SaysInWhichModeItCannotSoften) {
   EXPECT_EQ(std::string(law.brittle_mode({8, 0.05 * 0.05 / (2.01 * shear_energy)})), "shear");
 }
 
+/// Either mode alone softens, but with an exponent of 0.5 mixtures take a quarter of the energy.
+TEST(CohesiveLaw, SaysThatMixedModesCannotSoften) {
+  const CohesiveStiffness soft{0.03 * 0.03 / (1.5 * tension_energy), 0.05 * 0.05 / (1.5 * shear_energy)};
+  const CohesiveLaw law(strengths, softening(Law::PowerLaw, 0.5));
+  const auto softens = [&](double degrees) {
+    const double angle = degrees * M_PI / 180;
+    const auto [onset, failure] = law.range(std::cos(angle), degrees == 0 ? 0 : std::sin(angle), soft);
+    return failure > onset;
+  };
+  EXPECT_TRUE(softens(0));
+  EXPECT_TRUE(softens(90));
+  EXPECT_FALSE(softens(45));
+  EXPECT_EQ(std::string(law.brittle_mode(soft)), "mixed modes");
+  EXPECT_EQ(std::string(CohesiveLaw(strengths, softening(Law::PowerLaw, 1)).brittle_mode(soft)), "");
+}
+
 }  // namespace
 }  // namespace crumple::cohesive_law_test

@@ -57,6 +57,11 @@ TEST(Stoppers, EveryValue) {
   EXPECT_EQ(second.death_time, 1e21);
 }
 
+TEST(Stoppers, StiffnessOfImplicitRunsIsTheFourthField) {
+  const std::string card = "*CONSTRAINED_RIGID_BODY_STOPPERS\n1,5,0,0,0,0,1\n";
+  EXPECT_EQ(read_clean(rigid_plate(card + "0.5,1.5,,1e3\n").text()).rigid_body_stoppers.size(), 1U);
+}
+
 TEST(Stoppers, Faults) {
   const auto faulty = [](const std::string& card, const std::string& text) {
     expect_one(rigid_plate("*CONSTRAINED_RIGID_BODY_STOPPERS\n" + card + "\n"), text);

@@ -143,7 +143,7 @@ TEST(Tied, TiebreakByOption) {
   EXPECT_EQ(kenane.failure->normal_strength, 35);
   EXPECT_EQ(read_option("9,35,45,,0.25,0.75").softening->exponent, 1);
   for (const std::string option : {"6", "8"}) {
-    const model::TiedContact opening = read_option(option + ",35,0,0.2");
+    const model::TiedContact opening = read_option(option + ",35,45,0.2");
     EXPECT_EQ(opening.softening->law, model::TieSoftening::Law::CriticalOpening);
     EXPECT_EQ(opening.softening->critical_opening, 0.2);
     EXPECT_EQ(opening.failure->normal_strength, 35);
@@ -187,6 +187,8 @@ TEST(Tied, Faults) {
     EXPECT_NE(found.find(text), std::string::npos) << found;
   };
   among("6,1,1\n", "error: *CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK card 4 field PARAM");
+  among("6,1,0,0.2\n", "field SFLS: read \"0\", expected a number above zero");
+  among("8,0,1,0.2\n", "field NFLS: read \"0\", expected a number above zero");
   among("9,1,1,,1,0\n", "field ERATES: read \"0\", expected a number above zero");
   among("9,1,1,,0,1\n", "field ERATEN: read \"0\", expected a number above zero");
   among("9,1,0,,1,1\n", "field SFLS: read \"0\", expected a number above zero");

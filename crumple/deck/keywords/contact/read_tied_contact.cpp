@@ -227,7 +227,7 @@ void take_option(Cards& cards, const Card& card, model::TiedContact& tied) {
   }
   tied.failure = {.normal_strength = card.real("NFLS"), .shear_strength = card.real("SFLS")};
   if (option < until_energy) {
-    check_strength(cards, card, "NFLS", *tied.failure);
+    if (option == until_strength) check_strength(cards, card, "NFLS", *tied.failure);
     if (card.real("CN") != 0)
       cards.report().field_warning(
           card.where(), {"CN", std::string(card.text("CN")), "0",
@@ -237,6 +237,9 @@ void take_option(Cards& cards, const Card& card, model::TiedContact& tied) {
     cards.report().field_unsupported(card.where(), {"PARAM", std::string(card.text("PARAM")), "0",
                                                     "the thickness of shells is kept", "thickness"});
   if (option == until_opening || option == until_opening_of_shells) {
+    for (const std::string_view field : {"NFLS", "SFLS"})
+      require_above_zero(cards, card, field,
+                         "without one of the strengths ties soften neither in that mode nor near it");
     require_above_zero(cards, card, "PARAM",
                        "with OPTION 6 and 8 it is the distance at which the tie is gone");
     tied.softening = model::TieSoftening{.law = model::TieSoftening::Law::CriticalOpening,
