@@ -20,7 +20,8 @@ using Names = std::map<std::string, std::string>;
 /// of the cards.
 std::string deck(int binary) {
   const std::string form = "0.02," + std::to_string(binary) + "\n";
-  return "*KEYWORD\n*TITLE\nforces\n*CONTROL_TERMINATION\n0.1\n*CONTROL_TIMESTEP\n0.,0.2\n"
+  return "*KEYWORD\n*TITLE\nforces\n*CONTROL_TERMINATION\n0.1\n*CONTROL_TIMESTEP\n0.,0.2\n*CONTROL_"
+         "HOURGLASS\n2,0.1\n"
          "*NODE\n"
          "1,0.,0.,0.\n2,10.,0.,0.\n3,10.,10.,1.\n4,0.,10.,0.\n5,20.,0.,0.\n6,20.,10.,0.\n"
          "11,40.,0.,0.\n12,50.,0.,0.\n13,50.,10.,0.\n14,40.,10.,0.\n"
