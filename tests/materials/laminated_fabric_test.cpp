@@ -221,6 +221,104 @@ TEST_P(Fabric58, ClosedPathsTakeUpWork) {
       .below(largest_left, 1e-9);
 }
 
+/// Curves that go straight up and down at once, as those of a deck that gives no strains at strength.
+Law brittle(double poisson, double share_left, Surface surface) {
+  Law law = glass(surface, poisson);
+  law.modulus_a = law.modulus_b = 25000;
+  law.tension_a = {450, 450.0 / 25000, share_left};
+  law.compression_a = {300, 300.0 / 25000, share_left};
+  law.tension_b = {400, 400.0 / 25000, share_left};
+  law.compression_b = {280, 280.0 / 25000, share_left};
+  law.shear = {70, 70.0 / 4000, share_left};
+  return law;
+}
+
+/// A ply that is taken round closed paths, with what must not happen on the way.
+struct BrittleCycles {
+  double most_healed = 0;     ///< largest fall of a drive
+  double most_made = -1e300;  ///< energy that a step makes, and a path [MPa]
+  double most_beyond = 0;     ///< largest stress without damage over the strength, less the drive
+
+  void go(const Law& law, Isa isa, unsigned seed) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    PointDriver<double> point = point_of(law, isa);
+    now_ = {};
+    for (int path = 0; path < 5; ++path) {
+      const double size = 0.016 + 0.004 * path;
+      path_made_ = 0;
+      for (int i = 0; i < 3; ++i) leg(law, point, size * uniform(generator), size * uniform(generator));
+      leg(law, point, 0, 0);
+      most_made = test::larger_of(most_made, path_made_);
+    }
+  }
+
+ private:
+  struct State {
+    std::array<double, 2> strain{}, stress{};
+    std::array<double, 4> drive{};
+    double stored() const { return 0.5 * (strain[0] * stress[0] + strain[1] * stress[1]); }
+  };
+
+  void leg(const Law& law, PointDriver<double>& point, double a, double b) {
+    constexpr int steps = 200;
+    const std::array<double, 2> step{(a - now_.strain[0]) / steps, (b - now_.strain[1]) / steps};
+    for (int i = 0; i < steps; ++i) {
+      const State before = now_;
+      point.apply({step[0], step[1], 0, 0, 0});
+      for (int k = 0; k < 2; ++k) now_.strain[k] += step[k];
+      for (int k = 0; k < 2; ++k) now_.stress[k] = point.stress()[k];
+      for (int k = 0; k < 4; ++k) now_.drive[k] = point.item("damage_drive", 0, k);
+      for (int k = 0; k < 4; ++k) most_healed = test::larger_of(most_healed, before.drive[k] - now_.drive[k]);
+      const double made = now_.stored() - before.stored() - point.energy() - kink_of(law, before, step);
+      most_made = test::larger_of(most_made, made);
+      path_made_ += made;
+      judge(law, point);
+    }
+  }
+
+  /// The work of a step is by the mean of its stresses. Where one changes its sign, and with it its modulus,
+  /// the mean is off by up to S^2 / (8 E), S the change of the stress without damage.
+  double kink_of(const Law& law, const State& before, const std::array<double, 2>& step) const {
+    const double nu = law.poisson_ba;
+    double kink = 0;
+    for (int k = 0; k < 2; ++k) {
+      const double change =
+          law.modulus_a * (std::fabs(step[k]) + nu * std::fabs(step[1 - k])) / (1 - nu * nu);
+      if (before.stress[k] * now_.stress[k] < 0) kink += change * change / (8 * law.modulus_a);
+    }
+    return kink;
+  }
+
+  void judge(const Law& law, const PointDriver<double>& point) {
+    const Law::Mode* const modes[] = {&law.tension_a, &law.compression_a, &law.tension_b, &law.compression_b};
+    for (int k = 0; k < 2; ++k) {
+      const double left = 1 - point.item("damage", 0, k);
+      if (left < 1e-6) continue;
+      const int mode = 2 * k + (now_.stress[k] < 0 ? 1 : 0);
+      most_beyond = test::larger_of(
+          most_beyond, std::fabs(now_.stress[k]) / left / modes[mode]->strength - now_.drive[mode]);
+    }
+  }
+
+  State now_;
+  double path_made_ = 0;
+};
+
+TEST_P(Fabric58, SteepModesNeitherHealNorMakeEnergy) {
+  BrittleCycles found;
+  unsigned seed = 1;
+  for (const double poisson : {0.3, 0.5})
+    for (const double share_left : {0.0, 0.1, 1.0})
+      for (const Surface surface : {Surface::Facets, Surface::Smooth})
+        for (int i = 0; i < 2; ++i) found.go(brittle(poisson, share_left, surface), GetParam(), seed++);
+  const std::string what = "laminated fabric, strains at strength of the elastic line, closed paths: ";
+  test::verified(what + "largest fall of a drive", "damage does not heal").below(found.most_healed, 1e-300);
+  test::verified(what + "energy made by a step or a path [MPa]", "second law").below(found.most_made, 1e-9);
+  test::verified(what + "stress without damage over the strength, beyond the drive", "drive")
+      .below(found.most_beyond, 1e-3);
+}
+
 TEST_P(Fabric58, WorkOfATestIsTheAreaBelowItsCurve) {
   const Law law = glass(Surface::Smooth);
   PointDriver<double> point = point_of(law, GetParam());

@@ -63,6 +63,23 @@ CRUMPLE_INLINE BendingFrame<Pack> bending_frame(const SolidPatterns<Pack>& x) {
   return frame;
 }
 
+/// What the length that gives the stable step is times, by the tangents at the centre and the areas across
+/// them. Where t_i and g_i are not parallel, a shear that is taken away no longer cancels what direct strains
+/// along the tangents have of the same mode, and the highest frequency grows with |t_i| |g_i|, which is one
+/// over the cosine of the angle between them. The number holds lone parallelepipeds below 1
+/// (docs/theory/assumed_strain_hexahedron.md).
+template <class Pack>
+CRUMPLE_INLINE Pack skew_factor(const ThreeVectors<Pack>& tangent) {
+  const ThreeVectors<Pack> area = areas_across(tangent);
+  const Pack jacobian = math::dot(tangent.of[0], area.of[0]);
+  Pack largest(RealOf<Pack>(0));
+  for (int i = 0; i < 3; ++i)
+    largest =
+        larger(largest, Pack(math::dot(tangent.of[i], tangent.of[i]) * math::dot(area.of[i], area.of[i])));
+  return smaller(Pack(RealOf<Pack>(1)),
+                 Pack(Pack(RealOf<Pack>(1.6)) * absolute(jacobian) / square_root(largest)));
+}
+
 /// One number for each tangent i and mode k, and for each tangent and the fourth mode: t_i.q_k of a velocity,
 /// or the conjugate sums.
 template <class Pack>

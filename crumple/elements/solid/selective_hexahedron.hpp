@@ -165,8 +165,9 @@ CRUMPLE_INLINE SolidForces<Pack> AnySelectiveHexahedron<AssumesStrains>::forces(
   const Pack pressure = multiply_add(spherical, resistance.per_volume, Pack(-resistance.pressure));
   for (int p = 0; p < 6; ++p) conjugate.of[p] = multiply_add(pressure, whole.gradient[p], conjugate.of[p]);
   // One that is inside out at a point ends the run.
-  const Pack length = smaller(Pack(whole.volume / square_root(largest_face_squared(x))),
-                              free_length(whole, 6, shear_share_of<Pack>(place)));
+  Pack length = smaller(Pack(whole.volume / square_root(largest_face_squared(x))),
+                        free_length(whole, 6, shear_share_of<Pack>(place)));
+  if constexpr (AssumesStrains) length = skew_factor(frame.tangent) * length;
   leave_limit(place, active, select<Pack>(narrowest > zero, length, narrowest), resistance);
   return nodal_forces(conjugate);
 }

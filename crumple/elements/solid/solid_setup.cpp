@@ -79,8 +79,10 @@ SolidSize solid_size(const domain::Domain& domain, const domain::SolidBlock& blo
   const SolidPatterns<double> x = patterns_of(corner);
   const SolidGeometry<double> geometry = solid_geometry(x, constants.exact_volume);
   const double volume = geometry.volume;
-  const double length = std::min(volume / square_root(largest_face_squared(x)),
-                                 free_length(geometry, patterns_of_gradient(constants.exact_volume), share));
+  double length = std::min(volume / square_root(largest_face_squared(x)),
+                           free_length(geometry, patterns_of_gradient(constants.exact_volume), share));
+  if (block.formulation == model::SolidFormulation::AssumedStrainHexahedron)
+    length *= skew_factor(bending_frame(x).tangent);
   if (model::is_selective(block.formulation))
     if (const double least = least_jacobian(x); !(least > 0)) return {least, length};
   return {volume, length};

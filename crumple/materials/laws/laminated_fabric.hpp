@@ -145,10 +145,18 @@ struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
             over * multiply_add(Pack(ba) * left_a, own_a, own_b)};
   }
 
-  /// A mode that is at work: its largest drive so far, and what is left.
+  /// A mode that is at work: whether that of tension, its largest drive so far, and what is left.
   struct Active {
+    Mask pulled;
     Pack drive, left;
   };
+  CRUMPLE_INLINE static Active chosen(const Mask& mask, const Active& one, const Active& other) {
+    const Pack zero(Real(0));
+    const Pack pulled = select<Pack>(one.pulled, Pack(Real(1)), zero);
+    const Pack pulled_else = select<Pack>(other.pulled, Pack(Real(1)), zero);
+    return {select<Pack>(mask, pulled, pulled_else) > zero, select<Pack>(mask, one.drive, other.drive),
+            select<Pack>(mask, one.left, other.left)};
+  }
   /// Of a stress without damage; `beside` is what the shear adds to the square of its drive.
   CRUMPLE_INLINE Active active(const History& history, const Pack& stress, const Pack& beside, int tension,
                                int compression) const {
@@ -159,45 +167,118 @@ struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
     const Pack before =
         select<Pack>(pulled, load<Pack>(drive(history, tension)), load<Pack>(drive(history, compression)));
     const Pack most = larger(before, now);
-    return {most, left(most, own)};
+    return {pulled, most, left(most, own)};
   }
-  CRUMPLE_INLINE static void keep(const History& history, const Pack& stress, const Pack& most, int tension,
-                                  int compression) {
-    const Mask pulled = stress >= Pack(Real(0));
+  /// Drives only grow: that of the mode at work is not below the one before.
+  CRUMPLE_INLINE static void keep(const History& history, const Active& of, int tension, int compression) {
     Real* const first = drive(history, tension);
     Real* const second = drive(history, compression);
-    store(first, select<Pack>(pulled, most, load<Pack>(first)));
-    store(second, select<Pack>(pulled, load<Pack>(second), most));
+    store(first, select<Pack>(of.pulled, of.drive, load<Pack>(first)));
+    store(second, select<Pack>(of.pulled, load<Pack>(second), of.drive));
   }
 
-  /// Stress of a ply by its whole strain; brings damage up to date. The damage of one direction depends a
-  /// little on the stress of the other by Poisson's ratios: each pass makes the error smaller by their
-  /// product.
-  CRUMPLE_INLINE Ply damaged(const History& history, const Ply& e) const {
+  /// What both directions are given: strains, and what the shear adds to the squares of their drives.
+  struct Load {
+    Ply strain;
+    Pack on_a, on_b;
+  };
+  CRUMPLE_INLINE Active active_a(const History& history, const Direct& stress, const Load& given) const {
+    return active(history, stress.a, given.on_a, fabric_mode::tension_a, fabric_mode::compression_a);
+  }
+  CRUMPLE_INLINE Active active_b(const History& history, const Direct& stress, const Load& given) const {
+    return active(history, stress.b, given.on_b, fabric_mode::tension_b, fabric_mode::compression_b);
+  }
+
+  /// Modes at work along both directions, with the stresses without damage by what they leave.
+  struct Both {
+    Active a, b;
+    Direct stress;
+  };
+
+  /// Where a stress has not the sign of its mode, the other mode takes its place. That sign follows from the
+  /// strains and what is left of the other direction, which stays as it is; and of strains of which one may
+  /// leave its direction with either sign, the other cannot. So no stress changes its sign by this.
+  CRUMPLE_INLINE void match_signs(const History& history, const Load& given, Both& at) const {
+    const Active a = active_a(history, at.stress, given);
+    const Active b = active_b(history, at.stress, given);
+    at.a = chosen(a.pulled != at.a.pulled, a, at.a);
+    at.b = chosen(b.pulled != at.b.pulled, b, at.b);
+    at.stress = undamaged(given.strain, at.a.left, at.b.left);
+  }
+
+  /// By bisection of what is left along b, and for each of that along a: the more is left, the larger is the
+  /// drive and the less leaves it, and all is continuous. For curves so steep that passes do not converge.
+  CRUMPLE_INLINE Both bisected(const History& history, const Load& given) const {
+    constexpr int halvings = 30;
+    const Pack half(Real(0.5));
+    Pack low_b(Real(0));
+    Pack high_b(Real(1));
+    Direct stress = undamaged(given.strain, low_b, low_b);
+    for (int i = 0; i < halvings; ++i) {
+      const Pack middle_b = half * (low_b + high_b);
+      Pack low_a(Real(0));
+      Pack high_a(Real(1));
+      for (int k = 0; k < halvings; ++k) {
+        const Pack middle_a = half * (low_a + high_a);
+        stress = undamaged(given.strain, middle_a, middle_b);
+        const Mask above = active_a(history, stress, given).left > middle_a;
+        low_a = select<Pack>(above, middle_a, low_a);
+        high_a = select<Pack>(above, high_a, middle_a);
+      }
+      const Mask above = active_b(history, stress, given).left > middle_b;
+      low_b = select<Pack>(above, middle_b, low_b);
+      high_b = select<Pack>(above, high_b, middle_b);
+    }
+    const Active a = active_a(history, stress, given);
+    const Active b = active_b(history, stress, given);
+    return {a, b, undamaged(given.strain, a.left, b.left)};
+  }
+
+  /// Damage of one direction depends a little on the stress of the other by Poisson's ratios: each pass makes
+  /// the error smaller by their product and the slope of the curve.
+  CRUMPLE_INLINE Both settled(const History& history, const Load& given) const {
     constexpr int passes = 6;
+    const Pack one(Real(1));
+    Both at{};
+    Pack before_a = one - load<Pack>(damage(history, 0));
+    Pack before_b = one - load<Pack>(damage(history, 1));
+    at.stress = undamaged(given.strain, before_a, before_b);
+    for (int i = 0; i < passes; ++i) {
+      if (i > 0) before_a = at.a.left;
+      if (i > 0) before_b = at.b.left;
+      at.a = active_a(history, at.stress, given);
+      at.b = active_b(history, at.stress, given);
+      at.stress = undamaged(given.strain, at.a.left, at.b.left);
+    }
+    const Pack change = larger(absolute(at.a.left - before_a), absolute(at.b.left - before_b));
+    const Mask open = change > Pack(Real(1e-5));
+    if (any<Pack>(open)) {
+      const Both found = bisected(history, given);
+      at.a = chosen(open, found.a, at.a);
+      at.b = chosen(open, found.b, at.b);
+      at.stress = undamaged(given.strain, at.a.left, at.b.left);
+    }
+    match_signs(history, given, at);
+    return at;
+  }
+
+  /// Stress of a ply by its whole strain; brings damage up to date.
+  CRUMPLE_INLINE Ply damaged(const History& history, const Ply& e) const {
     const Pack zero(Real(0));
     const Pack one(Real(1));
     const double surface = this->c[Surface];
     const Pack shear = Pack(real(OrthotropicElasticLaw::Gab)) * e.ab;
     const Pack ratio = shear * Pack(Real(1) / strength(fabric_mode::shear));
     const Pack square = ratio * ratio;
-    const Pack on_a = surface > 0 ? square : zero;
-    const Pack on_b = surface >= 0 ? square : zero;
-    Active a{zero, one - load<Pack>(damage(history, 0))};
-    Active b{zero, one - load<Pack>(damage(history, 1))};
-    Direct stress = undamaged(e, a.left, b.left);
-    for (int i = 0; i < passes; ++i) {
-      a = active(history, stress.a, on_a, fabric_mode::tension_a, fabric_mode::compression_a);
-      b = active(history, stress.b, on_b, fabric_mode::tension_b, fabric_mode::compression_b);
-      stress = undamaged(e, a.left, b.left);
-    }
-    keep(history, stress.a, a.drive, fabric_mode::tension_a, fabric_mode::compression_a);
-    keep(history, stress.b, b.drive, fabric_mode::tension_b, fabric_mode::compression_b);
-    const Pack left_s = shear_left(history, shear, a.drive, b.drive);
-    store(damage(history, 0), Pack(one - a.left));
-    store(damage(history, 1), Pack(one - b.left));
+    const Load given{e, surface > 0 ? square : zero, surface >= 0 ? square : zero};
+    const Both at = settled(history, given);
+    keep(history, at.a, fabric_mode::tension_a, fabric_mode::compression_a);
+    keep(history, at.b, fabric_mode::tension_b, fabric_mode::compression_b);
+    const Pack left_s = shear_left(history, shear, at.a.drive, at.b.drive);
+    store(damage(history, 0), Pack(one - at.a.left));
+    store(damage(history, 1), Pack(one - at.b.left));
     store(damage(history, 2), Pack(one - left_s));
-    return {a.left * stress.a, b.left * stress.b, left_s * shear};
+    return {at.a.left * at.stress.a, at.b.left * at.stress.b, left_s * shear};
   }
 
   /// In shear alone where the surface has facets, else by the modes that the shear takes part in.

@@ -367,6 +367,45 @@ TEST(Solids, StableStepIsSafeForFreeBlocks) {
   }
 }
 
+/// A lone parallelepiped with the edges `edge`, of a material with that Poisson's ratio.
+double courant_number_of_parallelepiped(const SolidCase& of, const std::array<Vec3, 3>& edge, double nu) {
+  model::Material material = elastic();
+  material.law = model::Elastic{youngs_modulus, nu};
+  model::Model model = solid_model(of, material);
+  test::add_box(model, 0, 1, 1, 1, [&](double u, double v, double w) {
+    const Vec3 x = u * edge[0] + v * edge[1] + w * edge[2];
+    return test::Point{x.x, x.y, x.z};
+  });
+  model.control.bulk_linear = model.control.bulk_quadratic = 0;
+  Driven body(model, {Precision::Double, available_isas().back(), 1});
+  const double step = stable_step(body.domain, body.domain.solids[0]);
+  body.update(0);
+  EXPECT_NEAR(body.domain.clock.element_limit, step, 1e-12 * step) << of.name;
+  return courant_number(model);
+}
+
+TEST(Solids, StableStepIsSafeForLoneShearedElements) {
+  for (const SolidCase& of : solid_cases) {
+    if (!model::is_selective(of.formulation)) continue;
+    double largest = 0;
+    const auto add = [&](const std::array<Vec3, 3>& edge, double nu, const std::string& shape) {
+      const double number = courant_number_of_parallelepiped(of, edge, nu);
+      std::printf("%s, lone, %s, nu %.1f: half omega dt %.3f\n", of.name, shape.c_str(), nu, number);
+      largest = std::max(largest, number);
+    };
+    for (const double nu : {0.0, 0.3}) {
+      for (const double shear : {1.0, 1.25, 2.0, 3.0, 4.0})
+        for (const double height : {0.2, 1.0, 5.0})
+          add({Vec3{1, 0, 0}, Vec3{0, 1, 0}, height * Vec3{0, shear, 1}}, nu,
+              "sheared by " + std::to_string(shear));
+      add({Vec3{1, 0, 0}, Vec3{2, 1, 0}, Vec3{2, 2, 1}}, nu, "axes leaning by 2");
+      add({Vec3{1, 2, 0}, Vec3{0, 1, 2}, Vec3{2, 0, 1}}, nu, "axes leaning by 2 in turn");
+    }
+    test::verified(std::string(of.name) + ", lone sheared elements: half of omega dt", "stable up to 1")
+        .below(largest, 1 + 1e-6);
+  }
+}
+
 TEST(Solids, HaveTheMassOfTheirVolumeAndGrowHeavierForTheStepAskedFor) {
   for (const SolidCase& of : solid_cases) {
     model::Model model = solid_cube(of, 2, 0.1);
