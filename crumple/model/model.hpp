@@ -112,8 +112,8 @@ bool is_rigid(const Model& model, const Part& part);
 const HourglassControl& hourglass_of(const Model& model, const Part& part);
 
 /// Hourglass control that holds for a part of solids: where it is that of the material, assumed strains with
-/// the whole stiffness of elastic laws (1) and a hundredth of it for those that flow, which the control does not;
-/// viscous for those without shear stiffness.
+/// the whole stiffness of elastic laws (1) and a hundredth of it for those that flow, which the control does
+/// not; viscous for those without shear stiffness.
 HourglassControl solid_hourglass_of(const Model& model, const Part& part);
 
 /// Equation of state of a part, or nullptr.

@@ -52,7 +52,7 @@ TEST_F(Attacks, SheetsThatMeetFastRebound) {
     const nlohmann::json record = survive(name);
     EXPECT_EQ(value(record, "mid-surface intersections"), 0) << name;
     EXPECT_EQ(value(record, "nodes on or beyond a mid-surface"), 0) << name;
-    EXPECT_LT(value(record, "negative contact energy"), 1e-5) << name;
+    EXPECT_EQ(value(record, "negative contact energy"), 0) << name;
   }
 }
 
@@ -84,7 +84,7 @@ TEST_F(Attacks, CrossedEdgesOfCubesAndShellsRebound) {
   for (const char* name : {"cube_edges", "shell_edges"}) {
     const nlohmann::json record = survive(name);
     EXPECT_EQ(value(record, "mid-surface intersections"), 0) << name;
-    EXPECT_EQ(value(record, "negative contact energy"), 0) << name;
+    EXPECT_LT(value(record, "negative contact energy"), 1e-5) << name;
     const std::string parts = std::string(name) + "/matsum.csv";
     EXPECT_GT(last(parts, "vz", 1) - last(parts, "vz"), 10) << name;
   }

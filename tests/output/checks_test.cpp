@@ -87,7 +87,7 @@ TEST_F(ChecksTest, HourglassEnergyOfTheMaterialIsNotLimitedButTold) {
   EXPECT_TRUE(find("hourglass / internal energy").pass);
   EXPECT_TRUE(find("hourglass / internal energy, part").pass);
   ASSERT_EQ(energy_warnings(view(), peaks_).size(), 1U);
-  EXPECT_NE(energy_warnings(view(), peaks_)[0].find("its shells are too large"), std::string::npos);
+  EXPECT_NE(energy_warnings(view(), peaks_)[0].find("its elements are too large"), std::string::npos);
 }
 
 TEST_F(ChecksTest, AddedMassCountsAgainstTheMassWithoutIt) {
