@@ -3,6 +3,7 @@
 
 #include "elements/common/gather.hpp"
 #include "elements/solid/tetrahedron_nodes.hpp"
+#include "model/solid_nodes.hpp"
 
 // The tetrahedron with ten nodes: its fields at four points, and its step.
 //
@@ -28,7 +29,6 @@ constexpr Slopes slopes() {
   constexpr double root = 2.2360679774997896964;  // of 5
   constexpr double near = (5 + 3 * root) / 20;
   constexpr double far = (5 - root) / 20;
-  constexpr int ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   Slopes found{};
   for (int point = 0; point < points; ++point) {
     double l[4] = {far, far, far, far};
@@ -39,8 +39,9 @@ constexpr Slopes slopes() {
       for (int corner = 1; corner < 4; ++corner)
         found.of[point][corner - 1][k] = (4 * l[corner] - 1) * slope(corner);
       for (int side = 0; side < 6; ++side) {
-        const int i = ends[side][0];
-        const int j = ends[side][1];
+        const auto& ends = model::sides_of_tetrahedron[static_cast<std::size_t>(side)];
+        const int i = static_cast<int>(ends[0]);
+        const int j = static_cast<int>(ends[1]);
         found.of[point][side + 3][k] = 4 * (l[j] * slope(i) + l[i] * slope(j));
       }
     }

@@ -9,6 +9,7 @@
 #include "elements/solid/quadratic_tetrahedron_nodes.hpp"
 #include "elements/solid/solid_formulation.hpp"
 #include "elements/solid/tetrahedron_nodes.hpp"
+#include "model/solid_nodes.hpp"
 
 // As in chunk.hpp every template has the pack among its parameters.
 namespace crumple::elements {
@@ -53,16 +54,16 @@ CRUMPLE_INLINE void for_each_solid_pack(const SolidTask<RealOf<Pack>>& task, Ind
         [&](const SolidPlace<RealOf<Pack>>& place, Index /*lane*/) { visit(place); });
 }
 
-/// Row of the sides of a tetrahedron that is the corner of a cube, at rest.
+/// Value of a gathered row of a tetrahedron that is the corner of a cube and at rest: the sides from the
+/// first node to the others come first, then their rates.
+template <class Formulation>
 CRUMPLE_INLINE constexpr double at_rest(int row) {
-  // The first three vectors are the axes of the cube. Others are those to the middle between two nodes, of
-  // which the first is number 0.
-  constexpr int ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   const int side = row / 3;
-  const int axis = row % 3 + 1;
-  if (side < 3) return axis == side + 1 ? 1 : 0;
-  if (side >= quadratic_tetrahedron::sides) return 0;
-  return (ends[side - 3][0] == axis || ends[side - 3][1] == axis) ? 0.5 : 0;
+  const auto axis = static_cast<std::size_t>(row % 3 + 1);
+  if (side >= Formulation::corners - 1) return 0;
+  if (side < 3) return axis == static_cast<std::size_t>(side) + 1 ? 1 : 0;
+  const auto& ends = model::sides_of_tetrahedron[static_cast<std::size_t>(side - 3)];
+  return ends[0] == axis || ends[1] == axis ? 0.5 : 0;
 }
 
 /// Puts the corner of a cube at rest in the place of failed tetrahedra, as rest_failed() does for shells.
@@ -71,9 +72,10 @@ CRUMPLE_INLINE void rest_failed_tetrahedra(const SolidPlace<RealOf<Pack>>& place
   using Real = RealOf<Pack>;
   const MaskOf<Pack> gone = gone_for_ever<Pack>(place, Formulation::kept.count);
   if (!any<Pack>(gone)) return;
+  static_assert(at_rest<Formulation>(3 * (Formulation::corners - 1)) == 0, "rates follow the sides");
   for (int row = 0; row < node_rows<Formulation>; ++row) {
     Real* const at = place.nodes + row * width_of<Pack>;
-    store(at, select<Pack>(gone, Pack(Real(at_rest(row))), load<Pack>(at)));
+    store(at, select<Pack>(gone, Pack(Real(at_rest<Formulation>(row))), load<Pack>(at)));
   }
 }
 
