@@ -57,10 +57,10 @@ HourglassControl solid_hourglass_of(const Model& model, const Part& part) {
   HourglassControl control = hourglass_of(model, part);
   if (control.form != HourglassForm::Material) return control;
   const ConstitutiveLaw& law = model.materials[part.material].law;
+  // Without shear stiffness there is none to assume strains for: the viscous form with its usual coefficient.
+  if (std::holds_alternative<NullMaterial>(law)) return control;
   control.coefficient = is_elastic(law) ? 1 : 0.01;
-  control.solid_form = std::holds_alternative<NullMaterial>(law)
-                           ? SolidHourglassForm::FlanaganBelytschkoViscous
-                           : SolidHourglassForm::AssumedStrain;
+  control.solid_form = SolidHourglassForm::AssumedStrain;
   return control;
 }
 

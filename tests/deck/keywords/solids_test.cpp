@@ -272,6 +272,11 @@ TEST(SolidHourglass, DefaultIsTheStiffnessOfTheMaterial) {
   const std::string plastic = "*MAT_PLASTIC_KINEMATIC\n1,7.85e-6,210.0,0.3,0.3,1.0\n\n";
   EXPECT_EQ(control_of(plastic).solid_form, SolidHourglassForm::AssumedStrain);
   EXPECT_EQ(control_of(plastic).coefficient, 0.01);
+  deck.part = "*PART\nblock\n1,1,1,4\n";
+  const std::string fluid = "*MAT_NULL\n1,1.0e-6\n*EOS_LINEAR_POLYNOMIAL\n4,0,2.2,0,0,0,0,0\n0\n";
+  EXPECT_EQ(control_of(fluid).solid_form, SolidHourglassForm::FlanaganBelytschkoViscous);
+  EXPECT_EQ(control_of(fluid).coefficient, 0.1);
+  deck.part = SolidDeck().part;
   ReadOptions as_ls_dyna;
   as_ls_dyna.ls_dyna_defaults = true;
   EXPECT_EQ(control_of(elastic, as_ls_dyna).solid_form, SolidHourglassForm::FlanaganBelytschkoViscous);
