@@ -16,8 +16,14 @@ struct KineticRange {
 /// docs/theory/energy.md.
 KineticRange plausible_kinetic_energy(const domain::Domain& domain, double step_scale);
 
-/// Throws a NumericalError if the energy is no number, or the kinetic energy out of that range.
-void guard_kinetic_energy(const model::Model& model, const domain::Domain& domain);
+/// Upper bound of the strain energy that stresses at time zero have stored, which the energy ledger does not
+/// count: the largest density of any element over the volume of all mass at the lowest density [energy]. A
+/// body that springs back has nothing else. Zero without such stresses.
+double initial_stress_energy(const model::Model& model, const domain::Domain& domain);
+
+/// Throws a NumericalError if the energy is no number, or the kinetic energy out of that range; `stored` is
+/// what initial_stress_energy() gives [energy].
+void guard_kinetic_energy(const model::Model& model, const domain::Domain& domain, double stored);
 
 /// Throws a NumericalError that names the contact, a node and a segment, if a contact has given much more
 /// energy than it has taken.

@@ -8,6 +8,7 @@
 #include "domain/build.hpp"
 #include "elements/elements.hpp"
 #include "materials/common/shell_material.hpp"
+#include "timeloop/guards.hpp"
 
 namespace crumple::timeloop {
 namespace {
@@ -80,6 +81,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
   for (Index tie = 0; tie < static_cast<Index>(domain_.ties.size()); ++tie)
     if (domain_.ties[tie].method == model::TieMethod::Penalty) tie_springs_.emplace_back(model, domain_, tie);
   if (!model.output.history_nodes.empty()) keep_accelerations();
+  initial_stress_energy_ = initial_stress_energy(model, domain_);
 }
 
 bool Simulation::finished() const {

@@ -189,6 +189,7 @@ class Simulation {
   KickSums kick_sums_;                          ///< of the last kick, walls included
   bool keeps_accelerations_ = false;
   bool guards_contact_energy_ = true;
+  double initial_stress_energy_ = 0;  ///< see guards.hpp [energy]
   std::optional<elements::EnergyTrace> energy_trace_;
   double largest_step_ = 0;  ///< no step exceeds this [time]
   double next_step_ = 0;     ///< from n to n+1 [time]

@@ -187,7 +187,7 @@ void Simulation::kick(double interval) {
 void Simulation::impose_motions(double interval) {
   constraints::KineticChange change;
   if (!prescribed_motions_.empty()) change = prescribed_motions_.impose(domain_, interval, next_step_);
-  rigid_body_stoppers_.impose(domain_, next_step_);
+  if (!rigid_body_stoppers_.empty()) rigid_body_stoppers_.impose(domain_, next_step_);
   if (!local_constraints_.empty()) {
     const constraints::KineticChange local = local_constraints_.impose(domain_, interval, next_step_);
     change.translational += local.translational;
@@ -258,7 +258,7 @@ void Simulation::balance() {
     energy.friction += stiffness.friction_energy;
   }
   for (const domain::WallReport& wall : domain_.walls) energy.rigidwall += wall.energy;
-  guard_kinetic_energy(*model_, domain_);
+  guard_kinetic_energy(*model_, domain_, initial_stress_energy_);
   if (guards_contact_energy_) guard_contact_energy(domain_);
   if (domain_.clock.cycle > 0) terminations_.observe(domain_);
 }
