@@ -15,14 +15,19 @@ double squared(double value) {
 
 }  // namespace
 
+double CohesiveLaw::used(double across, double along, const CohesiveStiffness& stiffness) const {
+  double square = 0;
+  if (failure_.normal_strength > 0) square += across * squared(stiffness.normal / failure_.normal_strength);
+  if (failure_.shear_strength > 0) square += along * squared(stiffness.shear / failure_.shear_strength);
+  return square;
+}
+
 CohesiveLaw::Range CohesiveLaw::range(double opening, double sliding,
                                       const CohesiveStiffness& stiffness) const {
   const double length = std::hypot(std::max(opening, 0.0), sliding);
   const double across = squared(std::max(opening, 0.0) / length);
   const double along = squared(sliding / length);
-  double square = 0;
-  if (failure_.normal_strength > 0) square += across * squared(stiffness.normal / failure_.normal_strength);
-  if (failure_.shear_strength > 0) square += along * squared(stiffness.shear / failure_.shear_strength);
+  const double square = used(across, along, stiffness);
   constexpr double never = std::numeric_limits<double>::max();
   if (!(square > 0)) return {never, never};
   Range found;
@@ -53,7 +58,8 @@ CohesiveLaw::Range CohesiveLaw::range(double opening, double sliding,
 double CohesiveLaw::damage(double opening, double sliding, const CohesiveStiffness& stiffness,
                            double before) const {
   const double length = std::hypot(std::max(opening, 0.0), sliding);
-  if (!(length > 0)) return before;
+  // Most ties are below their strength, and where they fail takes powers to find.
+  if (used(squared(std::max(opening, 0.0)), squared(sliding), stiffness) <= 1) return before;
   const auto [onset, failure] = range(opening, sliding, stiffness);
   if (length <= onset) return before;
   if (length >= failure) return 1;

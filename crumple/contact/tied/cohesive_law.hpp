@@ -43,6 +43,9 @@ class CohesiveLaw {
   const char* brittle_mode(const CohesiveStiffness& stiffness) const;
 
  private:
+  /// (K_n d_n / S_n)^2 + (K_s d_s / S_s)^2 of the squares of the two distances; above 1 there is damage.
+  double used(double across, double along, const CohesiveStiffness& stiffness) const;
+
   model::TieFailure failure_;
   model::TieSoftening softening_;
 };

@@ -280,7 +280,9 @@ void TieSprings::add_forces(domain::Domain& domain) {
   eroded_ = eroded;
   const double step = std::max(domain.clock.step, step_scale_ * domain.clock.element_limit);
   const auto count = static_cast<Index>(springs_.size());
-  if (contact_.softening && step > 0 && count > 0 && bedding_.front() == 0) settle_stiffness(step);
+  // Springs without an area stay at zero.
+  if (contact_.softening && step > 0 && std::ranges::none_of(bedding_, [](double k) { return k > 0; }))
+    settle_stiffness(step);
   parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i)
       loads_[i] = active_[i] != 0 ? evaluate(domain, static_cast<std::size_t>(i), step) : Load{};
