@@ -196,7 +196,7 @@ std::array<Vector, 3> axes_along(const Vector& first);
 Vector origin_of(const Build& build, UserId id);
 // build_defaults.cpp
 /// Settles what the deck leaves open about shells and one-point hexahedra: with thickness change and the
-/// hourglass stiffness of their material, or as LS-DYNA does. Says so.
+/// hourglass stiffness of their material, or as LS-DYNA does. Adds a note of what it took.
 void settle_defaults(Build& build, bool as_ls_dyna);
 /// NFAIL1 and NFAIL4 where the model has shells that they are about.
 void settle_distorted_shells(Build& build);
@@ -284,7 +284,7 @@ std::optional<ForceAndMoment> find_force(Build& build, int direction, double sca
 // build_friction.cpp
 /// Enters the ids of *DEFINE_FRICTION.
 void enter_friction_tables(Build& build);
-/// Gives a contact the friction of its parts or of a table, where FS says so.
+/// Gives a contact the friction of its parts or of a table, where FS is -1 or -2.
 void take_part_friction(Build& build, const RawContact& raw, model::Contact& contact);
 // build_contacts.cpp
 void build_contacts(Build& build, bool automatic_contact);

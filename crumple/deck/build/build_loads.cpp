@@ -106,29 +106,35 @@ void find_loaded_shells(model::Model& model) {
   for (model::BlastSegment& load : model.blast_segments) load.shell = shell_of(load.node);
 }
 
-/// Says that pressure on the three corners of a face of a tetrahedron with ten nodes leaves its other nodes
-/// out.
-void warn_of_lone_corners(Build& build) {
+/// Warns of pressure on the three corners of a face of a tetrahedron with ten nodes, which leaves its
+/// mid-side nodes out. `first_load` has, of each card, the place of its first segment in
+/// Model::pressure_loads.
+void warn_of_lone_corners(const std::vector<std::size_t>& first_load, Build& build) {
+  const std::vector<model::PressureLoad>& loads = build.model.pressure_loads;
+  if (loads.empty()) return;
   std::set<std::array<Index, 4>> faces;
   for (const model::SolidElement& solid : build.model.solids) {
     if (!solid.node.has_middles()) continue;
-    constexpr std::size_t corners[4][3] = {{0, 1, 2}, {0, 1, 4}, {1, 2, 4}, {2, 0, 4}};
-    for (const auto& face : corners) {
-      const Index last = solid.node[face[2]];
-      faces.insert(model::key_of({solid.node[face[0]], solid.node[face[1]], last, last}));
+    const auto& at = model::corners_of_tetrahedron;
+    for (std::size_t left_out = 0; left_out < at.size(); ++left_out) {
+      std::array<Index, 4> face{};
+      for (std::size_t k = 0; k < 3; ++k) face[k] = solid.node[at[(left_out + 1 + k) % at.size()]];
+      face[3] = face[2];
+      faces.insert(model::key_of(face));
     }
   }
-  const auto count = std::count_if(
-      build.model.pressure_loads.begin(), build.model.pressure_loads.end(),
-      [&](const model::PressureLoad& load) { return faces.contains(model::key_of(load.node)); });
-  if (count == 0) return;
+  const auto lone = [&](const model::PressureLoad& load) { return faces.contains(model::key_of(load.node)); };
+  const auto found = std::find_if(loads.begin(), loads.end(), lone);
+  if (found == loads.end()) return;
+  const auto card =
+      std::upper_bound(first_load.begin(), first_load.end(), static_cast<std::size_t>(found - loads.begin()));
   build.report.warning(
-      build.deck.pressure_loads.front().where, "corners",
+      build.deck.pressure_loads[static_cast<std::size_t>(card - first_load.begin()) - 1].where, "corners",
       fmt::format(
           "{} segments with pressure are the three corners of a face of a tetrahedron with ten nodes; "
           "the pressure acts on these alone; give the face as four segments, with the nodes in the "
           "middle of its sides",
-          count));
+          std::count_if(loads.begin(), loads.end(), lone)));
 }
 
 }  // namespace
@@ -158,10 +164,14 @@ std::optional<ForceAndMoment> find_force(Build& build, int direction, double sca
 
 void build_loads(Build& build) {
   for (const RawNodalLoad& raw : build.deck.nodal_loads) build_nodal_load(raw, build);
-  for (const RawPressureLoad& raw : build.deck.pressure_loads) build_pressure_load(raw, build);
+  std::vector<std::size_t> first_load;
+  for (const RawPressureLoad& raw : build.deck.pressure_loads) {
+    first_load.push_back(build.model.pressure_loads.size());
+    build_pressure_load(raw, build);
+  }
   build_blasts(build);
   find_loaded_shells(build.model);
-  warn_of_lone_corners(build);
+  warn_of_lone_corners(first_load, build);
 }
 
 }  // namespace crumple::deck
