@@ -5,21 +5,10 @@
 #include <variant>
 
 #include "materials/common/checks.hpp"
+#include "materials/plasticity/hardening_table.hpp"
 
 namespace crumple::materials {
 namespace {
-
-/// Rows of a PointTable; beyond the last point the last slope goes on, or the curve is constant.
-void append_foam_curve(const model::PointCurve& curve, bool goes_on, std::vector<double>& numbers) {
-  double slope = 0;
-  for (std::size_t k = 0; k < curve.abscissa.size(); ++k) {
-    if (k + 1 < curve.abscissa.size())
-      slope = (curve.ordinate[k + 1] - curve.ordinate[k]) / (curve.abscissa[k + 1] - curve.abscissa[k]);
-    else if (!goes_on)
-      slope = 0;
-    numbers.insert(numbers.end(), {curve.abscissa[k], curve.ordinate[k], slope});
-  }
-}
 
 void require_foam_curve(const model::Material& material, const model::PointCurve& curve,
                         const std::string& which) {
@@ -66,9 +55,9 @@ std::vector<double> BilkhuDuboisFoamLaw::constants(const model::Material& materi
   numbers[PressurePoints] = static_cast<double>(law.pressure.abscissa.size());
   numbers[UniaxialPoints] = static_cast<double>(law.uniaxial.abscissa.size());
   numbers[RatePoints] = static_cast<double>(law.rate_factor.abscissa.size());
-  append_foam_curve(law.pressure, true, numbers);
-  append_foam_curve(law.uniaxial, true, numbers);
-  append_foam_curve(law.rate_factor, false, numbers);
+  append_table(law.pressure.abscissa, law.pressure.ordinate, true, numbers);
+  append_table(law.uniaxial.abscissa, law.uniaxial.ordinate, true, numbers);
+  append_table(law.rate_factor.abscissa, law.rate_factor.ordinate, false, numbers);
   return numbers;
 }
 

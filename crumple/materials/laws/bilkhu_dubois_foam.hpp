@@ -10,7 +10,7 @@
 
 namespace crumple::materials {
 
-/// Crushable foam whose yield surface is an ellipse in pressure and von Mises stress, after A.B. Bilkhu, M.
+/// Crushable foam whose yield surface is an ellipse in pressure and von Mises stress, after S.S. Bilkhu, M.
 /// Founas & G.S. Nusholtz, SAE 930433 (1993), and P. Du Bois (docs/theory/bilkhu_dubois_foam.md).
 struct BilkhuDuboisFoamLaw {
   using Model = model::BilkhuDuboisFoam;
@@ -101,6 +101,7 @@ struct BilkhuDuboisFoamLaw {
           c[HydrostaticShare] > 0 ? Pack(number(HydrostaticShare) * hydrostatic) : number(Hydrostatic);
       if (!by_stress) return pressure;
       const Pack wanted = c[UniaxialShare] > 0 ? Pack(number(UniaxialShare) * uniaxial) : number(Uniaxial);
+      // Above the strength in compression the ellipse has no point of uniaxial tension.
       const Pack stress = by_uniaxial_tension(smaller(wanted, uniaxial), hydrostatic, uniaxial);
       return by_pressure ? smaller(pressure, stress) : stress;
     }

@@ -5,25 +5,13 @@
 #include <variant>
 
 #include "materials/common/checks.hpp"
+#include "materials/plasticity/hardening_table.hpp"
 
 namespace crumple::materials {
 
 namespace {
 
 using math::Vec3;
-
-/// Rows of a PointTable whose last line goes on.
-void append_table(const std::vector<double>& abscissa, const std::vector<double>& value, bool goes_on,
-                  std::vector<double>& numbers) {
-  double slope = 0;
-  for (std::size_t k = 0; k < abscissa.size(); ++k) {
-    if (k + 1 < abscissa.size())
-      slope = (value[k + 1] - value[k]) / (abscissa[k + 1] - abscissa[k]);
-    else if (!goes_on)
-      slope = 0;
-    numbers.insert(numbers.end(), {abscissa[k], value[k], slope});
-  }
-}
 
 void check_crush(const model::Material& material, const model::Honeycomb::Crush& curve) {
   require(!curve.crush.empty() && curve.stress.size() == curve.crush.size(), material,

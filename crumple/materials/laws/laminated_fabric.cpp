@@ -22,7 +22,7 @@ std::array<double, LaminatedFabricLaw::per_mode> fabric_mode_of(const model::Mat
   const double ratio = modulus * strain / strength;
   require(ratio > 1 - 1e-6, material, "a strain at strength must not be below the strength over the modulus");
   const double m = std::min(steepest, 1 / std::log(std::max(ratio, 1 + 1e-9)));
-  return {strength, m, 1 / (m * std::numbers::e), bound, std::exp(1 / m)};
+  return {1 / strength, m, -std::numbers::log2e / (m * std::numbers::e), bound, std::exp(1 / m)};
 }
 
 }  // namespace
@@ -76,9 +76,12 @@ std::vector<double> LaminatedFabricLaw::constants(const model::Material& materia
   numbers[FirstShear] = law.first_shear_strain;
   numbers[FirstStress] = law.first_shear_stress;
   numbers[LastShear] = law.shear.strain;
-  numbers[Modes + per_mode * fabric_mode::shear + 1] = first[1];
-  numbers[Modes + per_mode * fabric_mode::shear + 2] = first[2];
-  numbers[Modes + per_mode * fabric_mode::shear + 4] = first[4];
+  numbers[LineBound] = law.shear.strength * law.shear.left;
+  numbers[LineSlope] =
+      (law.shear.strength - law.first_shear_stress) / (law.shear.strain - law.first_shear_strain);
+  numbers[Modes + per_mode * fabric_mode::shear + Exponent] = first[Exponent];
+  numbers[Modes + per_mode * fabric_mode::shear + Rate] = first[Rate];
+  numbers[Modes + per_mode * fabric_mode::shear + Peak] = first[Peak];
   return numbers;
 }
 

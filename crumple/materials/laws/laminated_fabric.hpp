@@ -26,10 +26,12 @@ struct LaminatedFabricLaw {
   using Model = model::LaminatedFabric;
   static constexpr const char* name = "laminated fabric";
   static constexpr bool updates_packs = true;
-  static constexpr int per_mode = 5;  ///< numbers of each mode among the constants
 
-  /// Those of the elastic law go before. Of each mode: strength, exponent m, 1 / (m e), share of the strength
-  /// that is left, drive at the strength.
+  /// Numbers of each mode among the constants: Bound is the share of the strength that is left, Peak the
+  /// drive at the strength.
+  enum OfMode { OverStrength, Exponent, Rate /* -log2(e) / (m e) */, Bound, Peak, per_mode };
+
+  /// Those of the elastic law go before.
   enum Place {
     YoungsA = OrthotropicElasticLaw::Count,
     YoungsB,
@@ -40,6 +42,8 @@ struct LaminatedFabricLaw {
     FirstShear,   ///< where the shear goes on in a straight line: strain; 0: it does not
     FirstStress,  ///< and stress
     LastShear,    ///< end of the line: strain at the strength
+    LineSlope,    ///< of the line [stress]
+    LineBound,    ///< stress behind it
     Modes,
     Count = Modes + per_mode * fabric_mode::count
   };
@@ -84,12 +88,13 @@ struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
   struct Mode {
     Pack over_strength, exponent, rate, bound, peak;
   };
-  CRUMPLE_INLINE Real strength(int mode) const { return real(Modes + per_mode * mode); }
+  CRUMPLE_INLINE Pack over_strength(int mode) const {
+    return Pack(real(Modes + per_mode * mode + OverStrength));
+  }
   CRUMPLE_INLINE Mode mode(int which) const {
     const int at = Modes + per_mode * which;
-    return {Pack(Real(1) / real(at)), Pack(real(at + 1)),
-            Pack(static_cast<Real>(-1.4426950408889634 * this->c[at + 2])), Pack(real(at + 3)),
-            Pack(real(at + 4))};
+    return {Pack(real(at + OverStrength)), Pack(real(at + Exponent)), Pack(real(at + Rate)),
+            Pack(real(at + Bound)), Pack(real(at + Peak))};
   }
   CRUMPLE_INLINE static Mode chosen(const Mask& mask, const Mode& a, const Mode& b) {
     return {select<Pack>(mask, a.over_strength, b.over_strength), select<Pack>(mask, a.exponent, b.exponent),
@@ -113,14 +118,11 @@ struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
     const Pack elastic = at * first;
     const Pack gamma = elastic * Pack(Real(1) / real(OrthotropicElasticLaw::Gab));
     const Real from = real(FirstShear);
-    const Real to = real(LastShear);
-    const Real top = strength(fabric_mode::shear);
-    const Pack line = first + Pack((top - real(FirstStress)) / (to - from)) * (gamma - Pack(from));
-    const Pack bound(top * static_cast<Real>(this->c[Modes + per_mode * fabric_mode::shear + 3]));
+    const Pack line = first + Pack(real(LineSlope)) * (gamma - Pack(from));
     const Pack safe = larger(elastic, first);
     const Mask in_line = gamma > Pack(from);
-    const Mask beyond = gamma > Pack(to);
-    const Pack by_line = select<Pack>(beyond, bound, line) / safe;
+    const Mask beyond = gamma > Pack(real(LastShear));
+    const Pack by_line = select<Pack>(beyond, Pack(real(LineBound)), line) / safe;
     return select<Pack>(in_line, by_line, left(at, mode(fabric_mode::shear)));
   }
 
@@ -268,7 +270,7 @@ struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
     const Pack one(Real(1));
     const double surface = this->c[Surface];
     const Pack shear = Pack(real(OrthotropicElasticLaw::Gab)) * e.ab;
-    const Pack ratio = shear * Pack(Real(1) / strength(fabric_mode::shear));
+    const Pack ratio = shear * over_strength(fabric_mode::shear);
     const Pack square = ratio * ratio;
     const Load given{e, surface > 0 ? square : zero, surface >= 0 ? square : zero};
     const Both at = settled(history, given);
@@ -287,7 +289,7 @@ struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
     Real* const place = drive(history, fabric_mode::shear);
     const bool has_line = real(FirstShear) > 0;
     Pack now =
-        absolute(shear) * Pack(Real(1) / (has_line ? real(FirstStress) : strength(fabric_mode::shear)));
+        absolute(shear) * (has_line ? Pack(Real(1) / real(FirstStress)) : over_strength(fabric_mode::shear));
     if (this->c[Surface] >= 0) now = larger(now, drive_b);
     if (this->c[Surface] > 0) now = larger(now, drive_a);
     const Pack most = larger(now, load<Pack>(place));

@@ -4,36 +4,11 @@
 #include <algorithm>
 
 #include "materials/common/checks.hpp"
+#include "materials/plasticity/hardening_table.hpp"
 #include "materials/plasticity/plastic_state.hpp"
 
 namespace crumple::materials {
 namespace {
-
-/// Rows of a table: abscissa, value, slope to the next.
-void append_rows(const std::vector<double>& x, const std::vector<double>& y, std::vector<double>& numbers) {
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double slope = k + 1 < x.size() ? (y[k + 1] - y[k]) / (x[k + 1] - x[k]) : 0.0;
-    numbers.insert(numbers.end(), {x[k], y[k], slope});
-  }
-}
-
-bool ascending(const std::vector<double>& x) {
-  return std::adjacent_find(x.begin(), x.end(), [](double a, double b) { return !(b > a); }) == x.end();
-}
-
-void check_curve(const model::Material& material, double youngs_modulus, const std::vector<double>& strain,
-                 const std::vector<double>& stress) {
-  require(!strain.empty() && strain.size() == stress.size(), material,
-          "the hardening table needs as many yield stresses as plastic strains, and at least one");
-  require(strain.front() == 0, material, "the hardening table must start at zero plastic strain");
-  require(*std::min_element(stress.begin(), stress.end()) > 0, material,
-          "every yield stress of the hardening table must be above zero");
-  require(ascending(strain), material, "the plastic strains of the hardening table must ascend");
-  // Softening as steep as the elastic unloading has no stable answer.
-  for (std::size_t k = 0; k + 1 < strain.size(); ++k)
-    require(stress[k + 1] - stress[k] > -0.25 * youngs_modulus * (strain[k + 1] - strain[k]), material,
-            "the hardening table falls more steeply than a quarter of Young's modulus");
-}
 
 void check_rates(const model::Material& material, const model::PiecewiseLinearPlasticity& law) {
   require_cowper_symonds(material, law.cowper_symonds_rate, law.cowper_symonds_exponent);
@@ -63,7 +38,7 @@ std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Materia
   const bool has_factors = law.by_rate.empty() && !law.factor_rate.empty();
   double least = 1e300;
   for (const model::HardeningAtRate& curve : curves) {
-    check_curve(material, law.youngs_modulus, curve.plastic_strain, curve.yield_stress);
+    require_hardening_table(material, law.youngs_modulus, curve.plastic_strain, curve.yield_stress);
     least = std::min(least, *std::min_element(curve.yield_stress.begin(), curve.yield_stress.end()));
   }
 
@@ -83,10 +58,10 @@ std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Materia
   numbers[Logarithmic] = law.logarithmic_rates ? 1 : 0;
   numbers[Factors] = has_factors ? static_cast<double>(law.factor_rate.size()) : 0;
   numbers[Curves] = static_cast<double>(curves.size());
-  if (has_factors) append_rows(law.factor_rate, law.rate_factor, numbers);
+  if (has_factors) append_table(law.factor_rate, law.rate_factor, false, numbers);
   for (const model::HardeningAtRate& curve : curves) {
     numbers.insert(numbers.end(), {curve.rate, static_cast<double>(curve.plastic_strain.size())});
-    append_rows(curve.plastic_strain, curve.yield_stress, numbers);
+    append_table(curve.plastic_strain, curve.yield_stress, false, numbers);
   }
   return numbers;
 }

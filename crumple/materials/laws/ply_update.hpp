@@ -2,52 +2,10 @@
 #pragma once
 
 #include "materials/common/history_view.hpp"
+#include "materials/common/ply_axes.hpp"
 #include "materials/laws/orthotropic_elastic.hpp"
 
 namespace crumple::materials {
-
-/// Stresses in the plane along fibres, across, and their shear; or strains with the engineering shear.
-template <class Pack>
-struct PlyPlane {
-  Pack a, b, ab;
-};
-
-/// Along the axes of the ply: cosine and sine are the first two components of the history.
-template <class Pack>
-struct PlyAxes {
-  Pack cosine, sine;
-
-  CRUMPLE_INLINE explicit PlyAxes(const HistoryView<RealOf<Pack>>& history)
-      : cosine(load<Pack>(history.at(0))), sine(load<Pack>(history.at(1))) {}
-  CRUMPLE_INLINE PlyPlane<Pack> stress(const PlaneStress<Pack>& s) const {
-    const Pack cc = cosine * cosine;
-    const Pack ss = sine * sine;
-    const Pack sc = sine * cosine;
-    const Pack twice = (sc + sc) * s.xy;
-    return {multiply_add(cc, s.xx, multiply_add(ss, s.yy, twice)),
-            multiply_add(ss, s.xx, multiply_add(cc, s.yy, Pack(-twice))),
-            multiply_add(sc, Pack(s.yy - s.xx), Pack((cc - ss) * s.xy))};
-  }
-  CRUMPLE_INLINE PlyPlane<Pack> strain(const PlaneStrain<Pack>& e) const {
-    const Pack cc = cosine * cosine;
-    const Pack ss = sine * sine;
-    const Pack sc = sine * cosine;
-    const Pack share = sc * e.xy;
-    return {multiply_add(cc, e.xx, multiply_add(ss, e.yy, share)),
-            multiply_add(ss, e.xx, multiply_add(cc, e.yy, Pack(-share))),
-            multiply_add(Pack(sc + sc), Pack(e.yy - e.xx), Pack((cc - ss) * e.xy))};
-  }
-  /// Adds a change of the stress in the axes of the ply.
-  CRUMPLE_INLINE void add(const PlyPlane<Pack>& change, PlaneStress<Pack>& s) const {
-    const Pack cc = cosine * cosine;
-    const Pack ss = sine * sine;
-    const Pack sc = sine * cosine;
-    const Pack twice = (sc + sc) * change.ab;
-    s.xx = s.xx + multiply_add(cc, change.a, multiply_add(ss, change.b, Pack(-twice)));
-    s.yy = s.yy + multiply_add(ss, change.a, multiply_add(cc, change.b, twice));
-    s.xy = s.xy + multiply_add(sc, Pack(change.a - change.b), Pack((cc - ss) * change.ab));
-  }
-};
 
 /// The update of one pack by a law of plies that fail, which is an OrthotropicElasticLaw::Update with
 ///   PlaneStress stress_of(TurnedStiffness, PlyAxes, history, old stress, strain increment)
@@ -63,7 +21,7 @@ CRUMPLE_INLINE void update_plies(const Law& law, const MaterialTask<RealOf<Pack>
     return History{state + task.history * lanes, task.all_points, task.first_point + p};
   };
   const auto stiffness = law.turned(history_of(0));
-  const PlyAxes<Pack> axes(history_of(0));
+  const PlyAxes<Pack> axes(history_of(0), 0);
   const Pack zero(Real(0));
   Pack energy = zero;
   Pack thickness = zero;

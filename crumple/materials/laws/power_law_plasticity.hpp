@@ -25,9 +25,7 @@ struct PowerHardening {
   }
   template <class Pack>
   CRUMPLE_INLINE YieldPoint<Pack> at(const Pack& strain, const Pack& /*aside*/) const {
-    const Pack total = strain + Pack(yield_strain);
-    const Pack stress = Pack(strength) * math::power(total, Pack(exponent));
-    return {stress, Pack(exponent) * stress / total};
+    return power_point(strength, exponent, yield_strain, strain);
   }
   CRUMPLE_INLINE bool viscoplastic() const { return false; }
   template <class Pack>

@@ -6,6 +6,7 @@
 
 #include "materials/common/checks.hpp"
 #include "materials/laws/orthotropic_elastic.hpp"
+#include "materials/plasticity/hardening_table.hpp"
 #include "materials/plasticity/plastic_state.hpp"
 
 namespace crumple::materials {
@@ -42,14 +43,7 @@ void check_sheet_hardening(const model::Material& material, const model::SheetPl
             "the exponent of hardening must be from 0 to 1");
     return;
   }
-  require(strain.front() == 0, material, "the hardening table must start at zero plastic strain");
-  for (std::size_t k = 0; k < strain.size(); ++k) {
-    require(stress[k] > 0, material, "every yield stress of the hardening table must be above zero");
-    if (k == 0) continue;
-    require(strain[k] > strain[k - 1], material, "the plastic strains of the hardening table must ascend");
-    require(stress[k] - stress[k - 1] > -0.25 * law.youngs_modulus * (strain[k] - strain[k - 1]), material,
-            "the hardening table falls more steeply than a quarter of Young's modulus");
-  }
+  require_hardening_table(material, law.youngs_modulus, strain, stress);
 }
 
 }  // namespace
@@ -69,13 +63,7 @@ std::vector<double> SheetLaw::constants_of(const model::Material& material) {
   numbers[Points] = static_cast<double>(points);
   numbers[Least] = points > 0 ? *std::min_element(law.yield_stress.begin(), law.yield_stress.end())
                               : law.strength * std::pow(law.yield_strain, law.hardening_exponent);
-  for (std::size_t k = 0; k < points; ++k) {
-    const bool is_last = k + 1 == points;
-    const double slope = is_last ? 0
-                                 : (law.yield_stress[k + 1] - law.yield_stress[k]) /
-                                       (law.plastic_strain[k + 1] - law.plastic_strain[k]);
-    numbers.insert(numbers.end(), {law.plastic_strain[k], law.yield_stress[k], slope});
-  }
+  append_table(law.plastic_strain, law.yield_stress, false, numbers);
   return numbers;
 }
 

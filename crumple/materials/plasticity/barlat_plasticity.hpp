@@ -2,6 +2,7 @@
 #pragma once
 
 #include "materials/common/plane_stress.hpp"
+#include "materials/common/ply_axes.hpp"
 #include "materials/common/tile_update.hpp"
 #include "materials/plasticity/barlat_yield.hpp"
 #include "materials/plasticity/cowper_symonds.hpp"
@@ -52,37 +53,16 @@ struct BarlatPlasticity : PlasticPoint<Pack> {
         youngs(static_cast<Real>(youngs_modulus)),
         poissons(static_cast<Real>(poissons_ratio)) {}
 
-  /// Cosine and sine of the angle from the lamina's first axis to the sheet's.
-  struct Axes {
-    Pack cosine, sine;
-
-    CRUMPLE_INLINE explicit Axes(const History& history)
-        : cosine(load<Pack>(history.at(2 * history.points))),
-          sine(load<Pack>(history.at(2 * history.points + 1))) {}
-    CRUMPLE_INLINE Plane into(const PlaneStress<Pack>& s) const {
-      const Pack cc = cosine * cosine;
-      const Pack ss = sine * sine;
-      const Pack sc = sine * cosine;
-      const Pack twice = (sc + sc) * s.xy;
-      return {multiply_add(cc, s.xx, multiply_add(ss, s.yy, twice)),
-              multiply_add(ss, s.xx, multiply_add(cc, s.yy, Pack(-twice))),
-              multiply_add(sc, Pack(s.yy - s.xx), Pack((cc - ss) * s.xy))};
-    }
-    CRUMPLE_INLINE Plane back(const Plane& s) const {
-      const Pack cc = cosine * cosine;
-      const Pack ss = sine * sine;
-      const Pack sc = sine * cosine;
-      const Pack twice = (sc + sc) * s.s;
-      return {multiply_add(cc, s.x, multiply_add(ss, s.y, Pack(-twice))),
-              multiply_add(ss, s.x, multiply_add(cc, s.y, twice)),
-              multiply_add(sc, Pack(s.x - s.y), Pack((cc - ss) * s.s))};
-    }
-  };
+  /// The angle of the sheet's axes stands behind what the law keeps of each point.
+  CRUMPLE_INLINE static PlyAxes<Pack> axes_of(const History& history) {
+    return {history, 2 * history.points};
+  }
 
   CRUMPLE_INLINE Trial trial(const PlaneStress<Pack>& stress, const PlaneStrain<Pack>& strain,
                              const History& history) const {
     Trial t;
-    t.stress = Axes(history).into(stress);
+    const PlyPlane<Pack> along = axes_of(history).stress(stress);
+    t.stress = {along.a, along.b, along.ab};
     t.size = yield.size(t.stress);
     t.rate_factor = rate.factor(strain);
     const YieldPoint<Pack> at = hardening.at(load<Pack>(this->plastic_strain(history)), t.rate_factor);
@@ -223,10 +203,11 @@ struct BarlatPlasticity : PlasticPoint<Pack> {
                               const History& history) const {
     const Pack zero(Real(0));
     const Pack factor = t.radius * (r.yield / r.size);
-    const Plane now = Axes(history).back({factor * r.base.x, factor * r.base.y, factor * r.base.s});
-    stress.xx = select<Pack>(mask, now.x, stress.xx);
-    stress.yy = select<Pack>(mask, now.y, stress.yy);
-    stress.xy = select<Pack>(mask, now.s, stress.xy);
+    const PlyPlane<Pack> now =
+        axes_of(history).lamina_stress({factor * r.base.x, factor * r.base.y, factor * r.base.s});
+    stress.xx = select<Pack>(mask, now.a, stress.xx);
+    stress.yy = select<Pack>(mask, now.b, stress.yy);
+    stress.xy = select<Pack>(mask, now.ab, stress.xy);
     const Pack flow = select<Pack>(mask, Pack(r.flow * r.strain_unit), zero);
     this->add_plastic_strain(history, flow);
     t.plastic_zz = -(flow * (r.normal.x + r.normal.y));

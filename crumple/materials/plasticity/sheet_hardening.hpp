@@ -2,7 +2,6 @@
 #pragma once
 
 #include "materials/plasticity/yield_point.hpp"
-#include "math/power.hpp"
 
 namespace crumple::materials {
 
@@ -24,9 +23,7 @@ struct SheetHardening {
   template <class Pack>
   CRUMPLE_INLINE YieldPoint<Pack> at(const Pack& strain, const Pack& /*aside*/) const {
     if (table.count > 0) return table.at(strain);
-    const Pack total = strain + Pack(yield_strain);
-    const Pack stress = Pack(strength) * math::power(total, Pack(exponent));
-    return {stress, Pack(exponent) * stress / total};
+    return power_point(strength, exponent, yield_strain, strain);
   }
   CRUMPLE_INLINE bool viscoplastic() const { return false; }
   template <class Pack>

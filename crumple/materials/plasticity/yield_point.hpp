@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/pack.hpp"
+#include "math/power.hpp"
 
 namespace crumple::materials {
 
@@ -14,6 +15,15 @@ struct YieldPoint {
 /// Keeps slopes of powers finite at zero strain; far below any strain that matters.
 template <class Real>
 inline constexpr Real tiny_strain = sizeof(Real) == sizeof(float) ? Real(1e-30) : Real(1e-200);
+
+/// Yield stress k (e_y + p)^n at the plastic strain p, and its slope.
+template <class Pack>
+CRUMPLE_INLINE YieldPoint<Pack> power_point(RealOf<Pack> strength, RealOf<Pack> exponent,
+                                            RealOf<Pack> yield_strain, const Pack& strain) {
+  const Pack total = strain + Pack(yield_strain);
+  const Pack stress = Pack(strength) * math::power(total, Pack(exponent));
+  return {stress, Pack(exponent) * stress / total};
+}
 
 /// A function straight between points and constant outside of them.
 template <class Real>
