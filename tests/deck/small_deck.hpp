@@ -83,24 +83,33 @@ inline model::Model read_with(const std::string& more) {
   return read_clean(deck.text());
 }
 
-/// The messages of the small deck with something added, errors and warnings.
+/// The messages of a deck, errors and warnings.
+inline std::vector<std::string> messages_in(const SmallDeck& deck, const ReadOptions& options = {}) {
+  std::vector<std::string> found;
+  for (const Diagnostic& diagnostic : read_deck_text(deck.text(), options).diagnostics)
+    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
+  return found;
+}
+
+/// A deck has one error or warning, with this text in it.
+inline void expect_one(const SmallDeck& deck, const std::string& text) {
+  const std::vector<std::string> found = messages_in(deck);
+  ASSERT_EQ(found.size(), 1U) << testing::PrintToString(found);
+  EXPECT_NE(found[0].find(text), std::string::npos) << found[0];
+}
+
+/// The messages of the small deck with something added.
 inline std::vector<std::string> messages_with(const std::string& more, const ReadOptions& options = {}) {
   SmallDeck deck;
   deck.more = more;
-  std::vector<std::string> messages;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text(), options).diagnostics)
-    if (diagnostic.severity != Severity::Note) messages.push_back(to_string(diagnostic));
-  return messages;
+  return messages_in(deck, options);
 }
 
-/// Warnings and errors of a deck with this material.
+/// The messages of the small deck with this material.
 inline std::vector<std::string> messages_of(const std::string& material) {
   SmallDeck deck;
   deck.material = material;
-  std::vector<std::string> messages;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) messages.push_back(to_string(diagnostic));
-  return messages;
+  return messages_in(deck);
 }
 
 }  // namespace crumple::deck::test

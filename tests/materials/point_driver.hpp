@@ -56,6 +56,25 @@ class PointDriver : public TileDriver<Real, domain::ShellBlock, components> {
     this->solve_lateral(-elastic_ratio * xx, -0.5 * xx, [&](double yy) { apply({xx, yy, 0, 0, 0}, step); });
   }
 
+  /// The work per volume of leading point 0 of element 0 from no strain along straight lines over `corners`
+  /// and back, each in so many steps.
+  double work_around(const std::vector<Five>& corners, int steps) {
+    double work = 0;
+    Five at{};
+    const auto go = [&](const Five& to) {
+      Five step;
+      for (std::size_t k = 0; k < at.size(); ++k) step[k] = (to[k] - at[k]) / steps;
+      for (int i = 0; i < steps; ++i) {
+        apply(step);
+        work += energy();
+      }
+      at = to;
+    };
+    for (const Five& corner : corners) go(corner);
+    go({});
+    return work;
+  }
+
   double energy(Index element = 0) const { return static_cast<double>(this->out_[element]); }
   double thickness_strain(Index element = 0) const {
     return static_cast<double>(this->out_[tile_lanes + element]);

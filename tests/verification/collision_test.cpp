@@ -49,6 +49,21 @@ Vec3 momentum_of(const domain::Domain& domain, Index first, Index last) {
   return sum;
 }
 
+/// What must be kept, followed through a run.
+struct Kept {
+  Vec3 before;           ///< momentum at the start
+  double drift = 0;      ///< largest change of the momentum over itself
+  double imbalance = 0;  ///< largest, over the initial energy
+
+  void follow(const domain::Domain& domain) {
+    const Vec3 now = test::momentum(domain);
+    if (domain.clock.cycle == 0) before = now;
+    drift = test::larger_of(drift, norm(now - before) / norm(before));
+    imbalance =
+        test::larger_of(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+  }
+};
+
 TEST(Collision, TwoPlatesExchangeMomentumAndKeepTheEnergy) {
   model::Model model = two_parts();
   add_plate(model, 0, 6, 0, 0);
@@ -57,26 +72,18 @@ TEST(Collision, TwoPlatesExchangeMomentumAndKeepTheEnergy) {
     model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -speed}, .angular_velocity = {}});
   model.control.end_time = 0.3;
   timeloop::Simulation simulation(model, test::execution());
-  Vec3 before;
-  double drift = 0;
-  double imbalance = 0;
-  test::run(simulation, [&](const domain::Domain& domain) {
-    const Vec3 now = test::momentum(domain);
-    if (domain.clock.cycle == 0) before = now;
-    drift = test::larger_of(drift, norm(now - before) / norm(before));
-    imbalance =
-        test::larger_of(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
-  });
+  Kept kept;
+  test::run(simulation, [&](const domain::Domain& domain) { kept.follow(domain); });
   const domain::Domain& domain = simulation.domain();
   test::verified("two plates collide: change of the momentum over itself", "conservation")
-      .below(drift, 1e-12);
+      .below(kept.drift, 1e-12);
   test::verified("two plates collide: imbalance over the initial energy", "conservation")
-      .below(imbalance, 1e-6);
+      .below(kept.imbalance, 1e-6);
   EXPECT_GT(domain.contacts[0].worst_penetration, 0.0) << "the plates must have touched";
   EXPECT_LT(domain.contacts[0].worst_penetration, 0.9 * thickness) << "no mid-surface is reached";
   EXPECT_EQ(domain.contacts[0].active_pairs, 0) << "the plates have parted";
   // Equal bodies: the momentum goes over, apart from what stays as vibration.
-  EXPECT_LT(std::fabs(momentum_of(domain, upper, model.nodes.count()).z), 0.35 * std::fabs(before.z));
+  EXPECT_LT(std::fabs(momentum_of(domain, upper, model.nodes.count()).z), 0.35 * std::fabs(kept.before.z));
 }
 
 /// The nodes in the middle of the sides are corners of segments, too: each face is four.
@@ -100,25 +107,19 @@ TEST(Collision, BlocksOfTetrahedraWithTenNodesExchangeMomentum) {
   model.contacts.push_back(model::self_contact(1, "all", {0, 1}));
   model.control.end_time = 0.02;
   timeloop::Simulation simulation(model, test::execution());
-  Vec3 before;
-  double drift = 0;
-  double imbalance = 0;
+  Kept kept;
   Index pairs = 0;
   test::run(simulation, [&](const domain::Domain& domain) {
-    const Vec3 now = test::momentum(domain);
-    if (domain.clock.cycle == 0) before = now;
-    drift = test::larger_of(drift, norm(now - before) / norm(before));
-    imbalance =
-        test::larger_of(imbalance, std::fabs(domain.energy.imbalance()) / domain.energy.initial_total);
+    kept.follow(domain);
     pairs = std::max(pairs, domain.contacts[0].active_pairs);
   });
   const domain::Domain& domain = simulation.domain();
   test::verified("two blocks of tetrahedra with ten nodes collide: change of the momentum over itself",
                  "conservation")
-      .below(drift, 1e-12);
+      .below(kept.drift, 1e-12);
   test::verified("two blocks of tetrahedra with ten nodes collide: imbalance over the initial energy",
                  "conservation")
-      .below(imbalance, 1e-4);
+      .below(kept.imbalance, 1e-4);
   // Nine corners on each side, and sixteen nodes between them.
   EXPECT_GT(pairs, 18);
   EXPECT_GT(domain.contacts[0].worst_penetration, 0.0);
@@ -127,10 +128,10 @@ TEST(Collision, BlocksOfTetrahedraWithTenNodesExchangeMomentum) {
   double lower = 0;
   for (Index i = 0; i < domain.nodes.count(); ++i)
     if (domain.nodes.reference[i].z < 10.005) lower += domain.nodes.mass[i] * domain.nodes.velocity[i].z;
-  std::printf("ten nodes: momentum of the lower block %.4f, pairs %d, imbalance %.2e\n", lower / before.z,
-              pairs, imbalance);
+  std::printf("ten nodes: momentum of the lower block %.4f, pairs %d, imbalance %.2e\n",
+              lower / kept.before.z, pairs, kept.imbalance);
   // Equal bodies: the momentum goes over, apart from what stays as vibration and turning.
-  EXPECT_GT(lower / before.z, 0.7);
+  EXPECT_GT(lower / kept.before.z, 0.7);
 }
 
 TEST(Collision, AngularMomentumIsKeptInAnOffCentreImpact) {

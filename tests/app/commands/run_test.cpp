@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
 #include <csignal>
 #include <sstream>
 #include <thread>
@@ -257,7 +259,7 @@ TEST_F(StopTest, WhatWasStoppedCanBeTakenUp) {
   const auto stopped = record("out");
   EXPECT_TRUE(exists("out/restart/latest.restart"));
   const double end = 1.1 * stopped["end_time"].get<double>();
-  const Result result = run({"run", "--restart", path("out"), "--end", std::to_string(end)});
+  const Result result = run({"run", "--restart", path("out"), "--end", fmt::format("{}", end)});
   EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
   EXPECT_GE(record("out")["end_time"], end * (1 - 1e-9));
   EXPECT_GT(record("out")["cycles"], stopped["cycles"]);

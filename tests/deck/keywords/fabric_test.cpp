@@ -16,13 +16,6 @@ SmallDeck membranes(const std::string& material) {
 model::Fabric law_of(const std::string& material) {
   return std::get<model::Fabric>(read_clean(membranes(material).text()).materials.at(0).law);
 }
-std::vector<std::string> messages(const SmallDeck& deck) {
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
-}
-
 TEST(Fabric, WithEveryValue) {
   const auto law = law_of(
       "*MAT_FABRIC_TITLE\nnylon\n"
@@ -64,7 +57,7 @@ TEST(Fabric, IsIsotropicWithoutTheOtherModuli) {
 TEST(Fabric, OfCurvesIsRefused) {
   SmallDeck deck = membranes(
       "*MAT_FABRIC\n1,9e-7,.5,.3,,.1\n.02\n0,,,,,-14\n\n\n11,12,13\n\n2,9e-7,.4,.3,,.1\n.02\n0\n\n\n");
-  const auto found = messages(deck);
+  const auto found = messages_in(deck);
   ASSERT_EQ(found.size(), 1U) << found[0];
   EXPECT_NE(found[0].find("card 3 field FORM: read \"-14\""), std::string::npos) << found[0];
   ReadOptions options;
@@ -77,14 +70,14 @@ TEST(Fabric, OfCurvesIsRefused) {
 TEST(Fabric, IsOfMembranesOnly) {
   SmallDeck deck = membranes("*MAT_FABRIC\n1,9e-7,.5,,,.3\n0\n0\n\n\n");
   deck.section = "*SECTION_SHELL\n         1         2\n       0.3\n";
-  const auto found = messages(deck);
+  const auto found = messages_in(deck);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].find("*MAT_FABRIC is there for membranes only, ELFORM 5 and 9"), std::string::npos)
       << found[0];
 }
 
 TEST(Fabric, WarnsOfAnotherPoissonsRatio) {
-  const auto found = messages(membranes("*MAT_FABRIC\n1,9e-7,.5,.3,,.1,.3\n.02\n0\n\n\n"));
+  const auto found = messages_in(membranes("*MAT_FABRIC\n1,9e-7,.5,.3,,.1,.3\n.02\n0\n\n\n"));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].find("PRAB"), std::string::npos);
 }

@@ -16,13 +16,6 @@ std::string line(const std::vector<std::string>& fields, std::size_t width) {
   return all + "\n";
 }
 
-std::vector<std::string> messages(const SmallDeck& deck) {
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
-}
-
 TEST(InitialStress, OfShellsInTheStandardFormat) {
   const model::Model model =
       read_with("*INITIAL_STRESS_SHELL\n" + line({"12", "1", "2"}, 10) +
@@ -90,7 +83,7 @@ TEST(InitialStress, OfSolidsInBothFormats) {
 
 /// The one message of a deck.
 std::string only_message(const SmallDeck& deck) {
-  const std::vector<std::string> found = messages(deck);
+  const std::vector<std::string> found = messages_in(deck);
   EXPECT_EQ(found.size(), 1U) << listed(read_deck_text(deck.text()).diagnostics);
   return found.empty() ? "" : found[0];
 }
@@ -144,7 +137,7 @@ TEST(InitialStress, RefusesHistoryVariablesThatAreNot) {
       << only_message(deck);
   deck.more = "*INITIAL_STRESS_SHELL\n" + line({"11", "1", "2", "3"}, 10) + line({"-1", "1.0"}, 10) +
               line({"0", "0", "0"}, 10) + line({"1", "1.0"}, 10) + line({"0", "0", "0"}, 10);
-  EXPECT_TRUE(messages(deck).empty());
+  EXPECT_TRUE(messages_in(deck).empty());
   CubeDeck cube;
   cube.more = "*INITIAL_STRESS_SOLID\n" + line({"21", "1", "2"}, 10) + line({"1.0"}, 10);
   EXPECT_NE(only_message(cube).find("field NHISV: read \"2\", expected 0 with LARGE = 0"), std::string::npos)
@@ -161,7 +154,7 @@ TEST(InitialStress, IsRefusedWhereTheLawDoesNotGoOnFromIt) {
   deck.material = "*MAT_PLASTIC_KINEMATIC\n1,7.83E-6,207,0.3,0.2,1.0,0\n\n";
   EXPECT_NE(only_message(deck).find("centre of the yield surface"), std::string::npos);
   deck.material = "*MAT_PLASTIC_KINEMATIC\n1,7.83E-6,207,0.3,0.2,1.0,1\n\n";
-  EXPECT_TRUE(messages(deck).empty());
+  EXPECT_TRUE(messages_in(deck).empty());
   deck.more = with_shell({"11", "1", "2"}, {"-1", "1.0", "0", "0", "0", "0", "0", "-0.1"});
   EXPECT_NE(only_message(deck).find("plastic strain EPS is below zero"), std::string::npos);
   deck.material = "*MAT_RIGID\n1,7.83E-6,207,0.3\n\n\n";
@@ -191,8 +184,8 @@ TEST(InitialStress, ChecksPointsAndPlaces) {
   EXPECT_NE(only_message(deck).find("field EID: read \"13\""), std::string::npos) << only_message(deck);
   deck.section = "*SECTION_SHELL\n1,16,,2\n0.1\n";
   deck.more = with_shell({"11", "2", "1"}, {"0", "1.0"}, {"0", "1.0"});
-  EXPECT_NE(messages(deck).at(0).find("field NPLANE: read \"2\", expected 1 or 4"), std::string::npos)
-      << messages(deck)[0];
+  EXPECT_NE(messages_in(deck).at(0).find("field NPLANE: read \"2\", expected 1 or 4"), std::string::npos)
+      << messages_in(deck)[0];
   CubeDeck cube;
   cube.section = "*SECTION_SOLID\n1,2\n";
   cube.more = "*INITIAL_STRESS_SOLID\n" + line({"21", "2"}, 10) + line({"1.0"}, 10) + line({"1.0"}, 10);

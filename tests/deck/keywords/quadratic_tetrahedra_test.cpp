@@ -84,6 +84,8 @@ TEST(QuadraticTetrahedron, NodesInTheMiddleBelongToItsPart) {
   deck.more = "*SET_NODE_GENERAL\n7\nPART,1\n*BOUNDARY_SPC_SET\n7,0,1,1,1\n*SET_SEGMENT_GENERAL\n8\nPART,1\n";
   const model::Model model = read_clean(deck.text());
   EXPECT_EQ(model.fixed_nodes.size(), 10U);
+  ASSERT_EQ(model.segment_sets.size(), 1U);
+  EXPECT_EQ(model.segment_sets[0].segments.size(), 16U);  // four of each side
 }
 
 TEST(QuadraticTetrahedron, PressureOnThreeCornersIsWarnedOf) {

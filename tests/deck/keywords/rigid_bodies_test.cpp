@@ -30,18 +30,11 @@ SmallDeck rigid_deck() {
   return deck;
 }
 
-std::vector<std::string> messages(const SmallDeck& deck) {
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
-}
-
 /// The one message that the rigid deck has with something added.
 std::string message_with(const std::string& more) {
   SmallDeck deck = rigid_deck();
   deck.more = more;
-  const std::vector<std::string> found = messages(deck);
+  const std::vector<std::string> found = messages_in(deck);
   EXPECT_EQ(found.size(), 1U) << more;
   return found.empty() ? "" : found.front();
 }
@@ -135,20 +128,21 @@ TEST(RigidBodies, FaultsOfLocalConstraintsAreTold) {
       "*DEFINE_COORDINATE_VECTOR\n         9       0.0       2.0       0.0       0.0       1.0\n";
   const std::string plane =
       "*DEFINE_COORDINATE_VECTOR\n         9       0.0       2.0       0.0       1.0       1.0\n";
-  EXPECT_TRUE(has(messages(locally_held("    100000", "")).at(0), "coordinate system 9"));
-  EXPECT_TRUE(has(messages(locally_held("    100000", line)).at(0), "on one line"));
-  EXPECT_TRUE(has(messages(locally_held("    100200", plane)).at(0), "six digits"));
-  EXPECT_TRUE(has(messages(locally_held("   1000000", plane)).at(0), "six digits"));
+  EXPECT_TRUE(has(messages_in(locally_held("    100000", "")).at(0), "coordinate system 9"));
+  EXPECT_TRUE(has(messages_in(locally_held("    100000", line)).at(0), "on one line"));
+  EXPECT_TRUE(has(messages_in(locally_held("    100200", plane)).at(0), "six digits"));
+  EXPECT_TRUE(has(messages_in(locally_held("   1000000", plane)).at(0), "six digits"));
   SmallDeck deck = rigid_deck();
   deck.material.replace(deck.material.find("       1.0         4"), 20, "       1.0         8");
-  EXPECT_TRUE(has(messages(deck).at(0), "0 to 7"));
+  EXPECT_TRUE(has(messages_in(deck).at(0), "0 to 7"));
 }
 
 TEST(RigidBodies, MotionOfALocallyHeldBodyIsRefused) {
   const std::string plane =
       "*DEFINE_COORDINATE_VECTOR\n         9       0.0       2.0       0.0       1.0       1.0\n";
   const std::string motion = "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n         2         1         0         1\n";
-  EXPECT_TRUE(has(messages(locally_held("    100000", plane + motion)).at(0), "CMO of rigid body 2 is -1"));
+  EXPECT_TRUE(
+      has(messages_in(locally_held("    100000", plane + motion)).at(0), "CMO of rigid body 2 is -1"));
 }
 
 TEST(RigidBodies, ExtraNodesAndSetsJoinTheBody) {
@@ -191,7 +185,8 @@ TEST(RigidBodies, MergedPartsAreOne) {
   deck.part =
       "*PART\nplate\n         1         1         2\n"
       "*PART\nstiff\n         2         1         2\n";
-  EXPECT_TRUE(has(messages(deck).at(0), "node 2 belongs to the rigid bodies 1 and 2")) << messages(deck)[0];
+  EXPECT_TRUE(has(messages_in(deck).at(0), "node 2 belongs to the rigid bodies 1 and 2"))
+      << messages_in(deck)[0];
   deck.more = "*CONSTRAINED_RIGID_BODIES\n         2         1\n";
   const model::Model model = read_clean(deck.text());
   ASSERT_EQ(model.rigid_bodies.size(), 1U);
@@ -280,7 +275,7 @@ TEST(RigidBodies, EachBodyThatIsHeldIsNamedOnce) {
       "*SET_NODE_LIST\n         1\n         1         2         5         6\n"
       "*BOUNDARY_SPC_SET\n         1         0         1\n";
   std::vector<std::string> held;
-  for (const std::string& message : messages(deck))
+  for (const std::string& message : messages_in(deck))
     if (has(message, "degrees of freedom are held at")) held.push_back(message);
   ASSERT_EQ(held.size(), 2U);
   EXPECT_TRUE(has(held[0], "node 1 belongs to the rigid body 1")) << held[0];
@@ -294,7 +289,7 @@ TEST(RigidBodies, NodesOfBodiesInLocalAxesAreNotHeldInGlobalOnes) {
   deck.more =
       "*DEFINE_COORDINATE_SYSTEM\n9,0,0,0,1,1,0\n-1,1,0\n*BOUNDARY_SPC_NODE\n         5         0         "
       "1\n";
-  const std::vector<std::string> found = messages(deck);
+  const std::vector<std::string> found = messages_in(deck);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(has(found[0], "error: *BOUNDARY_SPC_NODE") && has(found[0], "local axes")) << found[0];
 }
@@ -372,7 +367,7 @@ TEST(DeformableToRigid, PartsAreBodiesForTheWholeRun) {
   SmallDeck deck = rigid_deck();
   deck.more = "*DEFORMABLE_TO_RIGID\n1\n";
   // Both parts have nodes 2 and 3.
-  const std::vector<std::string> shared = messages(deck);
+  const std::vector<std::string> shared = messages_in(deck);
   ASSERT_EQ(shared.size(), 2U);
   EXPECT_TRUE(has(shared[0], "belongs to the rigid bodies")) << shared[0];
   deck.more = "*DEFORMABLE_TO_RIGID\n1,2,PART\n";

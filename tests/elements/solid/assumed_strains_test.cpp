@@ -90,6 +90,11 @@ TEST(AssumedStrains, NeverStoreLessThanNothing) {
   EXPECT_GT(found.bent, 0);
   EXPECT_GE(found.least, -1e-9 * found.bent);
   EXPECT_GE(found.straightened, -1e-9 * found.bent);
+  test::verified(
+      "IHQ 6, cube twisted, stretched and straightened: internal and hourglass energy over the work of the "
+      "nodal forces",
+      "conservation")
+      .near(found.booked / found.work, 1, 1e-3);
 }
 
 }  // namespace
