@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/edge_edge/lost_edges.hpp"
 
+#include <array>
 #include <cstddef>
 
 namespace crumple::contact {

@@ -132,7 +132,6 @@ struct RawStopper {
   double birth = 0;
   double death = 1e21;
   Where where;
-  Where times_where;
 };
 
 /// *CONSTRAINED_INTERPOLATION.

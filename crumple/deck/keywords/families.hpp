@@ -109,12 +109,14 @@ void read_mat_general_viscoelastic(Cards& cards, RawDeck& deck);
 void read_mat_honeycomb(Cards& cards, RawDeck& deck);
 // read_more_foams.cpp
 void read_mat_soil_and_foam(Cards& cards, RawDeck& deck);
-void read_mat_transversely_anisotropic(Cards& cards, RawDeck& deck);
-void read_mat_barlat(Cards& cards, RawDeck& deck);
-void read_mat_laminated_composite_fabric(Cards& cards, RawDeck& deck);
 void read_mat_bilkhu_dubois_foam(Cards& cards, RawDeck& deck);
 void read_mat_viscous_foam(Cards& cards, RawDeck& deck);
 void read_mat_simplified_rubber(Cards& cards, RawDeck& deck);
+// read_sheet_materials.cpp
+void read_mat_transversely_anisotropic(Cards& cards, RawDeck& deck);
+void read_mat_barlat(Cards& cards, RawDeck& deck);
+// read_laminated_fabric.cpp
+void read_mat_laminated_composite_fabric(Cards& cards, RawDeck& deck);
 // read_equations_of_state.cpp
 void read_eos_linear_polynomial(Cards& cards, RawDeck& deck);
 void read_eos_gruneisen(Cards& cards, RawDeck& deck);

@@ -40,7 +40,6 @@ void read_constrained_rigid_body_stoppers(Cards& cards, RawDeck& deck) {
     raw.birth = times.real("TB");
     raw.death = times.real("TD");
     raw.where = card.where();
-    raw.times_where = times.where();
     bool good = card.good("DIR");
     for (const std::string_view field : {"PID", "LCMAX", "LCMIN", "LCVMNX", "VID"})
       good = good && card.good(field);

@@ -39,12 +39,12 @@ CRUMPLE_INLINE math::PackVec3<Pack> in_global_axes(const PackMatrix<Pack>& axes,
 // Assumed strains (Belytschko & Bindeman, CMAME 105 (1993) 225-260): the energy of the elastic law in the
 // strains of the modes, without the shear of those that bend, and with the lateral strains of plane stress.
 // That energy is a sum of twelve squares, s^2 / 2, with ds = L dq and the forces Q = L' s; L goes with the
-// shape of the element. Kept are the s: whatever becomes of the shape, what is stored is never negative, only
-// work changes it, and a way back to the shape of the start gives it back. Forces that were kept and
-// increased by L'L dq would give back more or less than they took.
+// shape of the element. Kept are the s [energy^1/2]: whatever becomes of the shape, what is stored is never
+// negative, only work changes it, and a way back to the shape of the start gives it back. Forces that were
+// kept and increased by L'L dq would give back more or less than they took.
 
 /// What L is made of: sqrt(QM mu V0 / 192) over the half sides of the element, as a box, V0 its volume at the
-/// start, for modes that are sums over the nodes.
+/// start, for modes that are sums over the nodes [energy^1/2 / length].
 template <class Pack>
 struct AssumedStrainModuli {
   Pack xx, yy, zz;
@@ -56,7 +56,8 @@ struct AssumedStrainModuli {
     const SolidConstants<Real>& constants = place.task.constants;
     Pack root = square_root(Pack(constants.hourglass * Real(1.0 / 192)) *
                             own_item<Pack>(place, solid_state::reference_volume));
-    // The step follows the wave speed where that varies, and so must what limits it.
+    // The step follows the wave speed where that varies, and so must what limits it. hourglass_share() serves
+    // forces() alone, and may exceed 1; here strains() needs the speed of the last step.
     if (constants.present_wave_speed > 0) {
       const Pack speed = load<Pack>(place.state + constants.present_wave_speed * lanes);
       root = smaller(Pack(Real(1)), Pack(speed * Pack(Real(1) / constants.wave_speed))) * root;
@@ -67,7 +68,7 @@ struct AssumedStrainModuli {
     const Pack a = side(axes.x, pattern::xi);
     const Pack b = side(axes.y, pattern::eta);
     const Pack c = side(axes.z, pattern::zeta);
-    // Of what is crushed flat no modulus is endless.
+    // Bounds the modulus of an element that is crushed flat.
     const Pack least =
         multiply_add(Pack(Real(1e-3)), Pack(a + b + c), Pack(std::numeric_limits<Real>::min()));
     xx = root / larger(a, least);

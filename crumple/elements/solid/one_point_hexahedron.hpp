@@ -14,7 +14,7 @@ struct OnePointHexahedron {
   static constexpr const char* name = "one-point hexahedron";
   static constexpr int points = 1;
   static constexpr int corners = 8;
-  static constexpr KeptItem kept{"hourglass", "by form", 12};  ///< forces, or roots of energies
+  static constexpr KeptItem kept{"hourglass", "force or energy^1/2", 12};  ///< energy^1/2: IHQ 6
   static constexpr bool averages = false;
 
   static constexpr int row_volume = solid_scratch::own;

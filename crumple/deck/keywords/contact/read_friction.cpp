@@ -34,7 +34,7 @@ constexpr Field pair_card[] = {
     text("PTYPEJ", 10),
 };
 
-/// Whether an id is that of a part set; says so if it is neither.
+/// Whether an id is that of a part set; reports an error if the type is neither.
 bool is_set(const Card& card, std::string_view field, Report& report) {
   const std::string_view type = card.text(field);
   if (!type.empty() && type != of_sets)
