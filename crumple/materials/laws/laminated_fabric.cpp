@@ -13,9 +13,9 @@ namespace {
 
 /// Strength, m, 1 / (m e), the bound and the drive at the strength. m makes the strength the largest stress,
 /// at the strain that goes with it; where that is the elastic one, the fall is as steep as it gets.
-std::array<double, LaminatedFabricLaw::per_mode> fabric_mode_of(const model::Material& material,
-                                                                double modulus, double strength,
-                                                                double strain, double bound) {
+std::array<double, LaminatedFabricLaw::PerMode> fabric_mode_of(const model::Material& material,
+                                                               double modulus, double strength, double strain,
+                                                               double bound) {
   constexpr double steepest = 1000;
   require(strength > 0, material, "the strengths XT, XC, YT, YC and SC must be above zero");
   require(bound >= 0 && bound <= 1, material, "the limits SLIMT1 to SLIMS must be from 0 to 1");
@@ -54,7 +54,7 @@ std::vector<double> LaminatedFabricLaw::constants(const model::Material& materia
   numbers[Surface] = law.surface == Model::Surface::Facets   ? -1
                      : law.surface == Model::Surface::Across ? 0
                                                              : 1;
-  const std::array<double, LaminatedFabricLaw::per_mode> modes[] = {
+  const std::array<double, LaminatedFabricLaw::PerMode> modes[] = {
       fabric_mode_of(material, law.modulus_a, law.tension_a.strength, law.tension_a.strain,
                      law.tension_a.left),
       fabric_mode_of(material, law.modulus_a, law.compression_a.strength, law.compression_a.strain,
@@ -66,7 +66,7 @@ std::vector<double> LaminatedFabricLaw::constants(const model::Material& materia
       fabric_mode_of(material, law.shear_ab, law.shear.strength, law.shear.strain, law.shear.left)};
   for (std::size_t k = 0; k < std::size(modes); ++k)
     std::copy(modes[k].begin(), modes[k].end(),
-              numbers.begin() + Modes + per_mode * static_cast<std::ptrdiff_t>(k));
+              numbers.begin() + Modes + PerMode * static_cast<std::ptrdiff_t>(k));
   if (law.surface != Model::Surface::Facets || law.first_shear_strain == 0) return numbers;
   require(law.first_shear_strain < law.shear.strain && law.first_shear_stress <= law.shear.strength &&
               law.first_shear_stress > 0,
@@ -79,9 +79,9 @@ std::vector<double> LaminatedFabricLaw::constants(const model::Material& materia
   numbers[LineBound] = law.shear.strength * law.shear.left;
   numbers[LineSlope] =
       (law.shear.strength - law.first_shear_stress) / (law.shear.strain - law.first_shear_strain);
-  numbers[Modes + per_mode * fabric_mode::shear + Exponent] = first[Exponent];
-  numbers[Modes + per_mode * fabric_mode::shear + Rate] = first[Rate];
-  numbers[Modes + per_mode * fabric_mode::shear + Peak] = first[Peak];
+  numbers[Modes + PerMode * fabric_mode::shear + Exponent] = first[Exponent];
+  numbers[Modes + PerMode * fabric_mode::shear + Rate] = first[Rate];
+  numbers[Modes + PerMode * fabric_mode::shear + Peak] = first[Peak];
   return numbers;
 }
 

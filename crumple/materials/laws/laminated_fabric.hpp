@@ -29,7 +29,7 @@ struct LaminatedFabricLaw {
 
   /// Numbers of each mode among the constants: Bound is the share of the strength that is left, Peak the
   /// drive at the strength.
-  enum OfMode { OverStrength, Exponent, Rate /* -log2(e) / (m e) */, Bound, Peak, per_mode };
+  enum OfMode { OverStrength, Exponent, Rate /* -log2(e) / (m e) */, Bound, Peak, PerMode };
 
   /// Those of the elastic law go before.
   enum Place {
@@ -45,7 +45,7 @@ struct LaminatedFabricLaw {
     LineSlope,    ///< of the line [stress]
     LineBound,    ///< stress behind it
     Modes,
-    Count = Modes + per_mode * fabric_mode::count
+    Count = Modes + PerMode * fabric_mode::count
   };
 
   static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block, Index tensor);
@@ -89,10 +89,10 @@ struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
     Pack over_strength, exponent, rate, bound, peak;
   };
   CRUMPLE_INLINE Pack over_strength(int mode) const {
-    return Pack(real(Modes + per_mode * mode + OverStrength));
+    return Pack(real(Modes + PerMode * mode + OverStrength));
   }
   CRUMPLE_INLINE Mode mode(int which) const {
-    const int at = Modes + per_mode * which;
+    const int at = Modes + PerMode * which;
     return {Pack(real(at + OverStrength)), Pack(real(at + Exponent)), Pack(real(at + Rate)),
             Pack(real(at + Bound)), Pack(real(at + Peak))};
   }
@@ -210,7 +210,7 @@ struct LaminatedFabricLaw::Update : OrthotropicElasticLaw::Update<Pack> {
 
   /// By bisection of what is left along b, and for each of that along a: the more is left, the larger is the
   /// drive and the less leaves it, and all is continuous. For curves so steep that passes do not converge.
-  CRUMPLE_INLINE Both bisected(const History& history, const Load& given) const {
+  [[gnu::noinline, gnu::cold]] Both bisected(const History& history, const Load& given) const {
     constexpr int halvings = 30;
     const Pack half(Real(0.5));
     Pack low_b(Real(0));

@@ -20,8 +20,9 @@ void append_table(const std::vector<double>& abscissa, const std::vector<double>
   }
 }
 
-bool ascending(const std::vector<double>& x) {
-  return std::adjacent_find(x.begin(), x.end(), [](double a, double b) { return !(b > a); }) == x.end();
+bool ascending(const std::vector<double>& values) {
+  return std::adjacent_find(values.begin(), values.end(), [](double a, double b) { return !(b > a); }) ==
+         values.end();
 }
 
 void require_hardening_table(const model::Material& material, double youngs_modulus,
