@@ -64,6 +64,16 @@ CRUMPLE_INLINE auto total_stress(const Law& law, const SolidStrain<Pack>& strain
     return law.total(deformation);
 }
 
+/// What a law is given: the strain increment of the middle of the step where it follows the deformation
+/// itself, else the one that goes with stresses which have been turned to the end of the step.
+template <class Law, class Pack>
+CRUMPLE_INLINE SolidStrain<Pack> strain_for(const SolidStrain<Pack>& middle, const Turn<Pack>& turn) {
+  if constexpr (requires { Law::is_total; })
+    return middle;
+  else
+    return turned_on(middle, turn);
+}
+
 /// Brings one point of one pack of solids up to date; returns where it is intact.
 template <class Law, class Pack>
 CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<RealOf<Pack>>& task,
@@ -72,9 +82,10 @@ CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<R
   const Index place = group * lanes + lane;
   Real* const state = task.state + group * task.group_stride + lane;
   Real* const stress_state = state + (task.stress + solid_components * p) * lanes;
-  const auto strain =
+  const auto middle =
       load_six<SolidStrain<Pack>>(task.strain + p * solid_components * tile_lanes + place, tile_lanes);
   const auto turn = load_turn<Pack>(task.turn + p * 9 * tile_lanes + place, tile_lanes);
+  const auto strain = strain_for<Law>(middle, turn);
   const auto before = load_six<SolidStress<Pack>>(stress_state, lanes);
   const auto old = turned(before, turn);
   [[maybe_unused]] const HistoryView<Real> history{state + task.history * lanes, task.points, p};

@@ -246,13 +246,15 @@ TEST(SolidPlasticity, EnergyIsTheTrapezoidOfStressOverStrain) {
   double work = 0;
   for (int i = 0; i < 50; ++i) {
     const Six strain{0.0004, 0.0001, -0.0003, 0.0002 * std::sin(i), 0.0001, -0.0002};
-    const Matrix turn = turn_about({0.6, 0, 0.8}, 0.1 * std::cos(i));
+    const double angle = 0.1 * std::cos(i);
+    const Matrix turn = turn_about({0.6, 0, 0.8}, angle);
+    const Six on = rotated(strain, turn_about({0.6, 0, 0.8}, 0.5 * angle), 0.5);
     const Six before = rotated(point.stress(3, 1), turn);
     point.set_strain(3, 1, strain);
     point.set_turn(3, 1, turn);
     point.apply();
     const Six after = point.stress(3, 1);
-    for (int c = 0; c < solid_components; ++c) work += 0.5 * (before[c] + after[c]) * strain[c];
+    for (int c = 0; c < solid_components; ++c) work += 0.5 * (before[c] + after[c]) * on[c];
     energy += point.energy(3, 1);
     EXPECT_EQ(point.energy(3, 0), 0);
   }
