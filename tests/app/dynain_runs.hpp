@@ -37,9 +37,11 @@ inline constexpr const char* plastic_mat_24 =
 inline constexpr const char* kinematic_mat_3 = "*MAT_PLASTIC_KINEMATIC\n1,7.85E-6,210,0.3,0.25,5.0,0.3\n\n";
 
 /// Without what acts on hourglass modes alone and on the rate of the volume: hourglass stresses are not
-/// written, and viscosities at the first moment have the velocity of another half step.
+/// written, and viscosities at the first moment have the velocity of another half step. The step is a given
+/// one: its own goes by what it was before.
 inline constexpr const char* no_viscosity =
-    "*CONTROL_BULK_VISCOSITY\n1E-20,1E-20\n*CONTROL_HOURGLASS\n1,1E-20\n";
+    "*CONTROL_BULK_VISCOSITY\n1E-20,1E-20\n*CONTROL_HOURGLASS\n1,1E-20\n"
+    "*CONTROL_TIMESTEP\n0,0.9,0,0,0,99\n*DEFINE_CURVE\n99\n0,5E-4\n1000,5E-4\n";
 
 /// A block that is squeezed, sheared and yields.
 inline Pieces squeezed_block(int elform, const std::string& material, bool tetrahedra) {
