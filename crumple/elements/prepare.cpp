@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "elements/elements.hpp"
 #include "elements/initial_stress.hpp"
+#include "elements/lone_elements.hpp"
 #include "materials/common/shell_material.hpp"
 
 namespace crumple::elements {
@@ -111,8 +112,9 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   if (model.control.mass_scaling_step < 0 && !model.control.scales_mass_once)
     domain.clock.kept_step = -model.control.mass_scaling_step;
   if (domain.clock.kept_step > 0) domain.chunk_steps.assign(domain.assembly.chunks().size(), 0.0);
-  prepare_shells(model, domain);
-  prepare_solids(model, domain);
+  const LoneElements lone(domain);
+  prepare_shells(model, lone, domain);
+  prepare_solids(model, lone, domain);
   prepare_beams(model, domain);
   finish_part_masses(model, domain);
   set_discrete_beam_steps(model, domain);

@@ -6,9 +6,11 @@
 
 namespace crumple::elements {
 
+class LoneElements;
+
 /// prepare_elements() for the blocks of one kind.
-void prepare_shells(const model::Model& model, domain::Domain& domain);
-void prepare_solids(const model::Model& model, domain::Domain& domain);
+void prepare_shells(const model::Model& model, const LoneElements& lone, domain::Domain& domain);
+void prepare_solids(const model::Model& model, const LoneElements& lone, domain::Domain& domain);
 void prepare_beams(const model::Model& model, domain::Domain& domain);
 /// One block of discrete beams: state, masses. Called by prepare_beams().
 void prepare_discrete_beams(const model::Model& model, domain::Domain& domain, domain::BeamBlock& block);

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/stiffness_damping.hpp"
+#include "elements/lone_elements.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
 #include "elements/shell/shell_geometry.hpp"
@@ -251,14 +252,27 @@ struct ShellMass {
   double added = 0;    ///< by mass scaling [mass]
 };
 
-/// Rotary inertia per mass and per area that keeps the transverse shear from governing the step [-]. One free
-/// element of side L has the shear frequency kappa G / rho (4 / L^2 + 1 / inertia), to stay below 4 c^2 / L^2
-/// with the plate wave speed c. The theory manual's A/8 is that for a metal; it is too little for nu = 0.
-double shear_inertia(const model::Model& model, const ShellBlock& block, double shear_root) {
+/// Rotary inertia per mass [length^2] that keeps bending and transverse shear from governing the step. One
+/// free element of side L has the shear frequency kappa G / rho (4 / L^2 + 1 / inertia), to stay below
+/// 4 c^2 / L^2 with the plate wave speed c. The theory manual's A/8 is that for a metal; it is too little for
+/// nu = 0, and for triangles, whose L^2 is more than their area. `own` is that of the fibres, t^2 / 12 in a
+/// plate: with that alone bending is as fast as stretching. In rectangles the shortest bending has no shear;
+/// where an element is skewed, and in triangles, shear comes to it and needs its own part.
+double rotary_inertia(const model::Model& model, const ShellBlock& block, double shear_root, double own,
+                      const ShellCorners& corner, bool triangle) {
   const ElasticConstants elastic = materials::elastic_constants(material_of_block(model, block));
   const double speed = elastic.plate_wave_speed();
   const double ratio = shear_root * shear_root * elastic.shear_modulus() / (elastic.density * speed * speed);
-  return std::max(0.125, 0.25 * ratio / std::max(1 - ratio, 0.1));
+  const double area = shell_area(corner);
+  const double length = characteristic_length(corner, triangle);
+  const double square = std::max(area, length * length);
+  const double shear = 0.25 * square * ratio / std::max(1 - ratio, 0.1);
+  const math::Vec3 r31 = corner[2] - corner[0];
+  const math::Vec3 r42 = corner[3] - corner[1];
+  // Area over the product of the lines between the middles of opposite sides: the sine of their angle.
+  const double sine = 4 * area / (norm(r31 - r42) * norm(r31 + r42));
+  const double skew = triangle ? 1 : std::max(0.0, 1 - sine * sine);
+  return std::max({0.125 * square, shear, own + skew * shear});
 }
 
 /// Factor on the stable step where the nodes lie off the mid-surface by `offset`: stretching and bending are
@@ -293,7 +307,7 @@ void prepare_axes(const model::Model& model, const model::ShellElement& shell,
 }
 
 ShellMass prepare_element(const model::Model& model, const domain::Domain& domain, ShellBlock& block,
-                          const ShellConstants<double>& constants, Index place) {
+                          const ShellConstants<double>& constants, const LoneElements& lone, Index place) {
   const Index real = std::min(place, block.elements - 1);
   const model::ShellElement& shell = model.shells[block.element[real]];
   const std::array<Index, 4> node = block.nodes_of(place);
@@ -312,8 +326,9 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
   // Membranes leave the rotations of their nodes to other elements.
   const bool bends = !model::is_membrane(block.formulation);
   const double inertia =
-      bends ? std::max(about_nodes, area * shear_inertia(model, block, constants.shear_root)) : 0;
-  const double coupled = bends ? coupled_step(offset, thickness, inertia) : 1;
+      bends ? rotary_inertia(model, block, constants.shear_root, about_nodes, corner, triangle) : 0;
+  const double coupled =
+      lone.factor(domain, block, place) * (bends ? coupled_step(offset, thickness, inertia) : 1);
   const double factor = stiff && !block.rigid ? mass_factor(model.control.mass_scaling_step,
                                                             coupled * length * constants.slowness)
                                               : 1;
@@ -333,13 +348,13 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
 
 }  // namespace
 
-void prepare_shells(const model::Model& model, domain::Domain& domain) {
+void prepare_shells(const model::Model& model, const LoneElements& lone, domain::Domain& domain) {
   domain::NodeFields& nodes = domain.nodes;
   for (ShellBlock& block : domain.shells) {
     const ShellConstants<double> constants = prepare_block(model, domain, block);
     const bool scales = scales_mass(model, domain, block);
     for (Index place = 0; place < block.groups() * lanes; ++place) {
-      const ShellMass shell = prepare_element(model, domain, block, constants, place);
+      const ShellMass shell = prepare_element(model, domain, block, constants, lone, place);
       if (place >= block.elements) continue;
       const std::array<Index, 4> node = block.nodes_of(place);
       const std::array<double, 4> share = mass_shares(node);

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/stiffness_damping.hpp"
+#include "elements/lone_elements.hpp"
 #include "elements/prepare.hpp"
 #include "elements/registry.hpp"
 #include "elements/solid/nodal_average.hpp"
@@ -146,7 +147,7 @@ std::vector<double> initial_volumes(const model::Model& model) {
 
 SolidMass prepare_element(const model::Model& model, const domain::Domain& domain, SolidBlock& block,
                           const SolidConstants<double>& constants, Index place,
-                          const std::vector<double>& initial_volume) {
+                          const std::vector<double>& initial_volume, const LoneElements& lone) {
   const Index index = block.element[std::min(place, block.elements - 1)];
   const model::SolidElement& solid = model.solids[index];
   const SolidSize size = solid_size(domain, block, place, constants);
@@ -156,14 +157,15 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
         " has no positive volume: its nodes are not numbered as they should be, or it is inside out.");
   const model::Part& part = model.parts[block.part];
   const model::ConstitutiveLaw& law = model.materials[part.material].law;
-  const double step = size.length / constants.wave_speed;
+  const double beside = lone.factor(domain, block, place);
+  const double step = beside * size.length / constants.wave_speed;
   const double factor = block.rigid ? 1 : mass_factor(model.control.mass_scaling_step, step);
   const Index own = constants.own;
   const bool given = !initial_volume.empty() && initial_volume[static_cast<std::size_t>(index)] > 0;
   const double volume = given ? initial_volume[static_cast<std::size_t>(index)] : size.volume;
   block.set_state(place, own + solid_state::reference_volume, volume);
   block.set_state(place, own + solid_state::active, place < block.elements ? 1 : 0);
-  block.set_state(place, own + solid_state::step_scale, std::sqrt(factor));
+  block.set_state(place, own + solid_state::step_scale, beside * std::sqrt(factor));
   if (constants.present_wave_speed > 0)
     block.set_state(place, constants.present_wave_speed, constants.wave_speed);
   materials::SolidCorners corners;
@@ -176,13 +178,13 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
 
 }  // namespace
 
-void prepare_solids(const model::Model& model, domain::Domain& domain) {
+void prepare_solids(const model::Model& model, const LoneElements& lone, domain::Domain& domain) {
   const std::vector<double> volumes = initial_volumes(model);
   for (SolidBlock& block : domain.solids) {
     const SolidConstants<double> constants = prepare_block(model, domain, block);
     const bool scales = scales_mass(model, domain, block);
     for (Index place = 0; place < block.groups() * lanes; ++place) {
-      const SolidMass solid = prepare_element(model, domain, block, constants, place, volumes);
+      const SolidMass solid = prepare_element(model, domain, block, constants, place, volumes, lone);
       if (place >= block.elements) continue;
       for (Index corner = 0; corner < block.corners; ++corner)
         add_mass(domain, block.part, block.node_of(place, corner), solid.mass * block.mass_share(corner));

@@ -63,8 +63,12 @@ TEST(NodePlace, AddsToTheRotaryInertiaOfThickShells) {
     model::Model model = flat_plate(kind, 1);
     model.shell_sections[0].thickness = {15, 15, 15, 15};  // three times the side: A/8 does not govern
     const Driven body(model, {});
-    for (Index i = 0; i < body.domain.nodes.count(); ++i)
-      EXPECT_NEAR(body.domain.nodes.inertia[i], body.domain.nodes.mass[i] * 15.0 * 15.0 / 3, 1e-12);
+    for (Index i = 0; i < body.domain.nodes.count(); ++i) {
+      const double of_fibres = body.domain.nodes.mass[i] * 15.0 * 15.0 / 3;
+      EXPECT_GE(body.domain.nodes.inertia[i], of_fibres);
+      EXPECT_LT(body.domain.nodes.inertia[i],
+                of_fibres + 0.01 * body.domain.nodes.mass[i] * 25);  // for the skew
+    }
   }
 }
 
