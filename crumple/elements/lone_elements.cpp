@@ -11,6 +11,7 @@
 #include "elements/shell/shell_task.hpp"
 #include "elements/solid/solid_setup.hpp"
 #include "elements/solid/solid_task.hpp"
+#include "materials/common/shell_material.hpp"
 
 namespace crumple::elements {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 using domain::Domain;
 using math::Vec3;
 
-/// Elements at the corners of a mesh keep their usual step: this much is not taken off.
+/// Elements at the corners of a mesh of squares keep their usual step: this much is not taken off.
 constexpr double allowance = 0.07;
 
 /// Between which shares of its nodes an element passes from one in a mesh to one alone. Measured on meshes of
@@ -113,9 +114,13 @@ double largest_eigenvalue(std::span<const Vec3> gradients, double dilatation, do
   return eigenvalue;
 }
 
-LoneElements::LoneElements(const Domain& domain) : count_(static_cast<std::size_t>(domain.nodes.count()), 0) {
+LoneElements::LoneElements(const model::Model& model, const Domain& domain)
+    : count_(static_cast<std::size_t>(domain.nodes.count()), 0) {
   std::vector<Index> node;
   const auto add = [&](const auto& block) {
+    // Null shells hold nothing back.
+    const Index material = model.parts[block.part].material;
+    if (material != no_index && !materials::has_stiffness(model.materials[material].law)) return;
     for (Index place = 0; place < block.elements; ++place) {
       node.clear();
       for (Index corner = 0; corner < block.corners; ++corner) node.push_back(block.node_of(place, corner));

@@ -6,15 +6,16 @@
 
 #include "domain/domain.hpp"
 #include "math/vec3.hpp"
+#include "model/model.hpp"
 
 namespace crumple::elements {
 
-/// Shells and tetrahedra that have few others beside them. Their usual limits, sides and heights over the
-/// wave speed, are those of elements in a mesh: neighbours that share their nodes cannot all swing in their
-/// stiffest mode at once. One alone can, and needs 0.73 to 0.88 of that (docs/theory/time_integration.md).
+/// Shells and tetrahedra that have few others beside them. Their usual limits are those of elements in a
+/// mesh: neighbours that share their nodes cannot all swing in their stiffest mode at once. One alone can,
+/// and needs 0.58 to 0.88 of that (docs/theory/time_integration.md).
 class LoneElements {
  public:
-  explicit LoneElements(const domain::Domain& domain);
+  LoneElements(const model::Model& model, const domain::Domain& domain);
 
   /// Factor on the usual step of an element, at most 1.
   double factor(const domain::Domain& domain, const domain::ShellBlock& block, Index place) const;
@@ -23,7 +24,7 @@ class LoneElements {
  private:
   double own_share(std::span<const Index> nodes) const;
 
-  std::vector<int> count_;  ///< elements at each node
+  std::vector<int> count_;  ///< elements with stiffness at each node
 };
 
 /// Largest eigenvalue of sum_n (stress of sum_m sym(u_m g_m)) g_n over the displacements u of the corners, by

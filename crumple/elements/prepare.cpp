@@ -112,7 +112,7 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   if (model.control.mass_scaling_step < 0 && !model.control.scales_mass_once)
     domain.clock.kept_step = -model.control.mass_scaling_step;
   if (domain.clock.kept_step > 0) domain.chunk_steps.assign(domain.assembly.chunks().size(), 0.0);
-  const LoneElements lone(domain);
+  const LoneElements lone(model, domain);
   prepare_shells(model, lone, domain);
   prepare_solids(model, lone, domain);
   prepare_beams(model, domain);

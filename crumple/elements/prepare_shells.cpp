@@ -262,6 +262,7 @@ double rotary_inertia(const model::Model& model, const ShellBlock& block, double
                       const ShellCorners& corner, bool triangle) {
   const ElasticConstants elastic = materials::elastic_constants(material_of_block(model, block));
   const double speed = elastic.plate_wave_speed();
+  if (!(speed > 0)) return std::max(own, 0.125 * shell_area(corner));
   const double ratio = shear_root * shear_root * elastic.shear_modulus() / (elastic.density * speed * speed);
   const double area = shell_area(corner);
   const double length = characteristic_length(corner, triangle);

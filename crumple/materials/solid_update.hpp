@@ -10,8 +10,8 @@
 // and, if it needs them,
 //   void follow(history, strain, Turn)               brings what follows the motion alone up to date
 //   static constexpr bool takes_equation_of_state    true: with one, the law brings the deviator alone
-// A law of total deformation has no elasticity; it derives from TotalDeformation. Nor has a law whose history
-// is the stress: it has
+// A law of total deformation has no elasticity; it derives from TotalDeformation. A law whose stress is of
+// the rate alone has_no_memory. Nor has a law whose history is the stress: it has
 //   SolidStress relaxed(history, strain, Turn)       the new stress
 // Nor has a law of rates whose wave speed varies. It has, with the old stress turned already,
 //   TotalStress updated(old, strain, Turn, history)  the new stress and the square of the wave speed
@@ -65,10 +65,12 @@ CRUMPLE_INLINE auto total_stress(const Law& law, const SolidStrain<Pack>& strain
 }
 
 /// What a law is given: the strain increment of the middle of the step where it follows the deformation
-/// itself, else the one that goes with stresses which have been turned to the end of the step.
+/// itself or the rate alone, else the one that goes with stresses which have been turned to the end of the
+/// step.
 template <class Law, class Pack>
 CRUMPLE_INLINE SolidStrain<Pack> strain_for(const SolidStrain<Pack>& middle, const Turn<Pack>& turn) {
-  if constexpr (requires { Law::is_total; })
+  if constexpr (
+      requires { Law::is_total; } || requires { Law::has_no_memory; })
     return middle;
   else
     return turned_on(middle, turn);

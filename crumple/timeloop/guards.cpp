@@ -57,9 +57,9 @@ double largest_density(const model::Material& material, const model::InitialStre
 /// s 2 / omega keeps T + U, and T > -s^2 U: so T > -s^2 / (1 - s^2) (T + U). Twice that.
 /// Elements alone are nearer to their limit than TSSFAC says (elements/lone_elements.hpp).
 double negative_ratio(double step_scale) {
-  constexpr double lone = 0.96;
+  constexpr double lone = 1.07;
   constexpr double nearest_to_unstable = 0.995;
-  const double s = std::clamp(step_scale, lone, nearest_to_unstable);
+  const double s = std::min(lone * step_scale, nearest_to_unstable);
   return 2 * s * s / (1 - s * s);
 }
 

@@ -103,6 +103,7 @@ domain::StateList Simulation::state() {
   prescribed_motions_.declare(list);
   local_constraints_.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
+  held_step_.declare(list);
   list.keep("largest_step", "time", domain::Entity::Run, largest_step_);
   list.keep_list("previous_velocity", "length/time", domain::Entity::Node, 3, previous_velocity_);
   for (constraints::RigidWall& wall : walls_) wall.declare(list);

@@ -63,6 +63,7 @@
 #include "loads/pressure_loads.hpp"
 #include "loads/relative_damping.hpp"
 #include "model/model.hpp"
+#include "timeloop/held_step.hpp"
 #include "timeloop/node_kernels.hpp"
 #include "timeloop/supports.hpp"
 #include "timeloop/terminations.hpp"
@@ -193,6 +194,7 @@ class Simulation {
   std::optional<elements::EnergyTrace> energy_trace_;
   double largest_step_ = 0;  ///< no step exceeds this [time]
   double next_step_ = 0;     ///< from n to n+1 [time]
+  HeldStep held_step_;
 };
 
 }  // namespace crumple::timeloop

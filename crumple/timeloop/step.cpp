@@ -35,16 +35,6 @@ double steady_step(double last, double allowed) {
   return last <= allowed && last >= least_use * allowed ? last : middle_use * allowed;
 }
 
-/// A stable step that swings with the vibration of the element that sets it would feed that vibration: one
-/// element, swinging by 1 %, won a fifth of its energy in 20 000 cycles. So the step falls at once to what is
-/// allowed, and stays there until clearly more is.
-double held_step(double last, double allowed) {
-  constexpr double clearly_more = 1.02;
-  constexpr double middle_use = 0.99;
-  if (allowed < last) return allowed;
-  return allowed > clearly_more * last ? middle_use * allowed : last;
-}
-
 /// LCTM: what its curve allows at a time; a zero and the time behind its end allow all [time].
 double curve_limit(const model::Model& model, double time) {
   constexpr double all = std::numeric_limits<double>::max();
@@ -160,10 +150,8 @@ void Simulation::choose_step() {
   for (const contact::Interface& contact : contacts_)
     next_step_ = std::min(next_step_, contact.longest_step());
   next_step_ = std::min(next_step_, joint_stiffnesses_.longest_step());
-  if (has_multipliers_)
-    next_step_ = steady_step(domain_.clock.step, next_step_);
-  else if (!first)
-    next_step_ = held_step(domain_.clock.step, next_step_);
+  next_step_ = has_multipliers_ ? steady_step(domain_.clock.step, next_step_)
+                                : held_step_.next(domain_.clock.cycle, domain_.clock.step, next_step_);
   if (!first) next_step_ = std::min(next_step_, growth_in_a_cycle * domain_.clock.step);
   if (!(next_step_ > 0) || !std::isfinite(next_step_))
     throw_trouble(*model_, domain_, "The time step is no longer a positive number: an element has collapsed");

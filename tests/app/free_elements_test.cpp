@@ -151,6 +151,18 @@ TEST_F(FreeElements, VibrationsWinNoEnergy) {
   const double one_point = change(one("cube", unit_cube), solid_section(1), 20000, 10, false);
   test::verified("free cube, ELFORM 1, 20 000 cycles: change of energy", "conservation")
       .below(one_point, 0.02);
+  for (const int form : {4, 5}) {
+    const double stiff =
+        change(one("cube", unit_cube), solid_section(1) + fmt::format("*CONTROL_HOURGLASS\n{},0.1\n", form),
+               20000, 10, false);
+    test::verified(fmt::format("free cube, ELFORM 1, IHQ {}, 20 000 cycles: change of energy", form),
+                   "conservation")
+        .below(stiff, 0.02);
+  }
+  const double large = change(one("square", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}),
+                              shell_section(2, 0.3), 20000, 20, false);
+  test::verified("free square, strains of 0.7 %, 20 000 cycles: change of energy", "conservation")
+      .below(large, 0.05);
   const double tetrahedron = change(one("corner", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
                                     solid_section(10), 20000, 10, false);
   test::verified("free tetrahedron, 20 000 cycles: change of energy", "conservation")

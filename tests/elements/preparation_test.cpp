@@ -39,7 +39,7 @@ TEST(Preparation, ATriangleGivesEachCornerAThird) {
     EXPECT_NEAR(body.domain.nodes.mass[i], density * thickness * 4, 1e-12 * density * 6);
   // Twice the area over the longest side, the height, times the factor of a triangle alone.
   const double speed = std::sqrt(youngs_modulus / (density * (1 - poissons_ratio * poissons_ratio)));
-  const double lone = LoneElements(body.domain).factor(body.domain, body.block(), 0);
+  const double lone = LoneElements(model, body.domain).factor(body.domain, body.block(), 0);
   EXPECT_NEAR(lone, 1 / std::sqrt(1 + poissons_ratio), 1e-12);
   test::verified("triangle alone: step times wave speed over its factor",
                  "twice the area over the longest side")

@@ -161,9 +161,11 @@ CRUMPLE_INLINE HourglassForces<Pack> hourglass_forces(const SolidPlace<RealOf<Pa
     }
   } else {
     const PackMatrix<Pack> turned = left_rotation<Pack>(place, 0);
+    const PackMatrix<Pack> half_turned = half_rotation(turned);
     const Pack stiffness = modulus * step;
     for (int mode = 0; mode < 4; ++mode) {
-      const Vec rate = rate_of(mode);
+      const Vec middle = rate_of(mode);
+      const Vec rate = middle + half_turned * middle;
       const Vec before = old_force(mode);
       const Vec old = before + turned * before;
       keep_hourglass(place, mode, old, rate, math::multiply_add(stiffness, rate, old), found);

@@ -39,6 +39,7 @@
 
 #include "elements/common/lane_sums.hpp"
 #include "elements/solid/solid_task.hpp"
+#include "materials/common/solid_stress.hpp"
 #include "math/pack_vec3.hpp"
 #include "model/section.hpp"
 
@@ -216,6 +217,14 @@ CRUMPLE_INLINE PackMatrix<Pack> left_rotation(const SolidPlace<RealOf<Pack>>& pl
                                 load<Pack>(at + (3 * i + 2) * tile_lanes)};
   };
   return {row(0), row(1), row(2)};
+}
+
+/// Half of a rotation, both less the unit matrix: what is still to come of it from the middle of the step.
+template <class Pack>
+CRUMPLE_INLINE PackMatrix<Pack> half_rotation(const PackMatrix<Pack>& turned) {
+  const auto [x, y, z] = turned;
+  const auto half = materials::half_of(materials::Turn<Pack>{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z});
+  return {{half.xx, half.xy, half.xz}, {half.yx, half.yy, half.yz}, {half.zx, half.zy, half.zz}};
 }
 
 /// Symmetric stress of one point as a matrix, times `factor`.

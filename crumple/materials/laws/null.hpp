@@ -54,6 +54,7 @@ struct NullLaw {
     static constexpr bool can_yield = false;
     static constexpr bool may_fail = true;
     static constexpr bool takes_equation_of_state = true;
+    static constexpr bool has_no_memory = true;
 
     /// Deviator 2 mu of the strain rate; the equation of state brings the pressure.
     struct Newtonian {
