@@ -77,8 +77,7 @@ void set_interior(const model::Part& part, SolidConstants<double>& constants) {
       constants.interior_modulus * constants.interior_volume / constants.density;
 }
 
-SolidConstants<double> prepare_block(const model::Model& model, const domain::Domain& domain,
-                                     SolidBlock& block) {
+void prepare_block(const model::Model& model, const domain::Domain& domain, SolidBlock& block) {
   const model::Part& part = model.parts[block.part];
   const model::Material& material = model.materials[part.material];
   const SolidKind kind = solid_kind(block.formulation);
@@ -127,7 +126,6 @@ SolidConstants<double> prepare_block(const model::Model& model, const domain::Do
   block.allocate(domain.execution.precision);
   block.element_constants = to_numbers(constants);
   if (kind.averages) prepare_average(block);
-  return constants;
 }
 
 struct SolidMass {
@@ -146,8 +144,8 @@ std::vector<double> initial_volumes(const model::Model& model) {
 }
 
 SolidMass prepare_element(const model::Model& model, const domain::Domain& domain, SolidBlock& block,
-                          const SolidConstants<double>& constants, Index place,
-                          const std::vector<double>& initial_volume, const LoneElements& lone) {
+                          Index place, const std::vector<double>& initial_volume, const LoneElements& lone) {
+  const auto constants = from_numbers<SolidConstants<double>>(block.element_constants);
   const Index index = block.element[std::min(place, block.elements - 1)];
   const model::SolidElement& solid = model.solids[index];
   const SolidSize size = solid_size(domain, block, place, constants);
@@ -181,10 +179,10 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
 void prepare_solids(const model::Model& model, const LoneElements& lone, domain::Domain& domain) {
   const std::vector<double> volumes = initial_volumes(model);
   for (SolidBlock& block : domain.solids) {
-    const SolidConstants<double> constants = prepare_block(model, domain, block);
+    prepare_block(model, domain, block);
     const bool scales = scales_mass(model, domain, block);
     for (Index place = 0; place < block.groups() * lanes; ++place) {
-      const SolidMass solid = prepare_element(model, domain, block, constants, place, volumes, lone);
+      const SolidMass solid = prepare_element(model, domain, block, place, volumes, lone);
       if (place >= block.elements) continue;
       for (Index corner = 0; corner < block.corners; ++corner)
         add_mass(domain, block.part, block.node_of(place, corner), solid.mass * block.mass_share(corner));
