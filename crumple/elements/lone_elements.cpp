@@ -137,7 +137,7 @@ LoneElements::LoneElements(const model::Model& model, const Domain& domain)
 /// What of its nodes is an element's own, in the mean.
 double LoneElements::own_share(std::span<const Index> nodes) const {
   double sum = 0;
-  for (const Index node : nodes) sum += 1.0 / count_[static_cast<std::size_t>(node)];
+  for (const Index node : nodes) sum += 1.0 / std::max(1, count_[static_cast<std::size_t>(node)]);
   return sum / static_cast<double>(nodes.size());
 }
 
