@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "elements/shell/shell_geometry.hpp"
 #include "elements/shell/shell_setup.hpp"
@@ -37,7 +36,8 @@ double lone_factor(double exact, double weight) {
   return std::min(1.0, (1 + allowance * (1 - weight * weight)) * needed);
 }
 
-/// 2 / omega of the membrane over twice or once its area over the longest side, and over the wave speed.
+/// 2 / omega of the membrane of a shell alone, over its characteristic length and times the wave speed [-].
+/// `corners` is 3 or 4, `poissons` Poisson's ratio.
 double exact_share(const ShellCorners& corner, std::size_t corners, double poissons) {
   const Vec3 r31 = corner[2] - corner[0];
   const Vec3 r42 = corner[3] - corner[1];
@@ -77,9 +77,10 @@ double largest_eigenvalue(std::span<const Vec3> gradients, double dilatation, do
   constexpr int iterations = 200;
   constexpr std::size_t most_corners = 4;
   std::array<Vec3, most_corners> u{};
+  // In plane stress nothing moves along z.
+  const bool flat = std::ranges::all_of(gradients, [](const Vec3& g) { return g.z == 0; });
   for (std::size_t n = 0; n < gradients.size(); ++n) {
     const double k = 3.0 * static_cast<double>(n);
-    const bool flat = gradients[n].z == 0 && gradients[0].z == 0 && gradients[1].z == 0;
     u[n] = {std::cos(k + 1), std::cos(k + 2), flat ? 0 : std::cos(k + 3)};
   }
   double eigenvalue = 0;

@@ -15,9 +15,11 @@ namespace crumple::elements {
 /// and needs 0.58 to 0.88 of that (docs/theory/time_integration.md).
 class LoneElements {
  public:
+  /// Counts the elements at each node; the blocks must know their nodes, no more.
   LoneElements(const model::Model& model, const domain::Domain& domain);
 
-  /// Factor on the usual step of an element, at most 1.
+  /// Factor on the usual step of the element at `place` of a block, in the geometry of `domain`, at most 1
+  /// [-].
   double factor(const domain::Domain& domain, const domain::ShellBlock& block, Index place) const;
   double factor(const domain::Domain& domain, const domain::SolidBlock& block, Index place) const;
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "shell_harness.hpp"
 #include "support/verified.hpp"
 
 namespace crumple::elements::testing::lone_elements_test {
@@ -41,6 +42,45 @@ TEST(LargestEigenvalue, OfARegularTetrahedronIsThatOfItsVolume) {
   const double shear = (1 - 2 * nu) / (1 - nu);
   test::verified("regular tetrahedron of height 1 alone: largest eigenvalue", "4 K / (lambda + 2 mu)")
       .near(largest_eigenvalue(gradient, 1 - shear, shear), 4 * (1 - 2 * shear / 3), 1e-9);
+}
+
+/// Squares of a mesh keep their step, at its corners too; the one alone and those of a strip do not.
+TEST(LoneElements, AreToldFromThoseOfAMesh) {
+  const auto shortest = [](Index cells) {
+    const model::Model model = plate(belytschko_tsay.formulation, cells, 0);
+    const Driven body(model, {});
+    const LoneElements lone(model, body.domain);
+    double least = 1;
+    for (const domain::ShellBlock& block : body.domain.shells)
+      for (Index place = 0; place < block.elements; ++place)
+        least = std::fmin(least, lone.factor(body.domain, block, place));
+    return least;
+  };
+  EXPECT_NEAR(shortest(1), 1 / std::sqrt(1 + poissons_ratio), 1e-12);
+  EXPECT_EQ(shortest(2), 1);
+  EXPECT_EQ(shortest(4), 1);
+}
+
+/// A skin of null shells holds nothing back: the square under it is as alone as without.
+TEST(LoneElements, NullSkinsAreNoNeighbours) {
+  model::Model model = plate(belytschko_tsay.formulation, 1, 0);
+  const double bare = LoneElements(model, Driven(model, {}).domain)
+                          .factor(Driven(model, {}).domain, Driven(model, {}).block(), 0);
+  model::Material null;
+  null.id = 77;
+  null.density = model.materials[0].density;
+  null.law = model::NullMaterial{};
+  model.materials.push_back(null);
+  model::Part skin = model.parts[0];
+  skin.id = 77;
+  skin.material = static_cast<Index>(model.materials.size()) - 1;
+  model.parts.push_back(skin);
+  model::ShellElement shell = model.shells[0];
+  shell.id = 77;
+  shell.part = static_cast<Index>(model.parts.size()) - 1;
+  model.shells.push_back(shell);
+  const Driven body(model, {});
+  EXPECT_EQ(LoneElements(model, body.domain).factor(body.domain, body.domain.shells[0], 0), bare);
 }
 
 }  // namespace
