@@ -8,7 +8,7 @@
 namespace crumple::timeloop {
 
 /// A step that does not swing. A stable step that swings with the vibration of the element that sets it would
-/// feed that vibration: one element, swinging by 1 %, won a fifth of its energy in 20 000 cycles
+/// feed that vibration: a square, swinging by 0.1 %, won a fifth of its energy in 20 000 cycles
 /// (docs/theory/time_integration.md). So the step falls at once to what is allowed, and rises only when the
 /// least that was allowed for some vibrations is clearly more.
 class HeldStep {
