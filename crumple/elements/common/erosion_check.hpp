@@ -42,7 +42,7 @@ struct ErosionTile {
   Index groups = 0;
   int planes = 1;                          ///< of a shell
   int points = 1;                          ///< of one plane
-  const Real* strain = nullptr;            ///< increments, as the material has them [point][5 or 6]
+  const Real* strain = nullptr;            ///< increments of the middle of the step [point][5 or 6]
   const Real* turn = nullptr;              ///< of solids: rotation less the unit matrix [point][9]
   const Real* thickness_strain = nullptr;  ///< of shells: increment zz [plane]
   const Real* weight = nullptr;            ///< of shells: share of a point in its plane

@@ -49,7 +49,7 @@ struct DampingTile {
   Index groups = 0;
   int planes = 1;                ///< of a shell
   int points = 1;                ///< of one plane
-  Real* strain = nullptr;        ///< in: increments, as the material has them [point][5 or 6]
+  Real* strain = nullptr;        ///< in: increments of the middle of the step [point][5 or 6]
   const Real* turn = nullptr;    ///< of solids: rotation less the unit matrix [point][9]
   const Real* weight = nullptr;  ///< of shells: share of a point in its plane
   const Real* area = nullptr;    ///< of shells: factor on that [point], or nullptr

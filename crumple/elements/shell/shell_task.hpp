@@ -38,7 +38,7 @@ namespace element_state {
 inline constexpr Index thickness = 0;
 inline constexpr Index active = 1;      ///< 1, or 0: no force, no energy, no limit on the step
 inline constexpr Index frame = 2;       ///< two numbers, see lamina_frame.hpp
-inline constexpr Index step_scale = 4;  ///< on area / longest side: 2 for triangles, mass scaling
+inline constexpr Index step_scale = 4;  ///< on area / longest side: triangles, mass, LoneElements
 inline constexpr Index hourglass = 5;   ///< five generalised hourglass stresses
 inline constexpr Index energy = 10;     ///< internal and hourglass energy of the element, if it can fail
 }  // namespace element_state

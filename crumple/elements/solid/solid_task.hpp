@@ -44,7 +44,7 @@ struct SolidConstants {
 namespace solid_state {
 inline constexpr Index reference_volume = 0;  ///< at time zero
 inline constexpr Index active = 1;            ///< 1, or 0: no force, no energy, no limit on the step
-inline constexpr Index step_scale = 2;        ///< on the stable step: mass scaling
+inline constexpr Index step_scale = 2;        ///< on the stable step: mass scaling, LoneElements
 inline constexpr Index bulk_viscosity = 3;    ///< pressure that resists compression
 inline constexpr Index own = 4;               ///< what the formulation keeps, see KeptItem
 }  // namespace solid_state
