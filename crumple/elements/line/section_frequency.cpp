@@ -10,9 +10,9 @@ namespace {
 
 using Square = std::array<std::array<double, 3>, 3>;
 
-/// The largest eigenvalue of a symmetric matrix without negative ones, from above: the Frobenius norm of its
+/// Just above the largest eigenvalue of a symmetric matrix that has no negative one: the Frobenius norm of its
 /// power 2^k is the largest eigenvalue to that power times at most the root of 3.
-double largest_eigenvalue(Square matrix) {
+double eigenvalue_from_above(Square matrix) {
   constexpr int squarings = 6;
   double eigenvalue = 1;
   for (int k = 0; k <= squarings; ++k) {
@@ -62,7 +62,7 @@ double highest_frequency_squared(const model::BeamSection& section, const BeamDy
   const double shearing = std::sqrt(section.shear_factor * (2 / (beam.mass * square) + 0.5 / beam.inertia));
   scale({stretching, turning, turning}, beam.length, axial);
   scale({turning, shearing, shearing}, beam.length, shear);
-  return std::max(largest_eigenvalue(axial), largest_eigenvalue(shear));
+  return std::max(eigenvalue_from_above(axial), eigenvalue_from_above(shear));
 }
 
 }  // namespace crumple::elements
