@@ -17,6 +17,11 @@ double share_of_other(double cosine) {
                     0.0, 1.0);
 }
 
+/// True if the node is in front of a face and has no contact with it yet.
+bool waits(const ContactPair& pair) {
+  return pair.penetration() <= 0 && pair.offset <= 0;
+}
+
 int sign_of(double a) {
   return a > 0 ? 1 : a < 0 ? -1 : 0;
 }
@@ -125,7 +130,7 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
   const bool inside = memory != nullptr && memory->wrong != 0;
   if (depth > 0 && !inside && !may_enter(view_.now, place_, normal)) return 0;
   if (nearest_of_all) return 1;
-  if (depth <= 0) return 0;
+  if (depth <= 0) return stands_at_rim(segment, view_.now.shape(segment), nearest) ? 1 : 0;
   const double beyond = norm(away + depth * normal);
   const double side = std::sqrt(surface_.area[segment]);
   const bool was_in_front = memory != nullptr || depth <= on_face(segment);
@@ -137,6 +142,17 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
 /// Distance up to which a node lies on a face, by the round-off of coordinates [length].
 double NodeSearch::on_face(Index segment) const {
   return tolerances::on_surface * surface_.height[segment];
+}
+
+/// True if the node is on the plane of a face or in front of it, and right beside its rim: should it come
+/// behind that plane, it came through the face. At a rim that stands out no normal of the surface tells.
+bool NodeSearch::stands_at_rim(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const {
+  if (!surface_.is_face(segment) || nearest.feature == Feature::Face) return false;
+  const Vec3 normal = normalised(area_normal(shape));
+  const Vec3 away = p_ - nearest.point;
+  const double height = dot(away, normal);
+  return height >= -on_face(segment) &&
+         norm(away - height * normal) <= tolerances::beside_rim * std::sqrt(surface_.area[segment]);
 }
 
 /// Of the faces of other solids that the node does not lie on, the nearest.
@@ -282,8 +298,9 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   const Vec3 normal =
       over_rim ? normalised(area_normal(shape)) : side_normal(view_.now, segment, shape, nearest, away);
   const bool round = dot(normal, normal) == 0;
+  const bool at_rim = !near && stands_at_rim(segment, shape, nearest);
   const int present = round ? 0 : sign_of(dot(away, normal));
-  const int side = round ? 0 : side_of(segment, memory, nearest, present);
+  const int side = at_rim ? 1 : round ? 0 : side_of(segment, memory, nearest, present);
   if (side < 0 && face) return 0;
   const bool wrong = present != 0 && side != 0 && present != side;
   // What is in front of a face is remembered, so that it is known later which way it came.
@@ -345,8 +362,9 @@ void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first)
       ContactPair& a = found[i];
       ContactPair& b = found[j];
       if (a.share == 0 || b.share == 0 || !connected(surface_, a.segment, b.segment)) continue;
-      // One that only waits in front of a face takes nothing from one that pushes.
-      if ((a.penetration() > 0) != (b.penetration() > 0)) continue;
+      // One that only waits in front of a face takes nothing from one that pushes, nor from another one:
+      // beside a rim it is not known yet which face the node will come through.
+      if ((a.penetration() > 0) != (b.penetration() > 0) || (waits(a) && waits(b))) continue;
       const double share = share_of_other(dot(a.normal, b.normal));
       if (share == 1) {
         if (enters_once(a, b)) (came_through(a, b) ? b : a).share = 0;
@@ -370,7 +388,9 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
     });
   };
   const RememberedPair* from = memory_of(pair.segment);
-  for (std::size_t i = 0; i < remembered_.size() && (from == nullptr || !from->loaded()); ++i) {
+  // One that only waits in front of a face is nobody's heir: the spring belongs to one that pushes.
+  const bool inherits = !waits(pair);
+  for (std::size_t i = 0; i < remembered_.size() && inherits && (from == nullptr || !from->loaded()); ++i) {
     const RememberedPair& other = remembered_[i];
     if (other.segment == pair.segment || !connected(surface_, pair.segment, other.segment)) continue;
     if (left(other.segment) && (from == nullptr || other.loaded())) from = &other;

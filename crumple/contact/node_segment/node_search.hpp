@@ -52,6 +52,7 @@ class NodeSearch {
   double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
   bool goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const;
   double on_face(Index segment) const;
+  bool stands_at_rim(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const;
   bool enters_once(const ContactPair& a, const ContactPair& b) const;
   bool came_through(const ContactPair& a, const ContactPair& b) const;
   const RememberedPair* memory_of(Index segment) const;
