@@ -2,6 +2,7 @@
 #include "elements/common/erosion_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "materials/common/shell_material.hpp"
@@ -128,8 +129,22 @@ class Element {
     item[(c + erosion_item::rest) * lanes] = static_cast<Real>(sum - double(item[c * lanes]));
   }
   Real* stress(int p) const { return state_ + components() * p * lanes; }
-  double increment(int p, int c) const {
-    return double(tile_.strain[(p * components() + c) * tile_lanes + place_]);
+  /// Strain increments of a point, engineering shears; of solids in the axes of the end of the step.
+  std::array<double, 6> increments(int p) const {
+    std::array<double, 6> more{};
+    for (int c = 0; c < components(); ++c)
+      more[c] = double(tile_.strain[(p * components() + c) * tile_lanes + place_]);
+    if (is_shell()) return more;
+    const auto on = materials::turned_on(
+        materials::SolidStrain<double>{more[0], more[1], more[2], more[3], more[4], more[5]}, turn(p));
+    return {on.xx, on.yy, on.zz, on.xy, on.yz, on.zx};
+  }
+
+  /// Rotation of a point of a solid in the step.
+  materials::Turn<double> turn(int p) const {
+    double rotation[9];
+    for (int k = 0; k < 9; ++k) rotation[k] = double(tile_.turn[(p * 9 + k) * tile_lanes + place_]);
+    return materials::load_turn<double>(rotation, 1);
   }
 
   Tensor stress_tensor(int p) const {
@@ -141,10 +156,10 @@ class Element {
 
   /// Increment of the strain, the shears those of the tensor.
   Tensor growth(int p) const {
-    const auto at = [&](int c) { return increment(p, c); };
-    if (!is_shell()) return {at(0), at(1), at(2), 0.5 * at(3), 0.5 * at(4), 0.5 * at(5)};
+    const std::array<double, 6> more = increments(p);
+    if (!is_shell()) return {more[0], more[1], more[2], 0.5 * more[3], 0.5 * more[4], 0.5 * more[5]};
     const double zz = double(tile_.thickness_strain[p / tile_.points * tile_lanes + place_]);
-    return {at(0), at(1), zz, 0.5 * at(2), 0.5 * at(3), 0.5 * at(4)};
+    return {more[0], more[1], zz, 0.5 * more[2], 0.5 * more[3], 0.5 * more[4]};
   }
 
   /// Brings strain and impulse of a point up to date.
@@ -152,11 +167,7 @@ class Element {
     Real* const at = item(p);
     const auto kept = [&](Index c) { return kept_sum(at, erosion_item::strain + c); };
     Tensor strain{kept(0), kept(1), kept(2), kept(3), kept(4), kept(5)};
-    if (!is_shell()) {
-      double rotation[9];
-      for (int k = 0; k < 9; ++k) rotation[k] = double(tile_.turn[(p * 9 + k) * tile_lanes + place_]);
-      strain = materials::turned(strain, materials::load_turn<double>(rotation, 1));
-    }
+    if (!is_shell()) strain = materials::turned(strain, turn(p));
     const Tensor more = growth(p);
     strain = {strain.xx + more.xx, strain.yy + more.yy, strain.zz + more.zz,
               strain.xy + more.xy, strain.yz + more.yz, strain.zx + more.zx};
@@ -184,9 +195,10 @@ class Element {
   /// Sets the stress to zero: the work of the step is then half of the old stress's alone.
   void take_stress(int p) const {
     Real* const s = stress(p);
+    const std::array<double, 6> more = increments(p);
     double work = 0;
     for (int c = 0; c < components(); ++c) {
-      work += double(s[c * lanes]) * increment(p, c);
+      work += double(s[c * lanes]) * more[c];
       s[c * lanes] = Real(0);
     }
     double share = 0.5;

@@ -48,7 +48,7 @@ class DampedElement {
       tile_.work[row * tile_lanes + place_] = Real(0);
     for (int p = 0; p < count(); ++p) {
       const DampedPoint<Real> at = point(p);
-      if (!is_shell()) turn_old(at, p);
+      if (!is_shell()) turn(at, p);
       Real& work = tile_.work[(is_shell() ? p / tile_.points : p) * tile_lanes + place_];
       work = static_cast<Real>(double(work) + share_of(p) * resist(at, at.stressed() ? per_strain : 0));
       for (int c = 0; c < components(); ++c) {
@@ -89,16 +89,24 @@ class DampedElement {
     return share;
   }
 
-  /// The stress of time n-1 in the axes of time n.
-  void turn_old(const DampedPoint<Real>& at, int p) const {
+  /// Brings the damping stress of time n-1, and the strain increment of the step's middle, into the axes of
+  /// time n.
+  void turn(const DampedPoint<Real>& at, int p) const {
     double rotation[9];
     for (int k = 0; k < 9; ++k) rotation[k] = double(tile_.turn[(p * 9 + k) * tile_lanes + place_]);
+    const auto turn = materials::load_turn<double>(rotation, 1);
     const auto old = [&](int c) { return double(at.damping[c * lanes]); };
-    const materials::SolidStress<double> turned =
-        materials::turned(materials::SolidStress<double>{old(0), old(1), old(2), old(3), old(4), old(5)},
-                          materials::load_turn<double>(rotation, 1));
-    const double numbers[] = {turned.xx, turned.yy, turned.zz, turned.xy, turned.yz, turned.zx};
-    for (int c = 0; c < 6; ++c) at.damping[c * lanes] = static_cast<Real>(numbers[c]);
+    const auto more = [&](int c) { return at.increment(c); };
+    const auto stress = materials::turned(
+        materials::SolidStress<double>{old(0), old(1), old(2), old(3), old(4), old(5)}, turn);
+    const auto strain = materials::turned_on(
+        materials::SolidStrain<double>{more(0), more(1), more(2), more(3), more(4), more(5)}, turn);
+    const double stresses[] = {stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.zx};
+    const double strains[] = {strain.xx, strain.yy, strain.zz, strain.xy, strain.yz, strain.zx};
+    for (int c = 0; c < 6; ++c) {
+      at.damping[c * lanes] = static_cast<Real>(stresses[c]);
+      at.strain[c * tile_lanes] = static_cast<Real>(strains[c]);
+    }
   }
 
   /// Brings the damping stress of a point to `per_strain` times the elastic stress of the increment; returns
