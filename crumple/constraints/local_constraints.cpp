@@ -50,6 +50,15 @@ class Basis {
   int count_ = 0;
 };
 
+/// Mean angular velocity about an axis over the step that has led to `arm`, or at present without a step.
+double angular_velocity_about(const Vec3& axis, const Vec3& arm, const Vec3& velocity, double step) {
+  const double square = dot(arm, arm);
+  if (!(step > 0)) return square > 0 ? dot(axis, cross(arm, velocity)) / square : 0;
+  Vec3 before = arm - step * velocity;
+  before -= dot(before, axis) * axis;
+  return std::atan2(dot(axis, cross(before, arm)), dot(before, arm)) / step;
+}
+
 /// Places of a list by the node that they are of: pairs in ascending order.
 using PlacesByNode = std::vector<std::pair<Index, Index>>;
 
@@ -78,7 +87,8 @@ std::vector<char> nodes_with_local_constraints(const model::Model& model) {
   for (const model::LocalSupport& support : model.local_supports)
     local[static_cast<std::size_t>(support.node)] = 1;
   for (const model::PrescribedMotion& motion : model.prescribed_motions)
-    if (motion.node != no_index && motion.has_direction()) local[static_cast<std::size_t>(motion.node)] = 1;
+    if (motion.node != no_index && (motion.has_direction() || motion.goes_round))
+      local[static_cast<std::size_t>(motion.node)] = 1;
   return local;
 }
 
@@ -134,6 +144,15 @@ void LocalConstraints::add_motion(const model::PrescribedMotion& motion, Index p
   row.is_support = false;
   row.birth = motion.birth;
   row.death = motion.death;
+  if (motion.goes_round) {
+    // One row without a direction where the radius is free, else one along each axis of the plane.
+    for (int k = 1; k <= (motion.keeps_radius ? 2 : 1); ++k) {
+      row.direction = {};
+      if (motion.keeps_radius) row.direction[(motion.axis + k) % 3] = 1;
+      rows_.push_back(row);
+    }
+    return;
+  }
   if (motion.has_direction())
     row.direction = math::to_vec3(motion.direction);
   else
@@ -166,9 +185,43 @@ void LocalConstraints::stop_initial_motion(Domain& domain, const Node& node) con
 
 void LocalConstraints::remember(const Domain& domain) {
   for (Node& node : nodes_) {
+    node.position = domain.nodes.position[node.node];
     node.velocity = domain.nodes.velocity[node.node];
     node.spin = domain.nodes.angular_velocity[node.node];
   }
+}
+
+/// Of a motion round an axis: the chord of the arc of the step, so that the place at n+1 is on the circle;
+/// or, where the radius is free, across the ray on which the node is at n+1.
+LocalConstraints::Demand LocalConstraints::demand_round(const Node& node, const Row& row,
+                                                        const MotionTimes& times) const {
+  const model::PrescribedMotion& motion = model_->prescribed_motions[row.motion];
+  Vec3 axis;
+  axis[motion.axis] = 1;
+  Vec3 arm = node.position - math::to_vec3(motion.centre);
+  arm[motion.axis] = 0;
+  const double before =
+      angular_velocity_about(axis, arm, node.velocity, 2 * times.interval - times.next_step);
+  const double angle =
+      times.next_step * prescribed_velocity(motion, model_->curves[motion.curve], times, before);
+  const Vec3 across = cross(axis, arm);
+  if (motion.keeps_radius) {
+    const double sine = std::sin(0.5 * angle);
+    const Vec3 chord = std::sin(angle) * across - 2 * sine * sine * arm;
+    return {row.direction, dot(chord, row.direction) / times.next_step};
+  }
+  const double radius = norm(arm);
+  const Vec3 next_across = std::cos(angle) * across - std::sin(angle) * arm;
+  return {radius > 0 ? (1 / radius) * next_across : Vec3{}, radius * std::sin(angle) / times.next_step};
+}
+
+LocalConstraints::Demand LocalConstraints::demand(const Node& node, const Row& row,
+                                                  const MotionTimes& times) const {
+  if (row.motion == no_index) return {row.direction, 0};
+  const model::PrescribedMotion& motion = model_->prescribed_motions[row.motion];
+  if (motion.goes_round) return demand_round(node, row, times);
+  const double before = dot(row.rotation ? node.spin : node.velocity, row.direction);
+  return {row.direction, prescribed_velocity(motion, model_->curves[motion.curve], times, before)};
 }
 
 Vec3 LocalConstraints::constrain(const Node& node, bool rotation, const MotionTimes& times,
@@ -178,16 +231,12 @@ Vec3 LocalConstraints::constrain(const Node& node, bool rotation, const MotionTi
   for (std::size_t i = node.first; i < node.last; ++i) {
     const Row& row = rows_[i];
     if (row.rotation != rotation || times.time < row.birth || times.time >= row.death) continue;
-    const Vec3 part = basis.new_part(row.direction);
+    const Demand asked = demand(node, row, times);
+    const Vec3 part = basis.new_part(asked.direction);
     if (norm(part) == 0) continue;
-    double target = 0;
-    if (row.motion != no_index) {
-      const model::PrescribedMotion& motion = model_->prescribed_motions[row.motion];
-      const double before = dot(rotation ? node.spin : node.velocity, row.direction);
-      target = prescribed_velocity(motion, model_->curves[motion.curve], times, before);
-    }
     // Along the new part alone, so that what goes before stays as it is.
-    const Vec3 change = ((target - dot(velocity, row.direction)) / dot(part, row.direction)) * part;
+    const double lacks = asked.velocity - dot(velocity, asked.direction);
+    const Vec3 change = (lacks / dot(part, asked.direction)) * part;
     velocity += change;
     if (row.is_support) by_supports += change;
     basis.use(part);

@@ -12,9 +12,10 @@
 
 namespace crumple::constraints {
 
-/// What holds and moves the nodes that have a support in axes of their own or a motion along a vector: all
-/// directions of such a node are solved together, those of the global axes as well. They replace what the
-/// kick has made of its velocities, as PrescribedMotions does (docs/theory/prescribed_motion.md).
+/// What holds and moves the nodes that have a support in axes of their own, or a motion along a vector or
+/// round an axis: all directions of such a node are solved together, those of the global axes as well. They
+/// replace what the kick has made of its velocities, as PrescribedMotions does
+/// (docs/theory/prescribed_motion.md).
 class LocalConstraints {
  public:
   /// Velocities at time zero lose what supports hold. The model must outlive the constraints. Throws Error
@@ -43,7 +44,7 @@ class LocalConstraints {
  private:
   /// One direction along or about which a node is held or moved.
   struct Row {
-    math::Vec3 direction;     ///< of unit length
+    math::Vec3 direction;     ///< of unit length; of a motion round an axis whose radius is free: none
     bool rotation = false;    ///< about it
     Index motion = no_index;  ///< in Model::prescribed_motions; no_index: at rest
     bool is_support = true;   ///< of a support, not of a motion
@@ -54,12 +55,20 @@ class LocalConstraints {
     Index node = no_index;  ///< of the domain
     std::size_t first = 0;  ///< its rows, those that go before others first
     std::size_t last = 0;   ///< the one behind them
+    math::Vec3 position;    ///< x(n)
     math::Vec3 velocity;    ///< v(n-1/2)
     math::Vec3 spin;        ///< omega(n-1/2)
   };
   void add_support(const model::LocalSupport& support);
   void add_held_axes(std::uint8_t fixed);  ///< of the global ones
   void add_motion(const model::PrescribedMotion& motion, Index place);
+  /// A direction, and the velocity of n+1/2 along it.
+  struct Demand {
+    math::Vec3 direction;
+    double velocity = 0;
+  };
+  Demand demand(const Node& node, const Row& row, const MotionTimes& times) const;
+  Demand demand_round(const Node& node, const Row& row, const MotionTimes& times) const;
   void stop_initial_motion(domain::Domain& domain, const Node& node) const;
   /// Changes the velocity as the rows of one sort ask; returns the part that supports have in the change.
   math::Vec3 constrain(const Node& node, bool rotation, const MotionTimes& times, math::Vec3& velocity) const;

@@ -21,8 +21,8 @@ struct MotionTimes {
 double prescribed_velocity(const model::PrescribedMotion& motion, const model::Curve& curve,
                            const MotionTimes& times, double before);
 
-/// Which nodes of the model have a support in axes of their own or a motion along a vector, so that
-/// LocalConstraints alone holds and moves them.
+/// Which nodes of the model have a support in axes of their own, or a motion along a vector or round an axis,
+/// so that LocalConstraints alone holds and moves them.
 std::vector<char> nodes_with_local_constraints(const model::Model& model);
 
 /// Velocities of nodes and rigid bodies that follow curves. They replace what the kick has made of them; the

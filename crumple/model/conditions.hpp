@@ -94,6 +94,10 @@ struct PrescribedMotion {
   double death = 1e28;                ///< free from then on [time]
   std::array<double, 3> direction{};  ///< of nodes: unit vector in the place of the axis; zero is the axis
   bool holds_plane = false;  ///< with a direction: no motion across (or rotation about what is across)
+  /// Of nodes: they go round the axis through `centre`, by the angle or angular velocity of the curve [rad].
+  bool goes_round = false;
+  std::array<double, 3> centre{};  ///< [length]
+  bool keeps_radius = true;        ///< else the distance from the axis is free
 
   bool has_direction() const { return direction != std::array<double, 3>{}; }
 };

@@ -142,6 +142,64 @@ TEST(LocalMotions, ObliqueDirectionsAreMetTogether) {
   EXPECT_NEAR(v.z, 0, 1e-15);
 }
 
+/// Adds the curve c(t) = t.
+Index add_line(model::Model& model) {
+  model.curves.push_back({static_cast<UserId>(model.curves.size() + 1), {0, 1e6}, {0, 1e6}});
+  return static_cast<Index>(model.curves.size() - 1);
+}
+
+/// A mass at the origin that goes round the axis along y through (0.5, 0, -0.5).
+model::PrescribedMotion round_motion(model::Model& model, model::PrescribedMotion::Kind kind) {
+  using Kind = model::PrescribedMotion::Kind;
+  model::PrescribedMotion motion{.node = 0, .axis = 1, .kind = kind};
+  motion.curve = kind == Kind::Displacement ? add_line(model) : test::add_constant_curve(model, 1);
+  motion.goes_round = true;
+  motion.centre = {0.5, 7, -0.5};
+  return motion;
+}
+
+TEST(LocalMotions, RoundAnAxisKeepTheCircle) {
+  using Kind = model::PrescribedMotion::Kind;
+  for (const Kind kind : {Kind::Displacement, Kind::Velocity, Kind::Acceleration}) {
+    model::Model model = lone_mass();
+    model::PrescribedMotion motion = round_motion(model, kind);
+    motion.scale = 2;
+    model.prescribed_motions.push_back(motion);
+    timeloop::Simulation simulation(model, test::execution());
+    test::run(simulation);
+    const domain::Domain& domain = simulation.domain();
+    const double time = domain.clock.time;
+    // Of the velocity (3, -1, 2) the arm (-0.5, 0, 0.5) makes the angular velocity 5.
+    const double angle = kind == Kind::Acceleration ? 5 * time + time * time : 2 * time;
+    const Vec3 expected{0.5 - 0.5 * std::cos(angle) + 0.5 * std::sin(angle), -time,
+                        -0.5 + 0.5 * std::cos(angle) + 0.5 * std::sin(angle)};
+    test::verified("mass that is led round an axis, " + std::to_string(static_cast<int>(kind)) +
+                       ": error of its place over the radius",
+                   "exact")
+        .below(norm(domain.nodes.position[0] - expected) / std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(domain.energy.imbalance(), 0, 1e-10 * domain.energy.initial_total);
+  }
+}
+
+/// Where the radius is free the mass moves along the turning ray as in a tube: r'' = w^2 r.
+TEST(LocalMotions, RoundAnAxisMayLeaveTheRadiusFree) {
+  model::Model model = lone_mass();
+  model.initial_velocities.clear();
+  model.curves[0].ordinate = {1e-4, 1e-4};
+  model::PrescribedMotion motion = round_motion(model, model::PrescribedMotion::Kind::Velocity);
+  motion.keeps_radius = false;
+  model.prescribed_motions.push_back(motion);
+  timeloop::Simulation simulation(model, test::execution());
+  test::run(simulation);
+  const domain::Domain& domain = simulation.domain();
+  const Vec3 arm = domain.nodes.position[0] - Vec3{0.5, 0, -0.5};
+  const double time = domain.clock.time;
+  test::verified("mass in a tube that turns: error of its distance from the axis", "r cosh(w t)")
+      .below(std::fabs(norm(arm) / (std::sqrt(0.5) * std::cosh(time)) - 1), 1e-4);
+  EXPECT_NEAR(std::atan2(arm.x + arm.z, arm.z - arm.x), time, 1e-10);
+  EXPECT_NEAR(domain.energy.imbalance(), 0, 1e-10 * domain.energy.external_work);
+}
+
 TEST(LocalSupports, HoldFromBirthToDeath) {
   model::Model model = lone_mass();
   model.local_supports.push_back(

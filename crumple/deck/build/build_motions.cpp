@@ -78,8 +78,9 @@ bool may_move(Index node, const RawPrescribedMotion& raw, const Movers& movers, 
   if (found == movers.connections.end()) return true;
   const Connection& connection = found->second;
   const auto& moved = connection.translation;
-  const bool along =
-      raw.vector != 0 ? moved[0] || moved[1] || moved[2] : moved[static_cast<std::size_t>(raw.motion.axis)];
+  const bool along = raw.vector != 0 || raw.motion.goes_round
+                         ? moved[0] || moved[1] || moved[2]
+                         : moved[static_cast<std::size_t>(raw.motion.axis)];
   if (!connection.is_body && (raw.motion.rotation || !along)) return true;
   build.report.error(raw.where, "connection",
                      fmt::format("node {} belongs to {}, which moves it as well; move another node of what "

@@ -66,6 +66,23 @@ TEST(LocalMotions, AreAlongAndAboutVectors) {
   EXPECT_TRUE(about.rotation && about.holds_plane);
 }
 
+TEST(LocalMotions, GoRoundAxesThroughTwoOffsets) {
+  const model::Model model = read_with(curve +
+                                       "*BOUNDARY_PRESCRIBED_MOTION_NODE\n2,10,0,1,2\n0.5,-0.25\n"
+                                       "3,-11,2,1\n3,4\n4,3,0,1\n");
+  ASSERT_EQ(model.prescribed_motions.size(), 3U);
+  const model::PrescribedMotion& about_y = model.prescribed_motions[0];
+  EXPECT_EQ(about_y.axis, 1);
+  EXPECT_TRUE(about_y.goes_round && about_y.keeps_radius);
+  EXPECT_FALSE(about_y.rotation || about_y.holds_plane);
+  expect_vector(about_y.centre, {-0.25, 0, 0.5});
+  const model::PrescribedMotion& about_z = model.prescribed_motions[1];
+  EXPECT_EQ(about_z.axis, 2);
+  EXPECT_FALSE(about_z.keeps_radius || about_z.holds_plane);
+  expect_vector(about_z.centre, {3, 4, 0});
+  EXPECT_FALSE(model.prescribed_motions[2].goes_round);
+}
+
 TEST(LocalMotions, NeedAVector) {
   const std::string motion = "*BOUNDARY_PRESCRIBED_MOTION_NODE\n2,4,0,1,1,";
   EXPECT_TRUE(has(messages_with(curve + motion + "\n"), "field VID"));

@@ -22,9 +22,9 @@ constexpr Field motion_card[] = {
     real("BIRTH", 0, not_negative),
 };
 
-// Behind the card of a motion about an axis beside the node (DOF 9 to 11), or of two nodes (VAD 4).
+// Behind the card of a motion round an axis (DOF 9 to 11), or of two nodes (VAD 4).
 constexpr Field motion_offset_card[] = {
-    unused("OFFSET1"), unused("OFFSET2"), unused("LRB"), unused("NODE1"), unused("NODE2"),
+    fixed(real("OFFSET1")), fixed(real("OFFSET2")), unused("LRB"), unused("NODE1"), unused("NODE2"),
 };
 
 constexpr Field body_load_card[] = {
@@ -53,9 +53,11 @@ constexpr std::string_view directions_of_loads =
     "M1, "
     "M2, M3";
 constexpr std::string_view directions_of_motions =
-    "1, 2, 3 are along x, y, z, 5, 6, 7 about them, 4 and 8 along and about the vector VID; with offsets (9 "
-    "to "
-    "11) they are not supported";
+    "1, 2, 3 are along x, y, z, 5, 6, 7 about them, 4 and 8 along and about the vector VID; nodes may also "
+    "go "
+    "round an axis (9 to 11)";
+constexpr int first_round = 9;
+constexpr int last_round = 11;
 
 /// Of DOF from 1 to 8: whether it may be that, which must be given.
 bool check_direction(const Card& card, std::string_view meaning, Report& report) {
@@ -77,6 +79,8 @@ bool check_direction(const Card& card, std::string_view meaning, Report& report)
 bool check_motion_direction(const Card& card, bool of_body, Report& report) {
   const std::int64_t direction = card.integer("DOF");
   const bool along_vector = std::abs(direction) == 4 || std::abs(direction) == 8;
+  if (!of_body && std::abs(direction) >= first_round && std::abs(direction) <= last_round)
+    return card.good("DOF");
   if (!along_vector) return check_direction(card, directions_of_motions, report);
   const std::string text(card.text("DOF"));
   if (direction < 0 && of_body) {
@@ -107,9 +111,11 @@ void read_motions(Cards& cards, RawDeck& deck, RawPrescribedMotion::Target targe
     const int direction = static_cast<int>(card.integer("DOF"));
     const int magnitude = std::abs(direction);
     const bool by_vector = magnitude == 4 || magnitude == 8;
-    raw.motion.rotation = magnitude >= 5;
-    raw.motion.axis = by_vector ? 0 : raw.motion.rotation ? magnitude - 5 : magnitude - 1;
-    raw.motion.holds_plane = direction < 0;
+    raw.motion.goes_round = magnitude >= first_round && magnitude <= last_round;
+    raw.motion.rotation = magnitude >= 5 && !raw.motion.goes_round;
+    raw.motion.axis = by_vector ? 0 : (magnitude - 1) % 4;
+    raw.motion.holds_plane = by_vector && direction < 0;
+    raw.motion.keeps_radius = direction > 0;
     raw.vector = by_vector ? card.integer("VID") : 0;
     raw.motion.kind = card.real("VAD") == 0   ? Kind::Velocity
                       : card.real("VAD") == 1 ? Kind::Acceleration
@@ -117,11 +123,13 @@ void read_motions(Cards& cards, RawDeck& deck, RawPrescribedMotion::Target targe
     raw.motion.scale = card.real("SF");
     raw.motion.birth = card.real("BIRTH");
     raw.motion.death = card.real("DEATH");
-    constexpr int first_with_offset = 9;
     constexpr int of_two_nodes = 4;
-    const bool has_second_card = (magnitude >= first_with_offset && magnitude <= 11) ||
-                                 card.text("VAD") == std::to_string(of_two_nodes);
-    if (has_second_card && cards.has_line()) cards.next(motion_offset_card);
+    const bool has_second_card = raw.motion.goes_round || card.text("VAD") == std::to_string(of_two_nodes);
+    if (has_second_card && cards.has_line()) {
+      const Card offsets = cards.next(motion_offset_card);
+      raw.motion.centre[static_cast<std::size_t>((raw.motion.axis + 1) % 3)] = offsets.real("OFFSET1");
+      raw.motion.centre[static_cast<std::size_t>((raw.motion.axis + 2) % 3)] = offsets.real("OFFSET2");
+    }
     const bool of_body = target == RawPrescribedMotion::Target::Body;
     if (check_motion_direction(card, of_body, cards.report()) && card.good("NID") && card.good("LCID"))
       deck.prescribed_motions.push_back(raw);
