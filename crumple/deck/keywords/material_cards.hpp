@@ -15,6 +15,9 @@ inline constexpr Check poisson = between(-1, 0.5, "Poisson's ratio of an elastic
 inline constexpr Field viscoplastic_field =
     only("VP", {0, 1}, "0 scales the yield stress by the total strain rate, 1 is viscoplastic");
 
+/// The same of laws whose rates are all on the card: take_viscoplastic() looks at its value.
+inline constexpr Field viscoplastic_value = real("VP");
+
 }  // namespace row
 
 /// Number, title, density and place of a material whose first card this is.
@@ -36,5 +39,9 @@ void check_pressure_cut_off(const Card& card, Report& report);
 
 /// Reports a Cowper-Symonds rate without its exponent.
 void check_rate(const Card& card, std::string_view rate, std::string_view exponent, Report& report);
+
+/// Whether VP says viscoplastic, where `rate` switches the rate effect on. Without one any VP passes, those
+/// that mean nothing with a warning.
+bool take_viscoplastic(const Card& card, double rate, Report& report);
 
 }  // namespace crumple::deck

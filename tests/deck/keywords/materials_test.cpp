@@ -33,6 +33,16 @@ TEST(RateMaterial, PowerLawWithEveryValue) {
   EXPECT_EQ(law.yield_strain, 0.002);
 }
 
+TEST(RateMaterial, AnyVpPassesWithoutRates) {
+  const auto without = messages_of("*MAT_018\n1,7.83E-9,207000,0.3,500,0.22\n0,0.4876\n");
+  ASSERT_EQ(without.size(), 1U);
+  EXPECT_NE(without[0].find("warning: *MAT_018 card 2 field VP"), std::string::npos) << without[0];
+  EXPECT_NE(without[0].find("no effect, as there is no rate effect"), std::string::npos) << without[0];
+  const auto with = messages_of("*MAT_018\n1,7.83E-9,207000,0.3,500,0.22,40,5\n0,0.4876\n");
+  ASSERT_EQ(with.size(), 1U);
+  EXPECT_NE(with[0].find("error: *MAT_018 card 2 field VP"), std::string::npos) << with[0];
+}
+
 /// Below 0.02 SIGY is a strain, from there on a stress on the curve; zero is the intersection with the
 /// elastic line.
 TEST(RateMaterial, PowerLawFindsItsYieldStrain) {

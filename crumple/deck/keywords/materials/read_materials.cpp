@@ -38,7 +38,7 @@ constexpr Field plastic_kinematic_rate_card[] = {
     real("SRC", 0, not_negative),
     real("SRP", 0, not_negative),
     real("FS", 0, not_negative),
-    viscoplastic_field,
+    viscoplastic_value,
 };
 
 constexpr Field piecewise_card[] = {
@@ -187,6 +187,20 @@ void check_rate(const Card& card, std::string_view rate, std::string_view expone
                         fmt::format("{} switches the rate effect on, and it needs both", rate), "rate"});
 }
 
+bool take_viscoplastic(const Card& card, double rate, Report& report) {
+  const double read = card.real("VP");
+  if (!card.good("VP") || read == 0 || read == 1) return read == 1;
+  FieldFault fault{"VP", std::string(card.text("VP")), "0 or 1",
+                   "0 scales the yield stress by the total strain rate, 1 is viscoplastic", "viscoplastic"};
+  if (rate > 0) {
+    report.field_unsupported(card.where(), fault);
+  } else {
+    fault.hint = "it has no effect, as there is no rate effect";
+    report.field_warning(card.where(), fault);
+  }
+  return false;
+}
+
 void read_mat_elastic(Cards& cards, RawDeck& deck) {
   while (cards.more()) {
     const Heading heading = cards.heading();
@@ -212,7 +226,7 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck) {
     law.cowper_symonds_rate = rate.real("SRC");
     law.cowper_symonds_exponent = rate.real("SRP");
     law.failure_strain = failure_strain(rate.real("FS"));
-    law.viscoplastic = rate.real("VP") == 1;
+    law.viscoplastic = take_viscoplastic(rate, law.cowper_symonds_rate, cards.report());
     check_tangent(card, cards.report());
     check_rate(rate, "SRC", "SRP", cards.report());
     raw.material.law = law;

@@ -26,7 +26,7 @@ constexpr Field power_card[] = {
 
 constexpr Field power_second_card[] = {
     real("SIGY", 0, not_negative),
-    viscoplastic_field,
+    viscoplastic_value,
     real("EPSF", 0, not_negative),
 };
 
@@ -40,7 +40,7 @@ constexpr Field johnson_cook_card[] = {
          "elements are not deleted by their time step; D1 to D5 erode shells, and DT2MS of *CONTROL_TIMESTEP "
          "keeps "
          "up the step"),
-    viscoplastic_field,
+    viscoplastic_value,
     only("RATEOP", {0}, "0 is Johnson and Cook's own rate effect, C ln(rate / EPS0)"),
 };
 
@@ -77,7 +77,7 @@ constexpr Field johnson_cook_fourth_card[] = {
 
 constexpr Field simplified_card[] = {
     id("MID"),          real("RO", 0, above_zero), real("E", 0, above_zero), real("PR", 0, poisson),
-    viscoplastic_field,
+    viscoplastic_value,
 };
 
 constexpr Field simplified_second_card[] = {
@@ -170,7 +170,7 @@ void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck) {
       law.yield_strain = yield_strain(card, second, cards.report());
     law.cowper_symonds_rate = card.real("SRC");
     law.cowper_symonds_exponent = card.real("SRP");
-    law.viscoplastic = second.real("VP") == 1;
+    law.viscoplastic = take_viscoplastic(second, law.cowper_symonds_rate, cards.report());
     law.failure_strain = failure_strain(second.real("EPSF"));
     check_rate(card, "SRC", "SRP", cards.report());
     raw.material.law = law;
@@ -202,7 +202,7 @@ void read_mat_johnson_cook(Cards& cards, RawDeck& deck) {
                                  {"EPS0", std::string(second.text("EPS0")), "a number above zero",
                                   "C switches the rate effect on, and it needs both", "rate"});
     if (second.real("EPS0") > 0) law.reference_rate = second.real("EPS0");
-    law.viscoplastic = card.real("VP") == 1;
+    law.viscoplastic = take_viscoplastic(card, law.rate_coefficient, cards.report());
     check_exponent(second, cards.report());
     take_third_card(second, third, fourth, law, cards.report());
     raw.material.law = law;
@@ -228,7 +228,7 @@ void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck) {
     law.largest_hardened = bound(second.real("SIGMAX"));
     law.saturation_stress = bound(second.real("SIGSAT"));
     law.reference_rate = second.real("EPSO");
-    law.viscoplastic = card.real("VP") == 1;
+    law.viscoplastic = take_viscoplastic(card, law.rate_coefficient, cards.report());
     check_exponent(second, cards.report());
     for (const std::string_view name : {"SIGMAX", "SIGSAT"}) {
       if (law.viscoplastic && bound(second.real(name)) > 0)
