@@ -10,7 +10,7 @@ namespace crumple::output {
 Recorder::Recorder(const std::filesystem::path& folder, const std::string& name, const View& view,
                    const ExtraFiles& extra)
     : folder_(folder),
-      series_(folder, name, view, extra.opening),
+      series_(folder, name, view, extra.opening, extra.all_fields),
       frame_schedule_(view.model.output.state_interval, default_frames, view.model.control) {
   if (extra.d3plot) d3plot_.emplace(folder, view, D3plotFamily::default_file_words, extra.opening);
   for (HistoryEntry& entry : histories_of(view))

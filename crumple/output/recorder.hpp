@@ -48,6 +48,7 @@ inline constexpr int default_frames = 100;
 /// What the deck does not ask for and the user may.
 struct ExtraFiles {
   bool d3plot = false;             ///< LS-DYNA's files of the frames, beside ParaView's
+  bool all_fields = false;         ///< stress tensors and more in ParaView's frames
   Opening opening = Opening::New;  ///< whether all files are made anew
 };
 

@@ -167,6 +167,9 @@ void add_run_options(CLI::App& run, Options& options) {
   run.add_option("-o,--output", options.folder, "Folder of the results [the deck's name with .out, here]");
   run.add_flag("--d3plot", options.d3plot,
                "Write the frames as LS-DYNA's d3plot files, too; these take about three times the room");
+  run.add_flag("--all-fields", options.all_fields,
+               "Write stress tensors, and of shells plastic strain by surface and change of thickness, into\n"
+               "ParaView's frames, too; these take about twice the room");
   run.add_flag(
       "--dynain", options.dynain,
       "Write dynain at the end: nodes, shells, solids, their stresses and velocities for another run");

@@ -47,6 +47,7 @@ struct Options {
   std::optional<int> serve;          ///< port of a live page; 0 is any free one
   bool token = true;                 ///< its address has a random token
   bool d3plot = false;               ///< write d3plot files beside ParaView's
+  bool all_fields = false;           ///< stress tensors and more in ParaView's frames
   bool dynain = false;               ///< write a deck that goes on from the end of the run
   bool accelerations = false;        ///< keep those of the nodes, for a caller that looks at them
   int trace_energy = 0;              ///< follow the energy balance by groups of so many elements; 0: not

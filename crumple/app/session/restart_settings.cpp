@@ -39,6 +39,7 @@ Json json_of(const Options& options) {
           {"allow_unsupported", options.allow_unsupported},
           {"allow_negative_contact_energy", options.allow_negative_contact_energy},
           {"d3plot", options.d3plot},
+          {"all_fields", options.all_fields},
           {"dynain", options.dynain},
           {"trace_energy", options.trace_energy},
           {"move_apart", options.move_apart},
@@ -62,6 +63,7 @@ Options options_of(const Json& json) {
   options.allow_unsupported = json.at("allow_unsupported");
   options.allow_negative_contact_energy = json.at("allow_negative_contact_energy");
   options.d3plot = json.at("d3plot");
+  options.all_fields = json.at("all_fields");
   options.dynain = json.at("dynain");
   options.trace_energy = json.at("trace_energy");
   options.move_apart = json.at("move_apart");
@@ -184,6 +186,7 @@ Options continued_options(const Options& asked, const Restart& restart) {
   options.command = asked.command;
   options.allow_negative_contact_energy |= asked.allow_negative_contact_energy;
   options.d3plot = options.d3plot || asked.d3plot;
+  options.all_fields = options.all_fields || asked.all_fields;
   options.dynain = options.dynain || asked.dynain;
   if (asked.threads) options.threads = asked.threads;
   if (asked.isa) options.isa = asked.isa;

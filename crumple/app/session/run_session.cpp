@@ -123,7 +123,7 @@ void RunSession::take_up(const Restart& restart) {
 /// A run that is taken up goes on in the files of its folder, and begins new ones in another.
 void RunSession::open_files(const Restart* restart) {
   const bool goes_on = restart != nullptr && lies_in(restart->file, folder_ / restart_folder);
-  output::ExtraFiles extra{.d3plot = options_.d3plot};
+  output::ExtraFiles extra{.d3plot = options_.d3plot, .all_fields = options_.all_fields};
   if (goes_on) extra.opening = output::Opening::Continued;
   output::require_no_link(folder_ / restart_folder);
   // Whoever finds run.json knows that it belongs to the results beside it.

@@ -13,6 +13,7 @@
 #include "output/files/atomic_file.hpp"
 #include "output/files/own_file.hpp"
 #include "output/results/line_results.hpp"
+#include "output/results/shell_axes.hpp"
 #include "output/results/shell_results.hpp"
 #include "output/results/solid_results.hpp"
 
@@ -100,8 +101,8 @@ std::string as_attribute(const std::string& text) {
 }  // namespace
 
 ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view,
-                               Opening opening)
-    : folder_(std::move(folder)), name_(std::move(name)), walls_(view) {
+                               Opening opening, bool all_fields)
+    : folder_(std::move(folder)), name_(std::move(name)), all_fields_(all_fields), walls_(view) {
   make_subfolder(folder_ / "vtu");
   if (opening == Opening::New) remove_earlier_frames();
   place_ = block_places(view.domain.shells, view.model.shells.size());
@@ -199,27 +200,51 @@ std::vector<VtuArray> ParaviewSeries::point_fields(const View& view) {
   return fields;
 }
 
-std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
+/// What the blocks show, in the order of the domain.
+struct ParaviewSeries::CellResults {
+  explicit CellResults(const View& view)
+      : solids(view.domain.solids.begin(), view.domain.solids.end()),
+        discretes(view.domain.discretes.begin(), view.domain.discretes.end()) {
+    for (const domain::ShellBlock& block : view.domain.shells) shells.emplace_back(view.model, block);
+    for (const domain::BeamBlock& block : view.domain.beams) beams.emplace_back(view.model, block);
+  }
   std::vector<ShellResults> shells;
-  for (const domain::ShellBlock& block : view.domain.shells) shells.emplace_back(view.model, block);
-  const std::vector<SolidResults> solids(view.domain.solids.begin(), view.domain.solids.end());
+  std::vector<SolidResults> solids;
   std::vector<LineResults> beams;
-  for (const domain::BeamBlock& block : view.domain.beams) beams.emplace_back(view.model, block);
-  const std::vector<LineResults> discretes(view.domain.discretes.begin(), view.domain.discretes.end());
-  // In the order of the topology.
+  std::vector<LineResults> discretes;
+};
+
+/// An array of `Count` numbers for each cell in the order of the topology; the functions take results of a
+/// block and a place there.
+template <std::size_t Count, class Number, class OfShell, class OfSolid, class OfLine>
+VtuArray ParaviewSeries::cell_array(const std::string& name, const CellResults& results, OfShell of_shell,
+                                    OfSolid of_solid, OfLine of_line) {
+  std::vector<Number> values;
+  values.reserve(Count * cell_count());
+  const auto add = [&](const auto& places, const auto& of, const auto& value) {
+    for (const auto& [block, place] : places) {
+      const auto found = value(of, static_cast<std::size_t>(block), place);
+      if constexpr (Count == 1)
+        values.push_back(static_cast<Number>(found));
+      else
+        for (const double number : found) values.push_back(static_cast<Number>(number));
+    }
+  };
+  add(place_, results.shells, of_shell);
+  add(solid_place_, results.solids, of_solid);
+  add(beam_place_, results.beams, of_line);
+  add(discrete_place_, results.discretes, of_line);
+  return packer_.array<Number>(name, Count, values);
+}
+
+std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
+  const CellResults results(view);
   const auto make = [&]<class Number>(const std::string& name, Number /*type*/, auto of_shell, auto of_solid,
                                       auto of_line) {
-    std::vector<Number> values;
-    values.reserve(cell_count());
-    const auto add = [&](const auto& places, const auto& results, const auto& value) {
-      for (const auto& [block, place] : places)
-        values.push_back(static_cast<Number>(value(results[block], place)));
+    const auto at = [](auto value) {
+      return [value](const auto& of, std::size_t block, Index place) { return value(of[block], place); };
     };
-    add(place_, shells, of_shell);
-    add(solid_place_, solids, of_solid);
-    add(beam_place_, beams, of_line);
-    add(discrete_place_, discretes, of_line);
-    return packer_.array<Number>(name, 1, values);
+    return cell_array<1, Number>(name, results, at(of_shell), at(of_solid), at(of_line));
   };
   const auto same = [&](const std::string& name, auto value) {
     return make(name, 0.0F, value, value, value);
@@ -244,9 +269,42 @@ std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
     fields.push_back(make(resultant_names[i], 0.0F, none, none, [i](const LineResults& r, Index place) {
       return r.resultant(place, static_cast<Resultant>(i));
     }));
+  if (all_fields_) add_detailed_fields(results, view, fields);
   const auto alive = [](const auto& r, Index place) { return r.alive(place) ? 1 : 0; };
   fields.push_back(make("alive", std::uint8_t(0), alive, alive, alive));
   return fields;
+}
+
+void ParaviewSeries::add_detailed_fields(const CellResults& results, const View& view,
+                                         std::vector<VtuArray>& fields) {
+  using Surface = ShellResults::Surface;
+  const auto no_tensor = [](const auto&, std::size_t, Index) { return Tensor{}; };
+  const auto no_number = [](const auto&, std::size_t, Index) { return 0; };
+  const auto of_shell = [&](Surface surface) {
+    return [&, surface](const std::vector<ShellResults>& of, std::size_t block, Index place) {
+      const ShellAxes axes = shell_axes(view.domain.shells[block], view.domain.nodes, place);
+      return in_global_axes(axes, of[block].stress(place, surface));
+    };
+  };
+  const auto of_solid = [](const std::vector<SolidResults>& of, std::size_t block, Index place) {
+    return of[block].mean_stress(place);
+  };
+  fields.push_back(cell_array<6, float>("stress", results, of_shell(Surface::Middle), of_solid, no_tensor));
+  if (place_.empty()) return;
+  constexpr std::pair<Surface, const char*> surfaces[] = {{Surface::Inner, "inner"},
+                                                          {Surface::Outer, "outer"}};
+  for (const auto& [surface, name] : surfaces) {
+    const auto strain = [surface = surface](const std::vector<ShellResults>& of, std::size_t block,
+                                            Index place) { return of[block].plastic_strain(place, surface); };
+    fields.push_back(cell_array<6, float>(fmt::format("stress_{}", name), results, of_shell(surface),
+                                          no_tensor, no_tensor));
+    fields.push_back(
+        cell_array<1, float>(fmt::format("plastic_strain_{}", name), results, strain, no_number, no_number));
+  }
+  const auto change = [](const std::vector<ShellResults>& of, std::size_t block, Index place) {
+    return of[block].thickness_change(place);
+  };
+  fields.push_back(cell_array<1, float>("thickness_change", results, change, no_number, no_number));
 }
 
 std::string ParaviewSeries::frame_name(int frame) const {

@@ -20,9 +20,10 @@ namespace crumple::output {
 class ParaviewSeries {
  public:
   /// Makes the folders and removes frames that an earlier run of that name left, unless they are continued.
-  /// Throws WriteError.
+  /// `all_fields`: stress tensors, plastic strain by surface and change of thickness as well. Throws
+  /// WriteError.
   ParaviewSeries(std::filesystem::path folder, std::string name, const View& view,
-                 Opening opening = Opening::New);
+                 Opening opening = Opening::New, bool all_fields = false);
 
   /// Declares the frames so far, for a restart.
   void declare(domain::StateList& list);
@@ -42,6 +43,11 @@ class ParaviewSeries {
   void pack_constant_arrays(const View& view);
   std::vector<VtuArray> point_fields(const View& view);
   std::vector<VtuArray> cell_fields(const View& view);
+  struct CellResults;
+  template <std::size_t Count, class Number, class OfShell, class OfSolid, class OfLine>
+  VtuArray cell_array(const std::string& name, const CellResults& results, OfShell of_shell, OfSolid of_solid,
+                      OfLine of_line);
+  void add_detailed_fields(const CellResults& results, const View& view, std::vector<VtuArray>& fields);
   bool has_lines() const { return !beam_place_.empty() || !discrete_place_.empty(); }
   std::size_t cell_count() const {
     return place_.size() + solid_place_.size() + beam_place_.size() + discrete_place_.size();
@@ -52,6 +58,7 @@ class ParaviewSeries {
 
   std::filesystem::path folder_;
   std::string name_;
+  bool all_fields_;
   std::vector<double> times_;
   VtuPacker packer_;
   ParaviewWalls walls_;

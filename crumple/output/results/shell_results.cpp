@@ -3,17 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "output/results/point_results.hpp"
 
 namespace crumple::output {
-
-namespace {
-
-/// zz is zero in a shell.
-double von_mises_of(const ShellResults::Stress& s) {
-  return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * (s[2] * s[2] + s[3] * s[3] + s[4] * s[4]));
-}
-
-}  // namespace
 
 ShellResults::ShellResults(const model::Model& model, const domain::ShellBlock& block)
     : model_(&model),
@@ -44,27 +38,62 @@ double ShellResults::von_mises(Index place) const {
   return largest;
 }
 
-double ShellResults::mid_von_mises(Index place) const {
+/// zz is zero in a shell.
+double ShellResults::von_mises_of(const Stress& s) {
+  return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * (s[2] * s[2] + s[3] * s[3] + s[4] * s[4]));
+}
+
+Index ShellResults::layers() const {
+  return stress_->count / stress_components / block_->plane_points;
+}
+
+std::array<Index, 2> ShellResults::layers_at(Surface surface) const {
+  const Index last = layers() - 1;
+  switch (surface) {
+    case Surface::Inner:
+      return {0, 0};
+    case Surface::Middle:
+      return {last / 2, (last + 1) / 2};
+    case Surface::Outer:
+      return {last, last};
+  }
+  return {};
+}
+
+ShellResults::Stress ShellResults::stress(Index place, Surface surface) const {
+  Stress mean{};
+  if (stress_ == nullptr) return mean;
+  const Index planes = block_->plane_points;
+  for (Index plane = 0; plane < planes; ++plane)
+    for (const Index layer : layers_at(surface))
+      add_stress(place, plane * layers() + layer, 0.5 / planes, mean);
+  return mean;
+}
+
+double ShellResults::plastic_strain(Index place, Surface surface) const {
   if (stress_ == nullptr) return 0;
   const Index planes = block_->plane_points;
-  const Index points = stress_->count / stress_components / planes;
-  Stress mean{};
-  for (Index plane = 0; plane < planes; ++plane) {
-    add_stress(place, plane * points + (points - 1) / 2, 0.5 / planes, mean);
-    add_stress(place, plane * points + points / 2, 0.5 / planes, mean);
-  }
-  return von_mises_of(mean);
+  double mean = 0;
+  for (Index plane = 0; plane < planes; ++plane)
+    for (const Index layer : layers_at(surface))
+      mean += 0.5 / planes * plastic_strain_of(*block_, place, plane * layers() + layer);
+  return mean;
+}
+
+double ShellResults::first_thickness(Index place) const {
+  const auto corners = model::shell_thickness(*model_, model_->shells[block_->element[place]]);
+  return std::accumulate(corners.begin(), corners.end(), 0.0) / static_cast<double>(corners.size());
 }
 
 double ShellResults::thickness(Index place) const {
+  if (thickness_ == nullptr) return first_thickness(place);
   double sum = 0;
-  if (thickness_ == nullptr) {
-    const auto corners = model::shell_thickness(*model_, model_->shells[block_->element[place]]);
-    for (const double corner : corners) sum += corner;
-    return sum / static_cast<double>(corners.size());
-  }
   for (Index i = 0; i < thickness_->count; ++i) sum += block_->state(place, thickness_->first + i);
   return sum / thickness_->count;
+}
+
+double ShellResults::thickness_change(Index place) const {
+  return thickness(place) / first_thickness(place) - 1;
 }
 
 bool ShellResults::alive(Index place) const {

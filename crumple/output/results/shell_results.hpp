@@ -25,15 +25,27 @@ class ShellResults {
   double plastic_strain(Index place) const;
   /// Largest von Mises stress of all points [stress].
   double von_mises(Index place) const;
-  /// Von Mises stress of the mean components at the middle of the thickness: over the points in plane, and
-  /// over the two next to the middle if their number is even. Without bending while elastic [stress].
-  double mid_von_mises(Index place) const;
+  /// A place through the thickness: the lowest point, the middle (both points next to it, if their number is
+  /// even), the highest point.
+  enum class Surface { Inner, Middle, Outer };
+  /// Mean components over the points in plane, along the axes of the element [stress].
+  Stress stress(Index place, Surface surface) const;
+  /// The same of the effective plastic strain [-].
+  double plastic_strain(Index place, Surface surface) const;
+  /// Von Mises stress of the mean components at the middle. Without bending while elastic [stress].
+  double mid_von_mises(Index place) const { return von_mises_of(stress(place, Surface::Middle)); }
   /// Mean thickness now [length].
   double thickness(Index place) const;
+  /// Of the mean thickness over that at the start, less one [-].
+  double thickness_change(Index place) const;
   /// False once the element has failed.
   bool alive(Index place) const;
 
  private:
+  static double von_mises_of(const Stress& stress);
+  Index layers() const;
+  std::array<Index, 2> layers_at(Surface surface) const;
+  double first_thickness(Index place) const;
   void add_stress(Index place, Index point, double share, Stress& sum) const;
 
   const model::Model* model_;

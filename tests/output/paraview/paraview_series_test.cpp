@@ -61,6 +61,28 @@ TEST_F(ParaviewSeriesTest, FieldsFollowTheDecksOrderWhateverTheDomains) {
   EXPECT_EQ(file["alive"].values<std::uint8_t>(), (std::vector<std::uint8_t>{1, 0, 1}));
 }
 
+/// Even tension in the plane of the shells at their lowest points, after a quarter turn about y.
+TEST_F(ParaviewSeriesTest, AllFieldsAreAlongGlobalAxesAndBySurface) {
+  for (math::Vec3& x : domain_.nodes.position) x = {x.z, x.y, -x.x};
+  for (domain::ShellBlock& block : domain_.shells)
+    for (Index place = 0; place < block.elements; ++place) {
+      for (const Index c : {0, 1}) block.set_state(place, block.find("stress")->first + c, 3);
+      block.set_state(place, block.find("plastic_strain")->first, 0.25);
+    }
+  ParaviewSeries(folder_, "run", view(), Opening::New, true).write_frame(view());
+  const VtuReader file = frame(0);
+  const std::vector<float> inner = file["stress_inner"].values<float>();
+  ASSERT_EQ(inner.size(), 18U);
+  for (std::size_t i = 0; i < inner.size(); ++i)
+    EXPECT_NEAR(inner[i], i % 6 == 1 || i % 6 == 2 ? 3 : 0, 1e-6) << i;
+  EXPECT_EQ(file["stress_outer"].values<float>(), std::vector<float>(18, 0));
+  EXPECT_EQ(file["plastic_strain_inner"].values<float>(), std::vector<float>(3, 0.25F));
+  EXPECT_EQ(file["plastic_strain_outer"].values<float>(), std::vector<float>(3, 0));
+  EXPECT_EQ(file["thickness_change"].values<float>(), std::vector<float>(3, 0));
+  ParaviewSeries(folder_, "run", view()).write_frame(view());
+  EXPECT_FALSE(frame(0).has("stress_inner")) << "only if asked for";
+}
+
 /// Shells with four points in plane: the greatest stress of all points, and of the mid-surface the mean.
 TEST_F(ParaviewSeriesTest, StressIsTakenOverThePointsInPlane) {
   for (domain::ShellBlock& block : domain_.shells) {

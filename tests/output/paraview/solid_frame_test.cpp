@@ -53,6 +53,24 @@ TEST_F(SolidFrameTest, ShowsShellsThenSolidsAsTheShapesTheyAre) {
   EXPECT_EQ(file["alive"].values<std::uint8_t>(), (std::vector<std::uint8_t>(5, 1)));
 }
 
+TEST_F(SolidFrameTest, HasStressTensorsIfAskedFor) {
+  const model::Model model = solids();
+  domain::Domain domain = domain::build(model, {});
+  domain::SolidBlock& block = domain.solids.at(0);
+  domain::add_item(block, "stress", "stress", 6);
+  block.allocate(Precision::Double);
+  for (Index c = 0; c < 6; ++c) block.set_state(0, c, c + 1);
+  const View view{model, domain, 0};
+  ParaviewSeries(folder_, "run", view, Opening::New, true).write_frame(view);
+  const VtuReader file(read(folder_ / "vtu/run_000000.vtu"));
+  EXPECT_EQ(file["stress"].components, 6);
+  const std::vector<float> stress = file["stress"].values<float>();
+  ASSERT_EQ(stress.size(), 30U);
+  EXPECT_EQ(std::vector<float>(stress.begin(), stress.begin() + 6), std::vector<float>(6, 0)) << "the shell";
+  const auto solid = stress.begin() + 6 * (1 + block.element[0]);
+  EXPECT_EQ(std::vector<float>(solid, solid + 6), (std::vector<float>{1, 2, 3, 4, 5, 6}));
+}
+
 TEST_F(SolidFrameTest, ShowsTetrahedraWithTenNodesAsQuadraticOnes) {
   model::Model model = test::one_solid_part(test::elastic_steel());
   model.solid_sections[0].formulation = model::SolidFormulation::QuadraticTetrahedron;
