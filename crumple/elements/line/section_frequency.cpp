@@ -10,8 +10,8 @@ namespace {
 
 using Square = std::array<std::array<double, 3>, 3>;
 
-/// Just above the largest eigenvalue of a symmetric matrix that has no negative one: the Frobenius norm of its
-/// power 2^k is the largest eigenvalue to that power times at most the root of 3.
+/// Just above the largest eigenvalue of a symmetric matrix that has no negative one: the Frobenius norm of
+/// its power 2^k is the largest eigenvalue to that power times at most the root of 3.
 double eigenvalue_from_above(Square matrix) {
   constexpr int squarings = 6;
   double eigenvalue = 1;
