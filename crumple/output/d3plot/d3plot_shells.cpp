@@ -30,47 +30,25 @@ D3plotShells::D3plotShells(const View& view, const domain::ShellBlock& block)
       results_(view.model, block),
       history_(block),
       layout_(view.model.output.extent),
-      stress_(block.find("stress")),
-      energy_(block.find("energy")) {
-  if (stress_ != nullptr) layers_ = stress_->count / ShellResults::stress_components / block.plane_points;
-}
-
-D3plotShells::Local D3plotShells::stress(Index place, Index layer) const {
-  Local mean{};
-  if (stress_ == nullptr) return mean;
-  const Index planes = block_->plane_points;
-  for (Index plane = 0; plane < planes; ++plane)
-    for (std::size_t c = 0; c < mean.size(); ++c) {
-      const Index component = (plane * layers_ + layer) * ShellResults::stress_components;
-      mean[c] += block_->state(place, stress_->first + component + static_cast<Index>(c)) / planes;
-    }
-  return mean;
-}
-
-double D3plotShells::plastic_strain(Index place, Index layer) const {
-  double mean = 0;
-  const Index planes = block_->plane_points;
-  for (Index plane = 0; plane < planes; ++plane)
-    mean += plastic_strain_of(*block_, place, plane * layers_ + layer) / planes;
-  return mean;
-}
+      energy_(block.find("energy")) {}
 
 double D3plotShells::history(Index place, Index layer, int variable) const {
   double mean = 0;
   const Index planes = block_->plane_points;
   for (Index plane = 0; plane < planes; ++plane)
-    mean += history_.value(place, plane * layers_ + layer, variable) / planes;
+    mean += history_.value(place, plane * results_.layers() + layer, variable) / planes;
   return mean;
 }
 
 void D3plotShells::add_layer(D3plotWords& words, const ShellAxes& axes, Index place, Index below,
                              Index above) const {
-  Local local = stress(place, below);
-  const Local other = stress(place, above);
+  ShellResults::Stress local = results_.stress(place, below);
+  const ShellResults::Stress other = results_.stress(place, above);
   for (std::size_t c = 0; c < local.size(); ++c) local[c] = 0.5 * (local[c] + other[c]);
   if (layout_.stresses)
     for (const double component : in_global_axes(axes, local)) words.real(component);
-  if (layout_.plastic_strain) words.real(0.5 * (plastic_strain(place, below) + plastic_strain(place, above)));
+  if (layout_.plastic_strain)
+    words.real(0.5 * (results_.plastic_strain(place, below) + results_.plastic_strain(place, above)));
   for (int i = 0; i < layout_.shell_history; ++i)
     words.real(0.5 * (history(place, below, i) + history(place, above, i)));
 }
@@ -90,7 +68,7 @@ void D3plotShells::add_resultants(D3plotWords& words, const ShellAxes& axes, Ind
   double shear1 = 0;
   double shear2 = 0;
   for (Index layer = 0; layer < static_cast<Index>(block_->point_place.size()); ++layer) {
-    const auto [xx, yy, xy, yz, zx] = stress(place, layer);
+    const auto [xx, yy, xy, yz, zx] = results_.stress(place, layer);
     const double weight = thickness * block_->point_weight[static_cast<std::size_t>(layer)];
     const double arm = 0.5 * thickness * block_->point_place[static_cast<std::size_t>(layer)] * weight;
     force = {force.xx + weight * xx, force.yy + weight * yy, force.xy + weight * xy};
@@ -123,10 +101,10 @@ double D3plotShells::energy_density(Index place) const {
 void D3plotShells::add_shell(D3plotWords& words, Index place) const {
   const ShellAxes axes = shell_axes(*block_, view_->domain.nodes, place);
   if (layout_.layers == D3plotLayout::surfaces) {
-    add_layer(words, axes, place, (layers_ - 1) / 2, layers_ / 2);
-    for (const Index layer : {0, layers_ - 1}) add_layer(words, axes, place, layer, layer);
+    add_layer(words, axes, place, (results_.layers() - 1) / 2, results_.layers() / 2);
+    for (const Index layer : {0, results_.layers() - 1}) add_layer(words, axes, place, layer, layer);
   } else {
-    const int present = std::min(layout_.layers, static_cast<int>(layers_));
+    const int present = std::min(layout_.layers, results_.layers());
     for (Index layer = 0; layer < present; ++layer) add_layer(words, axes, place, layer, layer);
     words.zeros((layout_.layers - present) * layout_.layer_values());
   }

@@ -26,10 +26,6 @@ class D3plotShells {
   bool alive(Index place) const { return results_.alive(place); }
 
  private:
-  /// xx, yy, xy, yz, zx along the axes of the shell.
-  using Local = std::array<double, 5>;
-  Local stress(Index place, Index layer) const;
-  double plastic_strain(Index place, Index layer) const;
   double history(Index place, Index layer, int variable) const;
   /// The mean of two layers, which may be the same.
   void add_layer(D3plotWords& words, const ShellAxes& axes, Index place, Index below, Index above) const;
@@ -43,9 +39,7 @@ class D3plotShells {
   ShellResults results_;
   PointHistory history_;
   D3plotLayout layout_;
-  const domain::StateItem* stress_;
   const domain::StateItem* energy_;
-  Index layers_ = 1;  ///< points through the thickness
 };
 
 }  // namespace crumple::output

@@ -44,7 +44,7 @@ double ShellResults::von_mises_of(const Stress& s) {
 }
 
 Index ShellResults::layers() const {
-  return stress_->count / stress_components / block_->plane_points;
+  return stress_ == nullptr ? 1 : stress_->count / stress_components / block_->plane_points;
 }
 
 std::array<Index, 2> ShellResults::layers_at(Surface surface) const {
@@ -60,24 +60,33 @@ std::array<Index, 2> ShellResults::layers_at(Surface surface) const {
   return {};
 }
 
-ShellResults::Stress ShellResults::stress(Index place, Surface surface) const {
+ShellResults::Stress ShellResults::stress(Index place, Index layer) const {
   Stress mean{};
-  if (stress_ == nullptr) return mean;
+  const Index planes = block_->plane_points;
+  for (Index plane = 0; plane < planes && stress_ != nullptr; ++plane)
+    add_stress(place, plane * layers() + layer, 1.0 / planes, mean);
+  return mean;
+}
+
+ShellResults::Stress ShellResults::stress(Index place, Surface surface) const {
+  const auto [below, above] = layers_at(surface);
+  Stress mean = stress(place, below);
+  const Stress other = stress(place, above);
+  for (std::size_t c = 0; c < mean.size(); ++c) mean[c] = 0.5 * (mean[c] + other[c]);
+  return mean;
+}
+
+double ShellResults::plastic_strain(Index place, Index layer) const {
+  double mean = 0;
   const Index planes = block_->plane_points;
   for (Index plane = 0; plane < planes; ++plane)
-    for (const Index layer : layers_at(surface))
-      add_stress(place, plane * layers() + layer, 0.5 / planes, mean);
+    mean += plastic_strain_of(*block_, place, plane * layers() + layer) / planes;
   return mean;
 }
 
 double ShellResults::plastic_strain(Index place, Surface surface) const {
-  if (stress_ == nullptr) return 0;
-  const Index planes = block_->plane_points;
-  double mean = 0;
-  for (Index plane = 0; plane < planes; ++plane)
-    for (const Index layer : layers_at(surface))
-      mean += 0.5 / planes * plastic_strain_of(*block_, place, plane * layers() + layer);
-  return mean;
+  const auto [below, above] = layers_at(surface);
+  return 0.5 * (plastic_strain(place, below) + plastic_strain(place, above));
 }
 
 double ShellResults::first_thickness(Index place) const {

@@ -25,12 +25,16 @@ class ShellResults {
   double plastic_strain(Index place) const;
   /// Largest von Mises stress of all points [stress].
   double von_mises(Index place) const;
+  /// Points through the thickness.
+  Index layers() const;
+  /// Mean components of a layer over the points in plane, along the axes of the element [stress].
+  Stress stress(Index place, Index layer) const;
+  /// The same of the effective plastic strain [-].
+  double plastic_strain(Index place, Index layer) const;
   /// A place through the thickness: the lowest point, the middle (both points next to it, if their number is
   /// even), the highest point.
   enum class Surface { Inner, Middle, Outer };
-  /// Mean components over the points in plane, along the axes of the element [stress].
   Stress stress(Index place, Surface surface) const;
-  /// The same of the effective plastic strain [-].
   double plastic_strain(Index place, Surface surface) const;
   /// Von Mises stress of the mean components at the middle. Without bending while elastic [stress].
   double mid_von_mises(Index place) const { return von_mises_of(stress(place, Surface::Middle)); }
@@ -43,7 +47,6 @@ class ShellResults {
 
  private:
   static double von_mises_of(const Stress& stress);
-  Index layers() const;
   std::array<Index, 2> layers_at(Surface surface) const;
   double first_thickness(Index place) const;
   void add_stress(Index place, Index point, double share, Stress& sum) const;
