@@ -192,34 +192,36 @@ void LocalConstraints::remember(const Domain& domain) {
 }
 
 /// Of a motion round an axis: the chord of the arc of the step, so that the place at n+1 is on the circle;
-/// or, where the radius is free, across the ray on which the node is at n+1.
+/// or, where the radius is free, so much across the arm of time n that the node is on the ray of n+1. (Across
+/// that ray itself the reaction would be of the end of the step, and the radial motion of first order.)
 LocalConstraints::Demand LocalConstraints::demand_round(const Node& node, const Row& row,
-                                                        const MotionTimes& times) const {
+                                                        const MotionTimes& times,
+                                                        const Vec3& velocity) const {
   const model::PrescribedMotion& motion = model_->prescribed_motions[row.motion];
+  const double step = times.next_step;
   Vec3 axis;
   axis[motion.axis] = 1;
   Vec3 arm = node.position - math::to_vec3(motion.centre);
   arm[motion.axis] = 0;
-  const double before =
-      angular_velocity_about(axis, arm, node.velocity, 2 * times.interval - times.next_step);
-  const double angle =
-      times.next_step * prescribed_velocity(motion, model_->curves[motion.curve], times, before);
+  const double before = angular_velocity_about(axis, arm, node.velocity, 2 * times.interval - step);
+  const double angle = step * prescribed_velocity(motion, model_->curves[motion.curve], times, before);
   const Vec3 across = cross(axis, arm);
   if (motion.keeps_radius) {
     const double sine = std::sin(0.5 * angle);
     const Vec3 chord = std::sin(angle) * across - 2 * sine * sine * arm;
-    return {row.direction, dot(chord, row.direction) / times.next_step};
+    return {row.direction, dot(chord, row.direction) / step};
   }
   const double radius = norm(arm);
-  const Vec3 next_across = std::cos(angle) * across - std::sin(angle) * arm;
-  return {radius > 0 ? (1 / radius) * next_across : Vec3{}, radius * std::sin(angle) / times.next_step};
+  if (!(radius > 0)) return {};
+  const double next_radius = radius + step * dot(velocity, arm) / radius;
+  return {(1 / radius) * across, next_radius * std::tan(angle) / step};
 }
 
-LocalConstraints::Demand LocalConstraints::demand(const Node& node, const Row& row,
-                                                  const MotionTimes& times) const {
+LocalConstraints::Demand LocalConstraints::demand(const Node& node, const Row& row, const MotionTimes& times,
+                                                  const Vec3& velocity) const {
   if (row.motion == no_index) return {row.direction, 0};
   const model::PrescribedMotion& motion = model_->prescribed_motions[row.motion];
-  if (motion.goes_round) return demand_round(node, row, times);
+  if (motion.goes_round) return demand_round(node, row, times, velocity);
   const double before = dot(row.rotation ? node.spin : node.velocity, row.direction);
   return {row.direction, prescribed_velocity(motion, model_->curves[motion.curve], times, before)};
 }
@@ -231,7 +233,7 @@ Vec3 LocalConstraints::constrain(const Node& node, bool rotation, const MotionTi
   for (std::size_t i = node.first; i < node.last; ++i) {
     const Row& row = rows_[i];
     if (row.rotation != rotation || times.time < row.birth || times.time >= row.death) continue;
-    const Demand asked = demand(node, row, times);
+    const Demand asked = demand(node, row, times, velocity);
     const Vec3 part = basis.new_part(asked.direction);
     if (norm(part) == 0) continue;
     // Along the new part alone, so that what goes before stays as it is.

@@ -67,8 +67,10 @@ class LocalConstraints {
     math::Vec3 direction;
     double velocity = 0;
   };
-  Demand demand(const Node& node, const Row& row, const MotionTimes& times) const;
-  Demand demand_round(const Node& node, const Row& row, const MotionTimes& times) const;
+  /// `velocity` is that of n+1/2 as far as it is known.
+  Demand demand(const Node& node, const Row& row, const MotionTimes& times, const math::Vec3& velocity) const;
+  Demand demand_round(const Node& node, const Row& row, const MotionTimes& times,
+                      const math::Vec3& velocity) const;
   void stop_initial_motion(domain::Domain& domain, const Node& node) const;
   /// Changes the velocity as the rows of one sort ask; returns the part that supports have in the change.
   math::Vec3 constrain(const Node& node, bool rotation, const MotionTimes& times, math::Vec3& velocity) const;
