@@ -62,7 +62,7 @@ const RememberedPair* NodeSearch::memory_of(Index segment) const {
 /// True if the node was in contact with that segment of the same surface and now is nearer to another one.
 bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
   return other.side != 0 && other.segment != segment && same_sides(surface_, segment, other.segment) &&
-         hold(other.segment, view_.nearest_point(view_.now.shape(other.segment), p_), &other) == 0;
+         hold(other.segment, view_.nearest_point(view_.now.shape(other.segment), p_), &other, false) == 0;
 }
 
 /// The segments at the edge or corner where the nearest point of a segment is, itself among them.
@@ -120,8 +120,9 @@ bool NodeSearch::goes_on(Index segment, const NearestPoint& nearest, const Vec3&
 /// How much of a contact with the segment there is: 1 if it is the nearest around, else 0; but a node that is
 /// right behind the face of a solid stays with it, be other faces of the solid nearer or not, as it is
 /// through this one that it came. Over the rim of the face its share fades, for a new one at once. A face
-/// that the node's own faces cannot meet is never entered.
-double NodeSearch::hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const {
+/// that the node's own faces cannot meet is never entered. `near`: they touch where the node is.
+double NodeSearch::hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory,
+                        bool near) const {
   const bool nearest_of_all = nearest_around(view_.now, node_, segment, nearest);
   if (!surface_.is_face(segment)) return nearest_of_all ? 1 : 0;
   const Vec3 away = p_ - nearest.point;
@@ -130,11 +131,12 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
   const bool inside = memory != nullptr && memory->wrong != 0;
   if (depth > 0 && !inside && !may_enter(view_.now, place_, normal)) return 0;
   if (nearest_of_all) return 1;
-  if (depth <= 0) return stands_at_rim(segment, view_.now.shape(segment), nearest) ? 1 : 0;
+  if (depth <= 0) return !near && stands_at_rim(segment, view_.now.shape(segment), nearest) ? 1 : 0;
   const double beyond = norm(away + depth * normal);
   const double side = std::sqrt(surface_.area[segment]);
   const bool was_in_front = memory != nullptr || depth <= on_face(segment);
   if (!inside && beyond > tolerances::beside_rim * (was_in_front ? side : depth)) return 0;
+  if (!inside && !reaches_over(segment, view_.now.shape(segment), nearest)) return 0;
   if (nearest.feature != Feature::Face && goes_on(segment, nearest, normal)) return 0;
   return std::max(0.0, 1 - beyond / (tolerances::lost_beyond_rim * side));
 }
@@ -142,6 +144,43 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
 /// Distance up to which a node lies on a face, by the round-off of coordinates [length].
 double NodeSearch::on_face(Index segment) const {
   return tolerances::on_surface * surface_.height[segment];
+}
+
+/// True if a face or shell of the node reaches in over the rim of a face, where that is nearest to the node:
+/// one that faces it, if there are such. Else the node passes beside the face, though it comes behind its
+/// plane. Nodes without any may be over the rim by round-off.
+bool NodeSearch::reaches_over(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const {
+  if (nearest.feature == Feature::Face) return true;
+  const Vec3 normal = normalised(area_normal(shape));
+  const Index* nodes = surface_.segment(segment);
+  const auto over_rim = [&](const Vec3& from_node) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Index next = nodes[(k + 1) % 4];
+      const bool of_rim = nearest.feature == Feature::Edge
+                              ? k == static_cast<std::size_t>(nearest.local)
+                              : nodes[k] == nodes[nearest.local] || next == nodes[nearest.local];
+      const Vec3 along = shape.corner[(k + 1) % 4] - shape.corner[k];
+      if (of_rim && nodes[k] != next && dot(from_node, cross(normal, along)) <= 0) return false;
+    }
+    return true;
+  };
+  bool none_faces_it = true;
+  bool any_over_rim = false;
+  const auto around = surface_.topology.at_node(place_);
+  for (const Index own : around) {
+    const SegmentShape own_shape = view_.now.shape(own);
+    const bool over = over_rim(own_shape.centre - p_);
+    any_over_rim = any_over_rim || over;
+    if (surface_.of_solid[own] != 0 &&
+        dot(normalised(area_normal(own_shape)), normal) >= -tolerances::opposed)
+      continue;
+    none_faces_it = false;
+    if (over) return true;
+  }
+  if (!around.empty()) return none_faces_it && any_over_rim;
+  const Vec3 away = p_ - nearest.point;
+  return norm(away - dot(away, normal) * normal) <=
+         tolerances::on_surface * std::sqrt(surface_.area[segment]);
 }
 
 /// True if the node is on the plane of a face or in front of it, and right beside its rim: should it come
@@ -152,7 +191,8 @@ bool NodeSearch::stands_at_rim(Index segment, const SegmentShape& shape, const N
   const Vec3 away = p_ - nearest.point;
   const double height = dot(away, normal);
   return height >= -on_face(segment) &&
-         norm(away - height * normal) <= tolerances::beside_rim * std::sqrt(surface_.area[segment]);
+         norm(away - height * normal) <= tolerances::beside_rim * std::sqrt(surface_.area[segment]) &&
+         reaches_over(segment, shape, nearest);
 }
 
 /// Of the faces of other solids that the node does not lie on, the nearest.
@@ -288,7 +328,7 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   if (!near && !watched && !known_face && !looks_at_all() &&
       distance > relative_motion(view_.now, node_, segment, view_.step))
     return gap;
-  const double share = hold(segment, nearest, memory);
+  const double share = hold(segment, nearest, memory, near);
   if (share == 0) return 0;
 
   const Vec3 away = p_ - nearest.point;

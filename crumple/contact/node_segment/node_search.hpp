@@ -49,9 +49,10 @@ class NodeSearch {
   std::span<const Index> around(Index segment, const NearestPoint& nearest) const;
   bool agree(Index a, Index b, const NearestPoint& nearest_of_a) const;
   int crossed_around(Index segment, const NearestPoint& nearest) const;
-  double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory) const;
+  double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory, bool near) const;
   bool goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const;
   double on_face(Index segment) const;
+  bool reaches_over(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const;
   bool stands_at_rim(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const;
   bool enters_once(const ContactPair& a, const ContactPair& b) const;
   bool came_through(const ContactPair& a, const ContactPair& b) const;
