@@ -210,6 +210,14 @@ TEST(IncludeTransform, TheSetOfANodalRigidBodyHasTheNumberOfTheFile) {
   EXPECT_EQ(model_of(including(""), deck.text()).rigid_bodies.size(), 1U);
 }
 
+TEST(IncludeTransform, MovesTheAxisThatNodesGoRound) {
+  SmallDeck deck;
+  deck.more = "*DEFINE_CURVE\n1\n0,0\n1,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n2,10,0,1\n0.5,-0.25\n";
+  const model::Model model = model_of(including("TRANSL,10,20,30\n"), deck.text());
+  ASSERT_EQ(model.prescribed_motions.size(), 1U);
+  EXPECT_EQ(model.prescribed_motions[0].centre, (std::array<double, 3>{9.75, 20, 30.5}));
+}
+
 TEST(IncludeTransform, UnitsAreRefused) {
   const std::string cards = std::string(offsets) + "1,1,0.001\n";
   EXPECT_TRUE(read(including("", std::string(offsets) + "1,0,1.0\n"), SmallDeck().text()).model);

@@ -24,7 +24,7 @@ constexpr Field motion_card[] = {
 
 // Behind the card of a motion round an axis (DOF 9 to 11), or of two nodes (VAD 4).
 constexpr Field motion_offset_card[] = {
-    fixed(real("OFFSET1")), fixed(real("OFFSET2")), unused("LRB"), unused("NODE1"), unused("NODE2"),
+    real("OFFSET1"), real("OFFSET2"), unused("LRB"), unused("NODE1"), unused("NODE2"),
 };
 
 constexpr Field body_load_card[] = {
@@ -130,6 +130,7 @@ void read_motions(Cards& cards, RawDeck& deck, RawPrescribedMotion::Target targe
       raw.motion.centre[static_cast<std::size_t>((raw.motion.axis + 1) % 3)] = offsets.real("OFFSET1");
       raw.motion.centre[static_cast<std::size_t>((raw.motion.axis + 2) % 3)] = offsets.real("OFFSET2");
     }
+    raw.motion.centre = cards.placement().map.of_point(raw.motion.centre);
     const bool of_body = target == RawPrescribedMotion::Target::Body;
     if (check_motion_direction(card, of_body, cards.report()) && card.good("NID") && card.good("LCID"))
       deck.prescribed_motions.push_back(raw);
