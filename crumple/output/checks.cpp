@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/to_vec3.hpp"
 #include "output/results/part_masses.hpp"
 
 namespace crumple::output {
@@ -75,10 +76,16 @@ double driven_speed(const View& view) {
   for (const model::PrescribedMotion& motion : view.model.prescribed_motions) {
     const bool acts = domain.clock.time >= motion.birth && domain.clock.time < motion.death;
     if (!acts || motion.node == no_index || motion.rotation) continue;
-    math::Vec3 velocity = domain.nodes.velocity[domain.nodes.domain_node[motion.node]];
+    const math::Vec3& velocity = domain.nodes.velocity[domain.nodes.domain_node[motion.node]];
     if (motion.goes_round) {
-      velocity[motion.axis] = 0;
-      fastest = std::max(fastest, math::norm(velocity));
+      math::Vec3 axis;
+      axis[motion.axis] = 1;
+      math::Vec3 arm =
+          domain.nodes.position[domain.nodes.domain_node[motion.node]] - math::to_vec3(motion.centre);
+      arm[motion.axis] = 0;
+      const math::Vec3 around = math::cross(axis, arm);
+      const double radius = math::norm(around);
+      if (radius > 0) fastest = std::max(fastest, std::fabs(math::dot(velocity, around)) / radius);
       continue;
     }
     const math::Vec3 direction{motion.direction[0], motion.direction[1], motion.direction[2]};
@@ -150,7 +157,8 @@ void PeakValues::observe(const View& view) {
 }
 
 void PeakValues::observe(const domain::EnergyLedger& energy) {
-  run_.largest_supplied = std::max(run_.largest_supplied, energy.initial_total + energy.external_work);
+  run_.largest_supplied =
+      std::max(run_.largest_supplied, std::fabs(energy.initial_total + energy.external_work));
   run_.largest_internal = std::max(run_.largest_internal, energy.internal);
   run_.largest_absorbed = std::max(run_.largest_absorbed, energy.absorbed());
   run_.lowest_contact = std::min(run_.lowest_contact, energy.contact);
@@ -214,7 +222,7 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
 
 std::vector<std::string> energy_warnings(const View& view, const PeakValues& peaks) {
   const domain::EnergyLedger& energy = view.domain.energy;
-  const double scale = energy_scale(energy);
+  const double scale = std::max(energy_scale(energy), peaks.largest_supplied_energy());
   std::vector<std::string> warnings;
   const double internal = peaks.largest_internal_energy();
   const double artificial = artificial_energies(view).second;

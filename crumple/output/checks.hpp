@@ -37,7 +37,8 @@ class PeakValues {
   /// The fastest that the model says to move, or that the energy supplied so far makes all of it move.
   double reference_speed() const { return run_.reference_speed; }
   UserId fastest_node() const { return run_.fastest_node; }
-  /// Of the start and by the work of loads: what the balance is judged by [energy].
+  /// The largest size of the energy of the start and the work of loads together, by which the balance is
+  /// judged [energy].
   double largest_supplied_energy() const { return run_.largest_supplied; }
   /// By which energies are judged: where bodies rebound little internal energy is left [energy].
   double largest_internal_energy() const { return run_.largest_internal; }
@@ -50,7 +51,7 @@ class PeakValues {
   struct Run {
     double fastest = 0;           ///< largest speed of a node [length/time]
     double reference_speed = 0;   ///< see reference_speed() [length/time]
-    double largest_supplied = 0;  ///< of the start and by work [energy]
+    double largest_supplied = 0;  ///< see largest_supplied_energy()
     double largest_internal = 0;  ///< [energy]
     double largest_absorbed = 0;  ///< as EnergyLedger::absorbed() [energy]
     double lowest_contact = 0;    ///< at most zero [energy]

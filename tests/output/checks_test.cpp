@@ -69,6 +69,18 @@ TEST_F(ChecksTest, EnergyThatHasLeftAgainIsHeldAgainstTheMostThatThereWas) {
   EXPECT_TRUE(find("total energy change").pass);
 }
 
+/// Stresses of the start that loads let out: work is negative from the first step on.
+TEST_F(ChecksTest, WorkThatLoadsOnlyTakeOutIsWhatTheBalanceIsHeldAgainst) {
+  PeakValues peaks;
+  domain::EnergyLedger& energy = domain_.energy;
+  energy.initial_total = energy.kinetic = energy.hourglass = energy.contact = 0;
+  energy.external_work = -100;
+  energy.internal = -99.5;
+  peaks.observe(view());
+  peaks_ = peaks;
+  EXPECT_NEAR(find("total energy change").value, 0.005, 1e-12);
+}
+
 TEST_F(ChecksTest, HourglassIsHeldAgainstInitialAndInternalEnergy) {
   domain_.energy.hourglass = 6;
   EXPECT_DOUBLE_EQ(find("hourglass / initial").value, 0.06);
