@@ -428,7 +428,7 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
     });
   };
   const RememberedPair* from = memory_of(pair.segment);
-  // One that only waits in front of a face is nobody's heir: the spring belongs to one that pushes.
+  // A pair that only waits in front of a face inherits no spring: that belongs to a pair in penetration.
   const bool inherits = !waits(pair);
   for (std::size_t i = 0; i < remembered_.size() && inherits && (from == nullptr || !from->loaded()); ++i) {
     const RememberedPair& other = remembered_[i];

@@ -15,7 +15,7 @@ inline constexpr Check poisson = between(-1, 0.5, "Poisson's ratio of an elastic
 inline constexpr Field viscoplastic_field =
     only("VP", {0, 1}, "0 scales the yield stress by the total strain rate, 1 is viscoplastic");
 
-/// The same of laws whose rates are all on the card: take_viscoplastic() looks at its value.
+/// The same of laws whose rates are all on the card: take_viscoplastic() checks its value.
 inline constexpr Field viscoplastic_value = real("VP");
 
 }  // namespace row

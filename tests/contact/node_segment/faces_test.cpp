@@ -265,8 +265,8 @@ TEST(Faces, AreEnteredAtFlushRims) {
 }
 
 /// One box comes down along the side of another, or glides in over its upper face, apart by little or
-/// nothing: its nodes pass behind planes of faces that they do not meet. Slowly, as then nobody sees them
-/// cross.
+/// nothing: its nodes pass behind planes of faces that they do not meet. Steps are short: at the larger
+/// gaps no path over a step crosses those faces.
 TEST(Faces, AreNotEnteredByWhatPassesTheirRims) {
   constexpr double start = 0.01;
   constexpr double move = 5e-5;
