@@ -126,17 +126,18 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
   const bool nearest_of_all = nearest_around(view_.now, node_, segment, nearest);
   if (!surface_.is_face(segment)) return nearest_of_all ? 1 : 0;
   const Vec3 away = p_ - nearest.point;
-  const Vec3 normal = normalised(area_normal(view_.now.shape(segment)));
+  const SegmentShape shape = view_.now.shape(segment);
+  const Vec3 normal = normalised(area_normal(shape));
   const double depth = -dot(away, normal);
   const bool inside = memory != nullptr && memory->wrong != 0;
   if (depth > 0 && !inside && !may_enter(view_.now, place_, normal)) return 0;
   if (nearest_of_all) return 1;
-  if (depth <= 0) return !near && stands_at_rim(segment, view_.now.shape(segment), nearest) ? 1 : 0;
+  if (depth <= 0) return !near && stands_at_rim(segment, shape, nearest) ? 1 : 0;
   const double beyond = norm(away + depth * normal);
   const double side = std::sqrt(surface_.area[segment]);
   const bool was_in_front = memory != nullptr || depth <= on_face(segment);
   if (!inside && beyond > tolerances::beside_rim * (was_in_front ? side : depth)) return 0;
-  if (!inside && !reaches_over(segment, view_.now.shape(segment), nearest)) return 0;
+  if (!inside && !reaches_over(segment, shape, nearest)) return 0;
   if (nearest.feature != Feature::Face && goes_on(segment, nearest, normal)) return 0;
   return std::max(0.0, 1 - beyond / (tolerances::lost_beyond_rim * side));
 }
