@@ -200,6 +200,29 @@ TEST(ErosionCriteria, StrainTurnsWithTheMaterial) {
   EXPECT_TRUE(point.check());
 }
 
+/// The increment belongs to the middle of the step, half of the rotation is still to come: 0.1 along x is
+/// along (1, 1) at the end of a quarter turn.
+TEST(ErosionCriteria, IncrementsTurnByHalfOfTheStep) {
+  ErosionCriteria criteria;
+  criteria.largest_principal_strain = 0.149;
+  OnePoint<double> point(criteria);
+  point.growth_of(0, 0) = 0.1;
+  point.set_turn(std::acos(0.0));
+  EXPECT_FALSE(point.check());
+  point.set_turn(0);
+  point.growth_of(0, 0) = 0;
+  point.growth_of(0, 3) = 0.1;
+  EXPECT_TRUE(point.check()) << "0.05 + 0.05 + 0.05 along (1, 1); 0.121 had it stayed along x";
+  // The work that the failed stress had in its step is that of the turned increment.
+  OnePoint<double> loaded(criteria);
+  loaded.growth_of(0, 0) = 0.3;
+  loaded.set_turn(std::acos(0.0));
+  loaded.stress(0, 0) = 120;
+  loaded.energy[0] = 20;
+  EXPECT_TRUE(loaded.check());
+  EXPECT_NEAR(loaded.energy[0], 20 - 0.5 * 120 * 0.15, 1e-12);
+}
+
 TEST(ErosionCriteria, SmallIncrementsAreNotLostInFloat) {
   ErosionCriteria criteria;
   criteria.volumetric_strain = 0.3;
