@@ -53,9 +53,8 @@ constexpr std::string_view directions_of_loads =
     "M1, "
     "M2, M3";
 constexpr std::string_view directions_of_motions =
-    "1, 2, 3 are along x, y, z, 5, 6, 7 about them, 4 and 8 along and about the vector VID; nodes may also "
-    "go "
-    "round an axis (9 to 11)";
+    "1, 2, 3 are along x, y, z, 5, 6, 7 about them, 4 and 8 along and about the vector VID; "
+    "nodes may also go round an axis (9 to 11)";
 constexpr int first_round = 9;
 constexpr int last_round = 11;
 
