@@ -9,6 +9,7 @@
 #include "base/index.hpp"
 #include "base/lanes.hpp"
 #include "base/precision.hpp"
+#include "model/damage.hpp"
 #include "model/erosion.hpp"
 
 namespace crumple::domain {
@@ -60,6 +61,7 @@ struct ElementBlock {
   double eroded_energy = 0;                ///< part of both that elements had when they failed [energy]
   Index eroded = 0;                        ///< elements that have failed
   std::optional<model::ErosionCriteria> erosion;  ///< its item "erosion" is [point][failed, strain, impulse]
+  std::optional<model::GissmoDamage> damage;      ///< its items: elements/common/damage_growth.hpp
   /// By place in the block, where mass is scaled during the run (elements/mass_scaling.hpp), else empty.
   std::vector<ScaledMass> scaled;
   bool rigid = false;  ///< its elements have mass and a surface, but no forces

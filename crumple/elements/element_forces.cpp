@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "elements/common/chunk_task.hpp"
+#include "elements/common/damage_growth.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/elements.hpp"
@@ -40,6 +41,8 @@ class Pass {
     for (const domain::ElementBlock* block : domain.blocks())
       erosion_.push_back(block->erosion ? erosion_check(*block, domain.clock.time, domain.clock.step)
                                         : ErosionCheck{});
+    for (const domain::ElementBlock* block : domain.blocks())
+      damage_.push_back(block->damage ? damage_growth(*block, domain.clock.step) : DamageGrowth{});
     const auto add_damping = [&](const domain::DampedBlock& block) {
       damping_.push_back(block.damping ? damping_of(block, domain.clock.step) : StiffnessDamping{});
     };
@@ -79,6 +82,7 @@ class Pass {
     task.from_memory = from_memory_;
     task.constants = constants;
     task.erosion = erosion_of(chunk);
+    task.damage = damage_of(chunk);
     if (block.damping) task.damping = &damping_[static_cast<std::size_t>(chunk.block)];
     task.material = materials::shell_material_update<Real>(domain_.execution.isa, constants.material);
     const std::vector<LayerCall<Real>>& layers = layers_[chunk.block];
@@ -93,6 +97,7 @@ class Pass {
     task.from_memory = from_memory_;
     task.constants = constants;
     task.erosion = erosion_of(chunk);
+    task.damage = damage_of(chunk);
     if (block.damping) task.damping = &damping_[static_cast<std::size_t>(chunk.block)];
     task.material = materials::solid_material_update<Real>(domain_.execution.isa, constants.material);
     solid_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
@@ -133,6 +138,10 @@ class Pass {
     const ErosionCheck& check = erosion_[static_cast<std::size_t>(chunk.block)];
     return check.criteria == nullptr ? nullptr : &check;
   }
+  const DamageGrowth* damage_of(const Chunk& chunk) const {
+    const DamageGrowth& growth = damage_[static_cast<std::size_t>(chunk.block)];
+    return growth.law == nullptr ? nullptr : &growth;
+  }
 
   /// What a core's caches hold of a step's way through nodes and elements. Below it, asking ahead costs a
   /// tenth of the time.
@@ -146,6 +155,7 @@ class Pass {
   std::vector<SolidConstants<Real>> solids_;
   std::vector<BeamConstants> beams_;
   std::vector<ErosionCheck> erosion_;      ///< by block
+  std::vector<DamageGrowth> damage_;       ///< by block
   std::vector<StiffnessDamping> damping_;  ///< by block of shells, then of solids and beams
 };
 

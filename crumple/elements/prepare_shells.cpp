@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "elements/common/damage_growth.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/lone_elements.hpp"
@@ -184,7 +185,7 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   constants.formulation = kind.kind;
   constants.planes = kind.planes;
   constants.material = law;
-  constants.can_fail = can_fail(model, block) || material.erosion;
+  constants.can_fail = can_fail(model, block) || model::may_erode(material);
   constants.thickness_change = model.control.thickness_change;
   constants.shear_root = std::sqrt(section.shear_factor);
   constants.slowness = 1 / elastic.plate_wave_speed();
@@ -208,6 +209,8 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   declare_own_items(constants.can_fail, block);
   block.erosion = material.erosion;
   if (block.erosion) declare_erosion(block);
+  if (!block.rigid) block.damage = material.damage;
+  declare_damage(block);
   if (!block.rigid) block.damping = part.damping;
   require(!block.damping || block.layup == no_index, part,
           "*DAMPING_PART_STIFFNESS acts on shells of one material, not on layers");
@@ -342,6 +345,7 @@ ShellMass prepare_element(const model::Model& model, const domain::Domain& domai
   block.set_state(place, own + element_state::step_scale,
                   (stiff ? triangle ? 2 : 1 : no_limit) * coupled * std::sqrt(factor));
   prepare_axes(model, shell, lamina_axes(shell, corner), constants.history, block, place);
+  set_damage_size(block, place, std::sqrt(area));
 
   const double mass = material.density * area * thickness;
   return {factor * mass, inertia, (factor - 1) * mass};

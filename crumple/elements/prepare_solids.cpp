@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "elements/common/damage_growth.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/lone_elements.hpp"
@@ -13,6 +14,7 @@
 #include "elements/solid/nodal_average.hpp"
 #include "elements/solid/solid_setup.hpp"
 #include "elements/solid/solid_task.hpp"
+#include "math/cube_root.hpp"
 
 namespace crumple::elements {
 namespace {
@@ -93,7 +95,7 @@ void prepare_block(const model::Model& model, const domain::Domain& domain, Soli
   constants.formulation = kind.kind;
   constants.points = kind.points;
   constants.material = law;
-  constants.can_fail = materials::solid_can_fail(material) || material.erosion;
+  constants.can_fail = materials::solid_can_fail(material) || model::may_erode(material);
   constants.density = start.density;
   constants.wave_speed = start.wave_speed;
   const double modulus = start.density * start.wave_speed * start.wave_speed;
@@ -121,6 +123,8 @@ void prepare_block(const model::Model& model, const domain::Domain& domain, Soli
   declare_own_items(constants.can_fail, kind.kept, block);
   block.erosion = material.erosion;
   if (block.erosion) declare_erosion(block);
+  if (!block.rigid) block.damage = material.damage;
+  declare_damage(block);
   if (!block.rigid) block.damping = part.damping;
   declare_damping(solid_damping(elastic, kind.averages), materials::solid_components, block);
   block.allocate(domain.execution.precision);
@@ -170,6 +174,7 @@ SolidMass prepare_element(const model::Model& model, const domain::Domain& domai
   const std::array<Index, 8> node = block.nodes_of(place);
   for (std::size_t k = 0; k < 8; ++k) corners[k] = domain.nodes.position[node[k]];
   materials::prepare_solid_element(law, corners, solid.id, block, constants.history, place);
+  set_damage_size(block, place, math::cube_root(volume));
   const double mass = constants.density * volume;
   return {factor * mass, (factor - 1) * mass};
 }

@@ -51,6 +51,12 @@ bool is_elastic(const ConstitutiveLaw& law) {
          std::holds_alternative<PolynomialRubber>(law);
 }
 
+bool has_plastic_strain(const ConstitutiveLaw& law) {
+  return std::holds_alternative<PlasticKinematic>(law) || std::holds_alternative<PowerLawPlasticity>(law) ||
+         std::holds_alternative<PiecewiseLinearPlasticity>(law) ||
+         std::holds_alternative<SheetPlasticity>(law) || std::holds_alternative<JohnsonCook>(law);
+}
+
 bool has_strain_limits(const PiecewiseLinearPlasticity& law) {
   return law.failure_thinning > 0 || law.failure_major > 0 || law.failed_points > 0 || law.failed_share > 0;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "model/damage.hpp"
 #include "model/erosion.hpp"
 #include "model/foam_material.hpp"
 #include "model/orthotropic_material.hpp"
@@ -383,6 +384,9 @@ LawUse use_of(const ConstitutiveLaw& law);
 /// rubbers.
 bool is_elastic(const ConstitutiveLaw& law);
 
+/// True of laws of shells and solids that keep an effective plastic strain.
+bool has_plastic_strain(const ConstitutiveLaw& law);
+
 /// What the parts of a rigid material may not do (CMO = 1 or -1 of *MAT_RIGID).
 struct RigidMaterial {
   std::array<bool, 3> fixed_translation{};  ///< of the centre of mass along the held axes of the body
@@ -397,6 +401,12 @@ struct Material {
   /// Present: parts of this material are rigid bodies, and the law serves the stiffness of contact alone.
   std::optional<RigidMaterial> rigid{};
   std::optional<ErosionCriteria> erosion{};  ///< beside what the law itself has of failure
+  std::optional<GissmoDamage> damage{};      ///< likewise; the law has a plastic strain then
 };
+
+/// True if elements may go that the law itself would keep.
+inline bool may_erode(const Material& material) {
+  return material.erosion || (material.damage && material.damage->acts);
+}
 
 }  // namespace crumple::model

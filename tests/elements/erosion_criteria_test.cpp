@@ -168,7 +168,7 @@ struct OnePoint {
   /// True if the element has gone.
   bool check(double time = 0) {
     std::vector<Real> intact(materials::tile_lanes, Real(1));
-    check_erosion(erosion_check(block, time, dt), ErosionTile<Real>{.state = state.data(),
+    check_erosion(erosion_check(block, time, dt), PointTile<Real>{.state = state.data(),
                                                                     .groups = 1,
                                                                     .points = block.points,
                                                                     .strain = strain.data(),

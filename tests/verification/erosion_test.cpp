@@ -27,7 +27,8 @@ constexpr Index rows = 3;
 enum class Failure {
   Law,        ///< the law's own plastic strain
   Criterion,  ///< a principal strain (*MAT_ADD_EROSION)
-  Fibres      ///< the strain of failure of fibres (*MAT_ENHANCED_COMPOSITE_DAMAGE)
+  Fibres,     ///< the strain of failure of fibres (*MAT_ENHANCED_COMPOSITE_DAMAGE)
+  Damage      ///< damage that lets the stress fade (*MAT_ADD_DAMAGE_GISSMO)
 };
 
 struct Case {
@@ -61,6 +62,11 @@ model::Model strip(const Case& of) {
     middle.law = fibres();
   else if (of.failure == Failure::Law)
     std::get<model::PlasticKinematic>(middle.law).failure_strain = 0.04;
+  else if (of.failure == Failure::Damage)
+    middle.damage = model::GissmoDamage{.exponent = 2,
+                                        .failure_strain = model::constant_family(0.06),
+                                        .critical_damage = 0.4,
+                                        .fading_exponent = model::constant_family(1.5)};
   else
     middle.erosion = model::ErosionCriteria{.largest_principal_strain = 0.04};
   model.materials.push_back(middle);
@@ -152,6 +158,7 @@ TEST_P(Strip, PulledApartLosesNothing) {
     test::verified(std::string("strip torn apart by erosion, ") +
                        (GetParam().failure == Failure::Law      ? ""
                         : GetParam().failure == Failure::Fibres ? "*MAT_ENHANCED_COMPOSITE_DAMAGE, "
+                        : GetParam().failure == Failure::Damage ? "*MAT_ADD_DAMAGE_GISSMO, "
                                                                 : "*MAT_ADD_EROSION, ") +
                        (precision == Precision::Double ? "double" : "mixed") +
                        ": energy over the initial one",
@@ -167,7 +174,9 @@ INSTANTIATE_TEST_SUITE_P(Formulations, Strip,
                                            Case{model::ShellFormulation::BelytschkoTsay, Failure::Criterion},
                                            Case{model::ShellFormulation::FullyIntegrated, Failure::Criterion},
                                            Case{model::ShellFormulation::BelytschkoTsay, Failure::Fibres},
-                                           Case{model::ShellFormulation::FullyIntegrated, Failure::Fibres}),
+                                           Case{model::ShellFormulation::FullyIntegrated, Failure::Fibres},
+                                           Case{model::ShellFormulation::BelytschkoTsay, Failure::Damage},
+                                           Case{model::ShellFormulation::FullyIntegrated, Failure::Damage}),
                          [](const auto& test) {
                            const auto formulation = test.param.formulation;
                            const std::string name =
@@ -176,7 +185,8 @@ INSTANTIATE_TEST_SUITE_P(Formulations, Strip,
                                                                                       : "FullyIntegrated";
                            return name + (test.param.failure == Failure::Law         ? ""
                                           : test.param.failure == Failure::Criterion ? "ByCriterion"
-                                                                                     : "OfFibres");
+                                          : test.param.failure == Failure::Fibres    ? "OfFibres"
+                                                                                     : "ByDamage");
                          });
 
 }  // namespace

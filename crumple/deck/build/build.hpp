@@ -139,6 +139,12 @@ void build_properties(Build& build, const ReadOptions& options);
 /// The curve that a field refers to; no_index, with a message, if there is none, or if it is a function of
 /// time.
 Index find_points(Build& build, const Reference& reference);
+/// The model's curve of every value of a table; no_index where it is missing, which has been reported.
+std::vector<Index> curves_of(const RawTable& raw, Build& build);
+// build_failure.cpp
+/// Gives criteria of erosion and damage to materials that are there already.
+void take_erosions(Build& build);
+void take_damages(Build& build);
 // build_foams.cpp
 /// What the curves of a honeycomb, a soil or a foam make of its law.
 void take_foam_curves(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build);

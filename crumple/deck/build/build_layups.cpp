@@ -60,7 +60,7 @@ bool stack(Build& build, const std::vector<RawLayer>& raws, model::Layup& layup)
   return complete;
 }
 
-/// Criteria of *MAT_ADD_EROSION hold for a whole element.
+/// Criteria of *MAT_ADD_EROSION hold for a whole element, and so does the failure by damage.
 bool take_erosion(Build& build, const Where& where, const model::Layup& layup, model::Material& standing_in) {
   const model::Model& model = build.model;
   const Index first = layup.layers.front().material;
@@ -68,15 +68,17 @@ bool take_erosion(Build& build, const Where& where, const model::Layup& layup, m
   bool erodes = false;
   for (const model::ShellLayer& layer : layup.layers) {
     one = one && layer.material == first;
-    erodes = erodes || model.materials[layer.material].erosion;
+    erodes = erodes || model.materials[layer.material].erosion || model.materials[layer.material].damage;
   }
   if (!erodes) return true;
   if (one) {
     standing_in.erosion = model.materials[first].erosion;
+    standing_in.damage = model.materials[first].damage;
     return true;
   }
   build.report.unsupported(where, "erosion",
-                           "*MAT_ADD_EROSION is there for layers that are all of one material; take the "
+                           "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are there for layers that are all of "
+                           "one material; take the "
                            "failure of the laws themselves");
   return false;
 }

@@ -112,6 +112,10 @@ void check_beam_law(const RawPart& raw, const model::Part& part, Build& build) {
                     "alone: EFFEPS "
                     "below zero, NCS = 1 and nothing else",
                     "erosion"});
+  if (material.damage)
+    build.report.field_unsupported(
+        raw.where, {"MID", std::to_string(raw.material), "a material without *MAT_ADD_DAMAGE_GISSMO",
+                    "damage is there for shells and solids", "damage"});
   if (formulation == model::BeamFormulation::Discrete) check_place_of_axes(raw, part, build);
   if (suits(formulation, law)) return;
   const auto [expected, hint] = suiting_laws(formulation);

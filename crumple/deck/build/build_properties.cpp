@@ -21,6 +21,24 @@ Index find_points(Build& build, const Reference& reference) {
   return no_index;
 }
 
+std::vector<Index> curves_of(const RawTable& raw, Build& build) {
+  std::vector<Index> found;
+  const std::vector<RawCurve>& curves = build.deck.curves;
+  if (raw.curve.empty() && raw.first_curve + raw.value.size() > curves.size()) {
+    build.report.error(raw.where, "curves",
+                       fmt::format("table {} has {}, and {} behind it; each value needs its "
+                                   "*DEFINE_CURVE, in the same order, or use *DEFINE_TABLE_2D",
+                                   raw.id, counted(raw.value.size(), "value"),
+                                   counted(curves.size() - raw.first_curve, "curve")));
+    return std::vector<Index>(raw.value.size(), no_index);
+  }
+  for (std::size_t i = 0; i < raw.value.size(); ++i) {
+    const UserId id = raw.curve.empty() ? curves[raw.first_curve + i].curve.id : raw.curve[i];
+    found.push_back(find_points(build, {id, "CURVEID", raw.where}));
+  }
+  return found;
+}
+
 namespace {
 
 /// Plastic strain up to which a hardening table is continued with its last slope, as LS-DYNA continues
@@ -77,25 +95,6 @@ void take_hardening(const model::Curve& curve, const Where& where, std::vector<d
                                curve.id, curve.ordinate[i], curve.abscissa[i]));
       return;
     }
-}
-
-/// The model's curve of every value of a table; no_index where it is missing, which has been reported.
-std::vector<Index> curves_of(const RawTable& raw, Build& build) {
-  std::vector<Index> found;
-  const std::vector<RawCurve>& curves = build.deck.curves;
-  if (raw.curve.empty() && raw.first_curve + raw.value.size() > curves.size()) {
-    build.report.error(raw.where, "curves",
-                       fmt::format("table {} has {}, and {} behind it; each value needs its "
-                                   "*DEFINE_CURVE, in the same order, or use *DEFINE_TABLE_2D",
-                                   raw.id, counted(raw.value.size(), "value"),
-                                   counted(curves.size() - raw.first_curve, "curve")));
-    return std::vector<Index>(raw.value.size(), no_index);
-  }
-  for (std::size_t i = 0; i < raw.value.size(); ++i) {
-    const UserId id = raw.curve.empty() ? curves[raw.first_curve + i].curve.id : raw.curve[i];
-    found.push_back(find_points(build, {id, "CURVEID", raw.where}));
-  }
-  return found;
 }
 
 /// Hardening curves by strain rate.
@@ -329,32 +328,6 @@ void build_spring_materials(Build& build) {
   }
 }
 
-/// Gives their criteria of erosion to materials that are there already.
-void take_erosions(Build& build) {
-  model::Model& model = build.model;
-  for (const RawErosion& raw : build.deck.erosions) {
-    const Index index = build.find(Item::Material, {raw.material, "MID", raw.where});
-    if (index == no_index) continue;
-    const std::string id = std::to_string(raw.material);
-    if (static_cast<std::size_t>(index) >= model.materials.size()) {
-      build.report.field_unsupported(raw.where, {"MID", id, "a material of shells or solids",
-                                                 "springs and dampers do not fail by it", "elements"});
-      continue;
-    }
-    model::Material& material = model.materials[static_cast<std::size_t>(index)];
-    if (material.erosion)
-      build.report.field_error(raw.where, {"MID", id, "a material without criteria",
-                                           "it has some by an earlier *MAT_ADD_EROSION", "twice"});
-    else if (material.rigid)
-      build.report.field_warning(
-          raw.where, {"MID", id, "a deformable material", "a rigid body does not fail: left out", "rigid"});
-    else if (raw.criteria.any())
-      material.erosion = raw.criteria;
-    else
-      build.report.warning(raw.where, "criteria", "there is no criterion, so nothing fails by it");
-  }
-}
-
 void build_step_curve(Build& build) {
   if (const auto& raw = build.deck.step_curve)
     build.model.control.step_curve = build.find(Item::Curve, {raw->curve, "LCTM", raw->where});
@@ -438,6 +411,7 @@ void build_properties(Build& build, const ReadOptions& options) {
   }
   build_spring_materials(build);
   take_erosions(build);
+  take_damages(build);
 }
 
 }  // namespace crumple::deck

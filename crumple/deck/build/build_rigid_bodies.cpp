@@ -261,6 +261,7 @@ void make_rigid(Build& build, Index index, const RawRigidPart& raw) {
   if (material.rigid) return;
   material.rigid.emplace();
   material.erosion.reset();
+  material.damage.reset();
   part.material = static_cast<Index>(build.model.materials.size());
   build.model.materials.push_back(std::move(material));
 }

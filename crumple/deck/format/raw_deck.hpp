@@ -406,6 +406,7 @@ struct RawDeck {
   std::vector<RawMaterial> materials;
   std::vector<RawSpringMaterial> spring_materials;
   std::vector<RawErosion> erosions;
+  std::vector<RawDamage> damages;
   std::vector<RawInitialStress> shell_stresses;
   std::vector<RawInitialStress> solid_stresses;
   std::vector<RawSpringback> springbacks;

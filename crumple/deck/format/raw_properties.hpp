@@ -94,7 +94,22 @@ struct RawMaterial {
 struct RawErosion {
   UserId material = 0;
   model::ErosionCriteria criteria;
+  bool damages = false;  ///< the same keyword adds damage
   Where where;
+};
+
+/// *MAT_ADD_DAMAGE_GISSMO, or *MAT_ADD_EROSION with IDAM = 1.
+struct RawDamage {
+  UserId material = 0;
+  model::GissmoDamage damage;  ///< its numbers; the curves are looked up when the model is built
+  UserId failure = 0;          ///< LCSDG: a curve or a table
+  double critical = 0;         ///< ECRIT: below zero a curve or a table
+  double fading = 0;           ///< FADEXP: below zero a curve
+  UserId regularization = 0;   ///< LCREGD: a curve, below zero a table
+  UserId rates = 0;            ///< LCSRS: a curve of either sign
+  Where where;
+  Where curves_where;  ///< of the card with LCSDG
+  Where more_where;    ///< of that with LCSRS
 };
 
 struct RawEquationOfState {

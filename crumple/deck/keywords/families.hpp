@@ -99,6 +99,7 @@ void read_mat_blatz_ko_rubber(Cards& cards, RawDeck& deck);
 void read_mat_mooney_rivlin_rubber(Cards& cards, RawDeck& deck);
 void read_mat_crushable_foam(Cards& cards, RawDeck& deck);
 void read_mat_add_erosion(Cards& cards, RawDeck& deck);
+void read_mat_add_damage_gissmo(Cards& cards, RawDeck& deck);
 void read_mat_low_density_foam(Cards& cards, RawDeck& deck);
 void read_mat_fu_chang_foam(Cards& cards, RawDeck& deck);
 void read_mat_ogden_rubber(Cards& cards, RawDeck& deck);

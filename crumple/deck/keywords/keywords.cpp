@@ -96,6 +96,7 @@ constexpr Keyword table[] = {
     {"MAT_CRUSHABLE_FOAM", read_mat_crushable_foam, title},
     {"MAT_063", read_mat_crushable_foam, title},
     {"MAT_ADD_EROSION", read_mat_add_erosion, title},
+    {"MAT_ADD_DAMAGE_GISSMO", read_mat_add_damage_gissmo, title},
     {"MAT_LOW_DENSITY_FOAM", read_mat_low_density_foam, title},
     {"MAT_057", read_mat_low_density_foam, title},
     {"MAT_FU_CHANG_FOAM", read_mat_fu_chang_foam, title},

@@ -5,6 +5,7 @@
 
 namespace crumple::elements {
 
+struct DamageGrowth;
 struct ErosionCheck;
 struct StiffnessDamping;
 
@@ -22,6 +23,7 @@ struct ElementTask {
   bool from_memory = false;  ///< the model is larger than the caches: ask for everything a tile ahead
   const double* material_constants = nullptr;
   const ErosionCheck* erosion = nullptr;      ///< what makes points fail whatever their law; nullptr: nothing
+  const DamageGrowth* damage = nullptr;       ///< what lowers the stresses of points; nullptr: nothing
   const StiffnessDamping* damping = nullptr;  ///< nullptr: none
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/common/damage_growth.hpp"
 #include "elements/common/erode.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/lane_sums.hpp"
@@ -173,23 +174,25 @@ void drop_layers(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<P
   }
 }
 
-/// Lets points fail that the law would keep. Laws without failure of their own leave no `intact`.
+/// The points of a tile, for damage and for criteria of failure. Laws without failure of their own leave no
+/// `intact`.
 template <class Formulation, class Pack>
-void erode_points(const ShellTask<RealOf<Pack>>& task, const TileScratch<RealOf<Pack>>& scratch,
-                  const materials::MaterialTask<RealOf<Pack>>& material) {
+PointTile<RealOf<Pack>> point_tile(const TileScratch<RealOf<Pack>>& scratch,
+                                   const materials::MaterialTask<RealOf<Pack>>& material) {
   using Real = RealOf<Pack>;
   const auto row = [&](int first) { return scratch.rows + first * tile_lanes; };
-  check_erosion(*task.erosion, ErosionTile<Real>{.state = material.state,
-                                                 .group_stride = material.group_stride,
-                                                 .groups = material.groups,
-                                                 .planes = Formulation::planes,
-                                                 .points = material.points,
-                                                 .strain = scratch.strain,
-                                                 .thickness_strain = row(scratch_row::thickness_strain),
-                                                 .weight = material.weight,
-                                                 .area = Formulation::own_areas ? scratch.area : nullptr,
-                                                 .energy = row(scratch_row::material_energy),
-                                                 .intact = row(scratch_row::intact)});
+  return PointTile<Real>{.state = material.state,
+                         .group_stride = material.group_stride,
+                         .groups = material.groups,
+                         .planes = Formulation::planes,
+                         .points = material.points,
+                         .strain = scratch.strain,
+                         .thickness_strain = row(scratch_row::thickness_strain),
+                         .weight = material.weight,
+                         .area = Formulation::own_areas ? scratch.area : nullptr,
+                         .energy = row(scratch_row::material_energy),
+                         .intact = row(scratch_row::intact),
+                         .yield_stress = material.yield};
 }
 
 /// A tile of which damping is to be added or ended.
@@ -241,13 +244,17 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
                         });
     material.state = task.state + first * material.group_stride;
     material.groups = groups;
-    if (task.erosion != nullptr)
+    if (task.damage != nullptr)
+      restore_stress(*task.damage, point_tile<Formulation, Pack>(scratch, material));
+    if (task.erosion != nullptr || task.damage != nullptr)
       for (int k = 0; k < Formulation::planes * tile_lanes; ++k)
         rows[scratch_row::intact * tile_lanes + k] = Real(1);
     update_points<Formulation, Pack>(task, scratch, material);
     if (task.layer_calls != 0 && task.constants.can_fail)
       drop_layers<Formulation, Pack>(task, scratch, material);
-    if (task.erosion != nullptr) erode_points<Formulation, Pack>(task, scratch, material);
+    if (task.damage != nullptr) grow_damage(*task.damage, point_tile<Formulation, Pack>(scratch, material));
+    if (task.erosion != nullptr)
+      check_erosion(*task.erosion, point_tile<Formulation, Pack>(scratch, material));
     ahead.forces();
     if (task.damping != nullptr)
       add_damping(*task.damping, damping_tile<Formulation, Pack>(task, scratch, material));

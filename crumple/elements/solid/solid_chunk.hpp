@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "elements/common/damage_growth.hpp"
 #include "elements/common/erode.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/prefetch.hpp"
@@ -135,16 +136,18 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
     material.state = task.state + first * material.group_stride;
     material.groups = groups;
     ahead.nodes();
+    const PointTile<Real> points{.state = material.state,
+                                 .group_stride = material.group_stride,
+                                 .groups = groups,
+                                 .points = material.points,
+                                 .strain = strain,
+                                 .turn = turn,
+                                 .energy = material.energy,
+                                 .intact = material.intact};
+    if (task.damage != nullptr) restore_stress(*task.damage, points);
     task.material(material);
-    if (task.erosion != nullptr)
-      check_erosion(*task.erosion, ErosionTile<Real>{.state = material.state,
-                                                     .group_stride = material.group_stride,
-                                                     .groups = groups,
-                                                     .points = material.points,
-                                                     .strain = strain,
-                                                     .turn = turn,
-                                                     .energy = material.energy,
-                                                     .intact = material.intact});
+    if (task.damage != nullptr) grow_damage(*task.damage, points);
+    if (task.erosion != nullptr) check_erosion(*task.erosion, points);
     ahead.forces();
     const DampingTile<Real> damped{.state = material.state,
                                    .group_stride = material.group_stride,

@@ -13,6 +13,7 @@
 #include "output/files/atomic_file.hpp"
 #include "output/files/own_file.hpp"
 #include "output/results/line_results.hpp"
+#include "output/results/point_results.hpp"
 #include "output/results/shell_axes.hpp"
 #include "output/results/shell_results.hpp"
 #include "output/results/solid_results.hpp"
@@ -78,6 +79,12 @@ SolidCell cell_of(const model::SolidNodes& node) {
   // The two triangles of a wedge whose edge 5-7 lies over the quadrilateral 1 2 3 4.
   if (same(4, 5) && same(6, 7)) return {vtk_wedge, {0, 1, 4, 3, 2, 6}};
   return {vtk_hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}};
+}
+
+bool has_damage(const domain::Domain& domain) {
+  const auto damaged = [](const domain::ElementBlock& block) { return block.damage.has_value(); };
+  return std::any_of(domain.shells.begin(), domain.shells.end(), damaged) ||
+         std::any_of(domain.solids.begin(), domain.solids.end(), damaged);
 }
 
 /// The value of an attribute in XML: the deck may be called anything.
@@ -265,6 +272,16 @@ std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
   if (!solid_place_.empty())
     fields.push_back(make(
         "pressure", 0.0F, none, [](const SolidResults& r, Index place) { return r.pressure(place); }, none));
+  if (has_damage(view.domain))
+    fields.push_back(cell_array<1, float>(
+        "damage", results,
+        [&](const auto&, std::size_t block, Index place) {
+          return damage_of(view.domain.shells[block], place);
+        },
+        [&](const auto&, std::size_t block, Index place) {
+          return damage_of(view.domain.solids[block], place);
+        },
+        [](const auto&, std::size_t, Index) { return 0; }));
   for (std::size_t i = 0; i < std::size(resultant_names) && has_lines(); ++i)
     fields.push_back(make(resultant_names[i], 0.0F, none, none, [i](const LineResults& r, Index place) {
       return r.resultant(place, static_cast<Resultant>(i));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "domain/element_block.hpp"
@@ -16,6 +17,14 @@ inline double plastic_strain_of(const domain::ElementBlock& block, Index place, 
     if (at != no_index && at < item.count) return block.state(place, item.first + at);
   }
   return 0;
+}
+
+/// Largest damage of all points of an element [-]; zero of a material without.
+inline double damage_of(const domain::ElementBlock& block, Index place) {
+  double largest = 0;
+  if (const domain::StateItem* const item = block.damage ? block.find("damage") : nullptr)
+    for (Index i = 0; i < item->count; ++i) largest = std::max(largest, block.state(place, item->first + i));
+  return largest;
 }
 
 /// The components of a point as they are kept [stress]; zero where none are.

@@ -93,7 +93,7 @@ TEST(MatAddErosion, SaysWhatDoesNotFit) {
   only_message("*MAT_ADD_EROSION\n1,,,,0.4\n40\n", "field MNPRES");
   only_message("*MAT_ADD_EROSION\n1,,,,0.4\n0,0,-7\n", "field SIGVM");
   only_message("*MAT_ADD_EROSION\n1,,,,0.3,,150\n", "field NUMFIP");
-  only_message("*MAT_ADD_EROSION\n1,,,,0.3\n\n1\n", "field IDAM");
+  only_message("*MAT_ADD_EROSION\n1,,,,0.3\n\n2\n", "field IDAM");
   only_message("*MAT_ADD_EROSION\n1,,,,0.3\n\n0\n0,0,0.2\n", "field EPSTHIN");
   only_message("*MAT_ADD_EROSION\n1,,,,0.3\n*MAT_ADD_EROSION\n1,,,,0.4\n", "earlier *MAT_ADD_EROSION");
 }

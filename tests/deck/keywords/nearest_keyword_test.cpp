@@ -47,7 +47,7 @@ TEST(NearestKeyword, IsItselfSupported) {
                            "MAT_SPOTWELD_DAIMLERCHRYSLER",
                            "MAT_138",
                            "MAT_S07",
-                           "MAT_ADD_DAMAGE_GISSMO",
+                           "MAT_ADD_DAMAGE_DIEM",
                            "ELEMENT_SEATBELT",
                            "PART_COMPOSITE_TSHELL",
                            "CONSTRAINED_JOINT_GEARS",

@@ -29,17 +29,26 @@ constexpr Field erosion_card_2[] = {
     real("EPSSH"),  real("SIGTH"), real("IMPULSE"), real("FAILTM"),
 };
 
-constexpr std::string_view no_damage = "damage that grows is not supported; take *MAT_ADD_EROSION without it";
-
 constexpr Field erosion_card_3[] = {
-    only("IDAM", {0}, no_damage),
-    unused("DMGTYP"),
-    unused("LCSDG"),
-    unused("ECRIT"),
-    unused("DMGEXP"),
-    unused("DCRIT"),
-    unused("FADEXP"),
-    unused("LCREGD"),
+    only("IDAM", {0, 1}, "0 is no damage, 1 that of *MAT_ADD_DAMAGE_GISSMO"),
+    only("DMGTYP", {0, 1}, "0 adds damage up, 1 lets it act"),
+    signed_id("LCSDG", IdKind::Function),
+    real_or_id("ECRIT", IdKind::Function),
+    real_or_default("DMGEXP", 1, above_zero),
+    real("DCRIT", 0, within(0, 1, "a damage")),
+    real_or_id("FADEXP", IdKind::Function),
+    signed_id("LCREGD", IdKind::Function),
+};
+
+constexpr Field erosion_damage_card[] = {
+    only("SIZFLG", {0}, "the size of an element is that at time zero"),
+    unused("REFSZ"),
+    unused("NAHSV"),
+    signed_id("LCSRS", IdKind::Function),
+    real("SHRF"),
+    real("BIAXF"),
+    only("LCDLIM", {0}, "damage goes up to one"),
+    only("MIDFAIL", {0}, "every point is checked, not that of the mid-surface first"),
 };
 
 constexpr std::string_view no_such_criterion = "the criterion is not supported";
@@ -111,17 +120,31 @@ model::ErosionCriteria criteria_of(const Card& first, const Card& second, Report
   return found;
 }
 
+/// Damage of IDAM = 1: points that fail by it count with NUMFIP, as others do.
+void add_damage(const Card& first, const Card& third, const Card& fourth, Report& report, RawDeck& deck) {
+  RawDamage raw = damage_of(third, fourth, report);
+  raw.material = first.integer("MID");
+  raw.damage.acts = third.real("DMGTYP") == 1;
+  raw.damage.points = static_cast<double>(first.integer("NUMFIP"));
+  raw.where = first.where();
+  if (first.good("MID")) deck.damages.push_back(std::move(raw));
+}
+
 }  // namespace
 
 void read_mat_add_erosion(Cards& cards, RawDeck& deck) {
   cards.heading();
   const Card first = cards.next(erosion_card_1);
   const Card second = cards.next_or_default(erosion_card_2);
-  for (const Layout layout : {Layout(erosion_card_3), Layout(erosion_card_4), Layout(erosion_card_5)})
+  const Card third = cards.next_or_default(erosion_card_3);
+  const bool damages = third.real("IDAM") == 1;
+  if (damages) add_damage(first, third, cards.next_or_default(erosion_damage_card), cards.report(), deck);
+  for (const Layout layout : {Layout(erosion_card_4), Layout(erosion_card_5)})
     if (cards.has_line()) cards.next(layout);
   RawErosion raw;
   raw.material = first.integer("MID");
   raw.criteria = criteria_of(first, second, cards.report());
+  raw.damages = damages;
   raw.where = first.where();
   if (first.good("MID")) deck.erosions.push_back(raw);
 }
