@@ -62,6 +62,7 @@ struct ElementBlock {
   Index eroded = 0;                        ///< elements that have failed
   std::optional<model::ErosionCriteria> erosion;  ///< its item "erosion" is [point][failed, strain, impulse]
   std::optional<model::GissmoDamage> damage;      ///< its items: elements/common/damage_growth.hpp
+  double least_step = 0;  ///< elements go whose own stable step is shorter [time]; 0: none
   /// By place in the block, where mass is scaled during the run (elements/mass_scaling.hpp), else empty.
   std::vector<ScaledMass> scaled;
   bool rigid = false;  ///< its elements have mass and a surface, but no forces

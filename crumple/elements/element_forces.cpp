@@ -6,6 +6,7 @@
 #include "elements/common/chunk_task.hpp"
 #include "elements/common/damage_growth.hpp"
 #include "elements/common/erosion_check.hpp"
+#include "elements/common/short_steps.hpp"
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/elements.hpp"
 #include "elements/energy_trace.hpp"
@@ -43,6 +44,7 @@ class Pass {
                                         : ErosionCheck{});
     for (const domain::ElementBlock* block : domain.blocks())
       damage_.push_back(block->damage ? damage_growth(*block, domain.clock.step) : DamageGrowth{});
+    for (const domain::ElementBlock* block : domain.blocks()) short_steps_.push_back(short_steps(*block));
     const auto add_damping = [&](const domain::DampedBlock& block) {
       damping_.push_back(block.damping ? damping_of(block, domain.clock.step) : StiffnessDamping{});
     };
@@ -83,6 +85,7 @@ class Pass {
     task.constants = constants;
     task.erosion = erosion_of(chunk);
     task.damage = damage_of(chunk);
+    task.short_steps = short_steps_of(chunk);
     if (block.damping) task.damping = &damping_[static_cast<std::size_t>(chunk.block)];
     task.material = materials::shell_material_update<Real>(domain_.execution.isa, constants.material);
     const std::vector<LayerCall<Real>>& layers = layers_[chunk.block];
@@ -98,6 +101,7 @@ class Pass {
     task.constants = constants;
     task.erosion = erosion_of(chunk);
     task.damage = damage_of(chunk);
+    task.short_steps = short_steps_of(chunk);
     if (block.damping) task.damping = &damping_[static_cast<std::size_t>(chunk.block)];
     task.material = materials::solid_material_update<Real>(domain_.execution.isa, constants.material);
     solid_kernel<Real>(domain_.execution.isa, constants.formulation)(task, sums);
@@ -142,6 +146,10 @@ class Pass {
     const DamageGrowth& growth = damage_[static_cast<std::size_t>(chunk.block)];
     return growth.law == nullptr ? nullptr : &growth;
   }
+  const ShortSteps* short_steps_of(const Chunk& chunk) const {
+    const ShortSteps& steps = short_steps_[static_cast<std::size_t>(chunk.block)];
+    return steps.least > 0 ? &steps : nullptr;
+  }
 
   /// What a core's caches hold of a step's way through nodes and elements. Below it, asking ahead costs a
   /// tenth of the time.
@@ -156,6 +164,7 @@ class Pass {
   std::vector<BeamConstants> beams_;
   std::vector<ErosionCheck> erosion_;      ///< by block
   std::vector<DamageGrowth> damage_;       ///< by block
+  std::vector<ShortSteps> short_steps_;    ///< by block
   std::vector<StiffnessDamping> damping_;  ///< by block of shells, then of solids and beams
 };
 

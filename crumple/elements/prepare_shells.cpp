@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "elements/common/damage_growth.hpp"
 #include "elements/common/erosion_check.hpp"
+#include "elements/common/short_steps.hpp"
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/lone_elements.hpp"
 #include "elements/prepare.hpp"
@@ -211,6 +212,8 @@ ShellConstants<double> prepare_block(const model::Model& model, const domain::Do
   if (block.erosion) declare_erosion(block);
   if (!block.rigid) block.damage = material.damage;
   declare_damage(block);
+  if (!block.rigid) block.least_step = material.least_step;
+  declare_short_steps(block);
   if (!block.rigid) block.damping = part.damping;
   require(!block.damping || block.layup == no_index, part,
           "*DAMPING_PART_STIFFNESS acts on shells of one material, not on layers");

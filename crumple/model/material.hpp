@@ -402,11 +402,12 @@ struct Material {
   std::optional<RigidMaterial> rigid{};
   std::optional<ErosionCriteria> erosion{};  ///< beside what the law itself has of failure
   std::optional<GissmoDamage> damage{};      ///< likewise; the law has a plastic strain then
+  double least_step = 0;                     ///< elements go whose own stable step is shorter [time]; 0: none
 };
 
 /// True if elements may go that the law itself would keep.
 inline bool may_erode(const Material& material) {
-  return material.erosion || (material.damage && material.damage->acts);
+  return material.erosion || (material.damage && material.damage->acts) || material.least_step > 0;
 }
 
 }  // namespace crumple::model

@@ -28,7 +28,8 @@ enum class Failure {
   Law,        ///< the law's own plastic strain
   Criterion,  ///< a principal strain (*MAT_ADD_EROSION)
   Fibres,     ///< the strain of failure of fibres (*MAT_ENHANCED_COMPOSITE_DAMAGE)
-  Damage      ///< damage that lets the stress fade (*MAT_ADD_DAMAGE_GISSMO)
+  Damage,     ///< damage that lets the stress fade (*MAT_ADD_DAMAGE_GISSMO)
+  Step        ///< the stable step of what gets narrow (TDEL)
 };
 
 struct Case {
@@ -67,6 +68,8 @@ model::Model strip(const Case& of) {
                                         .failure_strain = model::constant_family(0.06),
                                         .critical_damage = 0.4,
                                         .fading_exponent = model::constant_family(1.5)};
+  else if (of.failure == Failure::Step)
+    middle.least_step = 0.985 * size * std::sqrt(7.85e-6 * (1 - 0.09) / 210);
   else
     middle.erosion = model::ErosionCriteria{.largest_principal_strain = 0.04};
   model.materials.push_back(middle);
@@ -159,6 +162,7 @@ TEST_P(Strip, PulledApartLosesNothing) {
                        (GetParam().failure == Failure::Law      ? ""
                         : GetParam().failure == Failure::Fibres ? "*MAT_ENHANCED_COMPOSITE_DAMAGE, "
                         : GetParam().failure == Failure::Damage ? "*MAT_ADD_DAMAGE_GISSMO, "
+                        : GetParam().failure == Failure::Step   ? "TDEL, "
                                                                 : "*MAT_ADD_EROSION, ") +
                        (precision == Precision::Double ? "double" : "mixed") +
                        ": energy over the initial one",
@@ -176,7 +180,8 @@ INSTANTIATE_TEST_SUITE_P(Formulations, Strip,
                                            Case{model::ShellFormulation::BelytschkoTsay, Failure::Fibres},
                                            Case{model::ShellFormulation::FullyIntegrated, Failure::Fibres},
                                            Case{model::ShellFormulation::BelytschkoTsay, Failure::Damage},
-                                           Case{model::ShellFormulation::FullyIntegrated, Failure::Damage}),
+                                           Case{model::ShellFormulation::FullyIntegrated, Failure::Damage},
+                                           Case{model::ShellFormulation::BelytschkoTsay, Failure::Step}),
                          [](const auto& test) {
                            const auto formulation = test.param.formulation;
                            const std::string name =
@@ -186,7 +191,8 @@ INSTANTIATE_TEST_SUITE_P(Formulations, Strip,
                            return name + (test.param.failure == Failure::Law         ? ""
                                           : test.param.failure == Failure::Criterion ? "ByCriterion"
                                           : test.param.failure == Failure::Fibres    ? "OfFibres"
-                                                                                     : "ByDamage");
+                                          : test.param.failure == Failure::Damage    ? "ByDamage"
+                                                                                     : "ByStep");
                          });
 
 }  // namespace

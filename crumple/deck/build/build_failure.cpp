@@ -163,12 +163,13 @@ void take_erosions(Build& build) {
   for (const RawErosion& raw : build.deck.erosions) {
     model::Material* const material = failing_material(build, raw.material, raw.where);
     if (material == nullptr) continue;
+    material->least_step = std::max(material->least_step, raw.least_step);
     if (material->erosion)
       build.report.field_error(raw.where, {"MID", std::to_string(raw.material), "a material without criteria",
                                            "it has some by an earlier *MAT_ADD_EROSION", "twice"});
     else if (raw.criteria.any())
       material->erosion = raw.criteria;
-    else if (!raw.damages)
+    else if (!raw.damages && raw.least_step == 0)
       build.report.warning(raw.where, "criteria", "there is no criterion, so nothing fails by it");
   }
 }

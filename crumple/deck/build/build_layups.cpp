@@ -68,18 +68,21 @@ bool take_erosion(Build& build, const Where& where, const model::Layup& layup, m
   bool erodes = false;
   for (const model::ShellLayer& layer : layup.layers) {
     one = one && layer.material == first;
-    erodes = erodes || model.materials[layer.material].erosion || model.materials[layer.material].damage;
+    erodes =
+        erodes || model::may_erode(model.materials[layer.material]) || model.materials[layer.material].damage;
   }
   if (!erodes) return true;
   if (one) {
     standing_in.erosion = model.materials[first].erosion;
     standing_in.damage = model.materials[first].damage;
+    standing_in.least_step = model.materials[first].least_step;
     return true;
   }
-  build.report.unsupported(where, "erosion",
-                           "*MAT_ADD_EROSION and *MAT_ADD_DAMAGE_GISSMO are there for layers that are all of "
-                           "one material; take the "
-                           "failure of the laws themselves");
+  build.report.unsupported(
+      where, "erosion",
+      "*MAT_ADD_EROSION, *MAT_ADD_DAMAGE_GISSMO and TDEL are there for layers that are all of "
+      "one material; take the "
+      "failure of the laws themselves");
   return false;
 }
 

@@ -116,6 +116,10 @@ void check_beam_law(const RawPart& raw, const model::Part& part, Build& build) {
     build.report.field_unsupported(
         raw.where, {"MID", std::to_string(raw.material), "a material without *MAT_ADD_DAMAGE_GISSMO",
                     "damage is there for shells and solids", "damage"});
+  if (material.least_step > 0)
+    build.report.field_unsupported(raw.where,
+                                   {"MID", std::to_string(raw.material), "a material without TDEL or DTMIN",
+                                    "shells and solids alone are deleted by their time step", "deletion"});
   if (formulation == model::BeamFormulation::Discrete) check_place_of_axes(raw, part, build);
   if (suits(formulation, law)) return;
   const auto [expected, hint] = suiting_laws(formulation);

@@ -262,6 +262,7 @@ void make_rigid(Build& build, Index index, const RawRigidPart& raw) {
   material.rigid.emplace();
   material.erosion.reset();
   material.damage.reset();
+  material.least_step = 0;
   part.material = static_cast<Index>(build.model.materials.size());
   build.model.materials.push_back(std::move(material));
 }

@@ -94,7 +94,8 @@ struct RawMaterial {
 struct RawErosion {
   UserId material = 0;
   model::ErosionCriteria criteria;
-  bool damages = false;  ///< the same keyword adds damage
+  bool damages = false;   ///< the same keyword adds damage
+  double least_step = 0;  ///< DTMIN [time]
   Where where;
 };
 

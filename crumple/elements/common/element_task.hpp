@@ -7,6 +7,7 @@ namespace crumple::elements {
 
 struct DamageGrowth;
 struct ErosionCheck;
+struct ShortSteps;
 struct StiffnessDamping;
 
 /// One chunk of one block, but for what is different for shells and solids.
@@ -24,6 +25,7 @@ struct ElementTask {
   const double* material_constants = nullptr;
   const ErosionCheck* erosion = nullptr;      ///< what makes points fail whatever their law; nullptr: nothing
   const DamageGrowth* damage = nullptr;       ///< what lowers the stresses of points; nullptr: nothing
+  const ShortSteps* short_steps = nullptr;    ///< which steps make elements go; nullptr: none
   const StiffnessDamping* damping = nullptr;  ///< nullptr: none
 };
 

@@ -6,6 +6,7 @@
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/lane_sums.hpp"
 #include "elements/common/prefetch.hpp"
+#include "elements/common/short_steps.hpp"
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/shell/erosion.hpp"
 #include "elements/shell/formulation.hpp"
@@ -246,7 +247,7 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
     material.groups = groups;
     if (task.damage != nullptr)
       restore_stress(*task.damage, point_tile<Formulation, Pack>(scratch, material));
-    if (task.erosion != nullptr || task.damage != nullptr)
+    if (task.erosion != nullptr || task.damage != nullptr || task.short_steps != nullptr)
       for (int k = 0; k < Formulation::planes * tile_lanes; ++k)
         rows[scratch_row::intact * tile_lanes + k] = Real(1);
     update_points<Formulation, Pack>(task, scratch, material);
@@ -255,6 +256,8 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
     if (task.damage != nullptr) grow_damage(*task.damage, point_tile<Formulation, Pack>(scratch, material));
     if (task.erosion != nullptr)
       check_erosion(*task.erosion, point_tile<Formulation, Pack>(scratch, material));
+    if (task.short_steps != nullptr)
+      end_short_elements(*task.short_steps, point_tile<Formulation, Pack>(scratch, material));
     ahead.forces();
     if (task.damping != nullptr)
       add_damping(*task.damping, damping_tile<Formulation, Pack>(task, scratch, material));
@@ -266,6 +269,9 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
       end_damping(*task.damping, damping_tile<Formulation, Pack>(task, scratch, material));
       add_damping_energy<Pack>(rows + scratch_row::damping_energy * tile_lanes, groups, sums);
     }
+    if (task.short_steps != nullptr)
+      mark_short_elements(*task.short_steps, point_tile<Formulation, Pack>(scratch, material),
+                          rows + scratch_row::shortest_step * tile_lanes);
     for (Index group = 0; group < groups; ++group) {
       lane_sums.add_group(rows + group * lanes);
       if (task.constants.can_fail) {

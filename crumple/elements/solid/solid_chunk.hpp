@@ -5,6 +5,7 @@
 #include "elements/common/erode.hpp"
 #include "elements/common/erosion_check.hpp"
 #include "elements/common/prefetch.hpp"
+#include "elements/common/short_steps.hpp"
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/solid/hexahedron_gather.hpp"
 #include "elements/solid/quadratic_tetrahedron_nodes.hpp"
@@ -148,6 +149,7 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
     task.material(material);
     if (task.damage != nullptr) grow_damage(*task.damage, points);
     if (task.erosion != nullptr) check_erosion(*task.erosion, points);
+    if (task.short_steps != nullptr) end_short_elements(*task.short_steps, points);
     ahead.forces();
     const DampingTile<Real> damped{.state = material.state,
                                    .group_stride = material.group_stride,
@@ -171,6 +173,8 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
       end_damping(*task.damping, damped);
       add_damping_energy<Pack>(rows + solid_scratch::damping_energy * tile_lanes, groups, sums);
     }
+    if (task.short_steps != nullptr)
+      mark_short_elements(*task.short_steps, points, rows + solid_scratch::shortest_step * tile_lanes);
     for (Index group = 0; group < groups; ++group) {
       lane_sums.add_group(rows + group * lanes);
       if (task.constants.can_fail) {

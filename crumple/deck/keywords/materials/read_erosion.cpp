@@ -64,7 +64,7 @@ constexpr Field erosion_card_5[] = {
     only("DTEFLT", {0}, no_such_criterion),
     unused("VOLFRAC"),
     only("MXTMP", {0}, no_such_criterion),
-    only("DTMIN", {0}, no_such_criterion),
+    real("DTMIN", 0, not_negative),
 };
 
 /// Which numbers a criterion may have.
@@ -139,9 +139,9 @@ void read_mat_add_erosion(Cards& cards, RawDeck& deck) {
   const Card third = cards.next_or_default(erosion_card_3);
   const bool damages = third.real("IDAM") == 1;
   if (damages) add_damage(first, third, cards.next_or_default(erosion_damage_card), cards.report(), deck);
-  for (const Layout layout : {Layout(erosion_card_4), Layout(erosion_card_5)})
-    if (cards.has_line()) cards.next(layout);
+  cards.next_or_default(erosion_card_4);
   RawErosion raw;
+  raw.least_step = cards.next_or_default(erosion_card_5).real("DTMIN");
   raw.material = first.integer("MID");
   raw.criteria = criteria_of(first, second, cards.report());
   raw.damages = damages;

@@ -49,10 +49,7 @@ constexpr Field piecewise_card[] = {
     real("SIGY", 0, not_negative),  // above zero unless a curve or points are given
     real("ETAN", 0, not_negative),
     real("FAIL"),
-    only("TDEL", {0, 1e20, 1e21},
-         "elements are not deleted by their time step; FAIL erodes shells by their plastic strain, and DT2MS "
-         "of "
-         "*CONTROL_TIMESTEP keeps up the step"),
+    real("TDEL", 0, not_negative),
 };
 
 constexpr Field piecewise_rate_card[] = {
@@ -236,6 +233,13 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck) {
 
 namespace {
 
+/// TDEL; decks switch it off by huge numbers as they do with FAIL.
+double least_step(const Card& card) {
+  constexpr double never = 1e20;
+  const double step = card.real("TDEL");
+  return step < never ? step : 0;
+}
+
 /// `rate_fields` are those of the second card; the modified law has limits of strain on it.
 void read_piecewise(Cards& cards, RawDeck& deck, Layout rate_fields, bool modified) {
   while (cards.more()) {
@@ -260,6 +264,7 @@ void read_piecewise(Cards& cards, RawDeck& deck, Layout rate_fields, bool modifi
     if (raw.hardening_curve == 0) take_points(strain, stress, law, cards.report());
     if (raw.hardening_curve == 0 && law.plastic_strain.empty()) take_line(card, law, cards.report());
     raw.material.law = law;
+    raw.material.least_step = least_step(card);
     raw.curve_where = rate.where();
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
