@@ -366,7 +366,6 @@ TEST(GissmoDamage, PercentCountLayers) {
               ++failed_layers;
               break;
             }
-        ASSERT_LT(body.item("damage", 0, 1), 1 + 1e-9);
         if (points == -50.0) {
           EXPECT_EQ(body.block().eroded, failed_layers >= 2 ? 1 : 0) << kind.name;
         } else if (failed_layers == 2) {

@@ -169,12 +169,12 @@ struct OnePoint {
   bool check(double time = 0) {
     std::vector<Real> intact(materials::tile_lanes, Real(1));
     check_erosion(erosion_check(block, time, dt), PointTile<Real>{.state = state.data(),
-                                                                    .groups = 1,
-                                                                    .points = block.points,
-                                                                    .strain = strain.data(),
-                                                                    .turn = turn.data(),
-                                                                    .energy = energy.data(),
-                                                                    .intact = intact.data()});
+                                                                  .groups = 1,
+                                                                  .points = block.points,
+                                                                  .strain = strain.data(),
+                                                                  .turn = turn.data(),
+                                                                  .energy = energy.data(),
+                                                                  .intact = intact.data()});
     return intact[0] == Real(0);
   }
 

@@ -34,8 +34,8 @@ void take_direction(const Card& second, const Card& third, const Card& fourth, m
 /// with a message, not those of a material.
 bool take_stand_in(const Card& card, bool sound, model::OrthotropicElastic& law, Report& report);
 
-/// What LCSDG and the fields behind it say of damage, and those from LCSRS on; material, DTYP and NUMFIP stand
-/// elsewhere.
+/// What LCSDG and the fields behind it say of damage, and those from LCSRS on; material, DTYP and NUMFIP
+/// stand elsewhere.
 RawDamage damage_of(const Card& curves, const Card& more, Report& report);
 
 /// Reports a PC above zero.
