@@ -277,8 +277,7 @@ int NodeSearch::side_of(Index segment, const RememberedPair* memory, const Neare
   return present == 0 && may_cross ? side_before(view_.now, node_, segment, view_.step) : present;
 }
 
-/// True if two faces fall away from each other by 60 degrees or more: what came through the one has not come
-/// through the other.
+/// True if two faces fall away from each other by 60 degrees or more: a node comes through one of them.
 bool NodeSearch::stand_out(Index a, Index b) const {
   const SegmentShape shape = view_.now.shape(a);
   const SegmentShape other = view_.now.shape(b);
