@@ -80,8 +80,9 @@ void count_lost_nodes(const SurfaceAt& now, std::span<const RememberedPair> reme
     bool goes_on = false;
     // Right in front of a face beside, a node is outside of the solid: it came round a rim.
     for (auto pair = at; pair != pairs.end() && pair->node == memory.node && !goes_on; ++pair)
-      goes_on = pair->segment == memory.segment || ((pair->wrong != 0 || surface.is_face(pair->segment)) &&
-                                                    connected(surface, pair->segment, memory.segment));
+      goes_on = pair->segment == memory.segment || pair->heir_of == memory.segment ||
+                ((pair->wrong != 0 || surface.is_face(pair->segment)) &&
+                 connected(surface, pair->segment, memory.segment));
     if (goes_on || released(now, memory, ragged)) continue;
     last = memory.node;
     if (++lost.count > 1) continue;

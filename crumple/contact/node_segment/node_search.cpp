@@ -59,9 +59,12 @@ const RememberedPair* NodeSearch::memory_of(Index segment) const {
   return nullptr;
 }
 
-/// True if the node was in contact with that segment of the same surface and now is nearer to another one.
+/// True if the node was in contact with that segment of the same surface, or of one that goes on over a seam,
+/// and now is nearer to another one.
 bool NodeSearch::came_from(const RememberedPair& other, Index segment) const {
-  return other.side != 0 && other.segment != segment && same_sides(surface_, segment, other.segment) &&
+  return other.side != 0 && other.segment != segment &&
+         (same_sides(surface_, segment, other.segment) ||
+          goes_on_over_seam(here(), other.segment, segment)) &&
          hold(other.segment, view_.nearest_point(view_.now.shape(other.segment), p_), &other, false) == 0;
 }
 
@@ -131,6 +134,12 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
   const double depth = -dot(away, normal);
   const bool inside = memory != nullptr && memory->wrong != 0;
   if (depth > 0 && !inside && !may_enter(view_.now, place_, normal)) return 0;
+  const std::span<const Index> candidates = view_.candidates->segments_of(place_);
+  // One that waits in front of a rim and does not come through this face comes under the one beside.
+  if (depth > 0 && !inside && memory != nullptr && passes_front(here(), segment, candidates)) return 0;
+  if (inside && depth > 0 && nearest.feature != Feature::Face &&
+      is_taken_over_seam(here(), segment, candidates))
+    return 0;
   if (nearest_of_all) return 1;
   if (depth <= 0) return !near && stands_at_rim(segment, shape, nearest) ? 1 : 0;
   const double beyond = norm(away + depth * normal);
@@ -196,6 +205,13 @@ bool NodeSearch::stands_at_rim(Index segment, const SegmentShape& shape, const N
          reaches_over(segment, shape, nearest);
 }
 
+/// True if a node that has just come behind a face of a solid did not come through it, but past it through
+/// the seam of two bodies.
+bool NodeSearch::goes_past(Index face) const {
+  const std::span<const Index> candidates = view_.candidates->segments_of(place_);
+  return passes_side(here(), face, candidates, remembered_) || passes_front(here(), face, candidates);
+}
+
 /// Of the faces of other solids that the node does not lie on, the nearest.
 void NodeSearch::measure_faces() {
   const GlobalSearch& candidates = *view_.candidates;
@@ -246,6 +262,7 @@ int NodeSearch::side_of(Index segment, const RememberedPair* memory, const Neare
     const bool is_beside =
         !face && other.wrong != 0 && other.side != 0 && agree(segment, other.segment, nearest);
     if (!is_beside && !came_from(other, segment)) continue;
+    if (face && other.wrong != 0 && stand_out(other.segment, segment)) continue;
     if (face) return other.side;
     const bool was_wrong = other.wrong != 0;
     const bool crossed = crossed_from(view_.now, node_, other.segment, view_.step) != 0;
@@ -260,6 +277,15 @@ int NodeSearch::side_of(Index segment, const RememberedPair* memory, const Neare
   return present == 0 && may_cross ? side_before(view_.now, node_, segment, view_.step) : present;
 }
 
+/// True if two faces fall away from each other by 60 degrees or more: a node comes through one of them.
+bool NodeSearch::stand_out(Index a, Index b) const {
+  const SegmentShape shape = view_.now.shape(a);
+  const SegmentShape other = view_.now.shape(b);
+  const Vec3 normal = normalised(area_normal(shape));
+  return dot(normal, normalised(area_normal(other))) <= tolerances::two_walls &&
+         dot(other.centre - shape.centre, normal) < 0;
+}
+
 /// By how much the contact distance of a pair is reduced when the node is at `gap`. A contact cannot begin
 /// deeper than the node was in the connected ones it comes from, plus its approach in the step: the rest was
 /// no approach (meshes that overlap from the start, a place of the surface that only now became the nearest),
@@ -269,7 +295,12 @@ double NodeSearch::offset_of(Index segment, const RememberedPair* memory, double
   double inherited = 0;
   double depth = 0;
   for (const RememberedPair& other : remembered_) {
-    if (!connected(surface_, segment, other.segment)) continue;
+    if (!connected(surface_, segment, other.segment)) {
+      // What the face beyond a seam stands out more is no approach.
+      if (gap < 0 && goes_on_over_seam(here(), other.segment, segment))
+        inherited = std::max(inherited, other.offset + deeper_by(here(), other.segment, segment));
+      continue;
+    }
     inherited = std::max(inherited, other.offset);
     depth = std::max(depth, other.depth);
   }
@@ -344,6 +375,8 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   const int side = at_rim ? 1 : round ? 0 : side_of(segment, memory, nearest, present);
   if (side < 0 && face) return 0;
   const bool wrong = present != 0 && side != 0 && present != side;
+  if (face && wrong && (memory == nullptr || memory->wrong == 0) && !view_.tracking && goes_past(segment))
+    return 0;
   // What is in front of a face is remembered, so that it is known later which way it came.
   const bool waits = face && side > 0 && watched;
   if (!near && !wrong && !waits) return 0;
@@ -433,7 +466,9 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
   const bool inherits = !waits(pair);
   for (std::size_t i = 0; i < remembered_.size() && inherits && (from == nullptr || !from->loaded()); ++i) {
     const RememberedPair& other = remembered_[i];
-    if (other.segment == pair.segment || !connected(surface_, pair.segment, other.segment)) continue;
+    if (other.segment == pair.segment || (!connected(surface_, pair.segment, other.segment) &&
+                                          !goes_on_over_seam(here(), other.segment, pair.segment)))
+      continue;
     if (left(other.segment) && (from == nullptr || other.loaded())) from = &other;
   }
   if (from == nullptr) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/enforcement/contact_pair.hpp"
+#include "contact/node_segment/seam.hpp"
 #include "contact/node_segment/solid_overlaps.hpp"
 #include "contact/search/global_search.hpp"
 #include "contact/surface/inside_outside.hpp"
@@ -56,6 +57,9 @@ class NodeSearch {
   bool stands_at_rim(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const;
   bool enters_once(const ContactPair& a, const ContactPair& b) const;
   bool came_through(const ContactPair& a, const ContactPair& b) const;
+  NodeAt here() const { return {&view_.now, place_, view_.step}; }
+  bool goes_past(Index face) const;
+  bool stand_out(Index a, Index b) const;
   const RememberedPair* memory_of(Index segment) const;
 
   const StepView& view_;

@@ -285,19 +285,20 @@ void inspect_solids(const Surface& surface, const domain::Domain& domain,
   }
 }
 
-bool may_enter(const SurfaceAt& now, Index place, const Vec3& normal) {
+bool may_enter(const SurfaceAt& now, Index place, const Vec3& normal, std::span<const Index> hidden) {
   const Surface& surface = *now.surface;
   Vec3 sum;
   const auto around = surface.topology.at_node(place);
   if (around.empty()) return true;
   for (const Index own : around) {
+    if (std::ranges::find(hidden, own) != hidden.end()) continue;
     if (surface.of_solid[own] == 0) return true;
     const Vec3 outward = normalised(area_normal(now.shape(own)));
     if (dot(outward, normal) < -tolerances::opposed) return true;
     sum += outward;
   }
   const double size = norm(sum);
-  return size < tolerances::pointed * static_cast<double>(around.size()) ||
+  return size < tolerances::pointed * static_cast<double>(around.size() - hidden.size()) ||
          dot(sum, normal) < -tolerances::opposed * size;
 }
 

@@ -44,6 +44,7 @@ void inspect_solids(const Surface& surface, const domain::Domain& domain,
 /// True if a node may enter a face with that normal: one of the node's faces, or their mean, points against
 /// it; a tip, a node of a shell and a node alone may enter any. The node of a plate does not enter the side
 /// of a block that slides over it, be the lower rim of the block a little below the plate's face or not.
-bool may_enter(const SurfaceAt& now, Index place, const Vec3& normal);
+/// `hidden`: faces of the node that do not count, as another body is right in front of them.
+bool may_enter(const SurfaceAt& now, Index place, const Vec3& normal, std::span<const Index> hidden = {});
 
 }  // namespace crumple::contact

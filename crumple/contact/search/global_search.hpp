@@ -67,6 +67,9 @@ class GlobalSearch {
   /// Places in the arrays below of the candidates of a node, segments ascending.
   std::int64_t first(Index place) const { return first_[place]; }
   Index segment(std::int64_t pair) const { return segment_[pair]; }
+  std::span<const Index> segments_of(Index place) const {
+    return std::span(segment_).subspan(first_[place], first_[place + 1] - first_[place]);
+  }
   /// Distance at which the pair touches. A node and its next neighbours may be nearer by thickness alone: it
   /// is at most what the undeformed mesh leaves between them [length].
   double contact_distance(std::int64_t pair) const { return distance_[pair]; }
