@@ -131,6 +131,7 @@ Work count(const app::ShellBenchmark& benchmark) {
   task.state = block.float_state.data();
   task.components = block.components;
   task.groups = block.groups();
+  task.energy = block.energy.data();
   task.step = static_cast<float>(domain.clock.step);
   task.material_constants = block.material_constants.data();
   task.material = counting_update(task.constants.material, CountedLaws{});

@@ -181,6 +181,12 @@ void add_blocks(const model::Model& model, Index part, std::vector<Index> shells
 
 }  // namespace
 
+void deal_out(Domain& domain) {
+  domain.assembly.build(domain.blocks(), domain.nodes.count(),
+                        {domain.execution.threads, domain.execution.groups_per_chunk});
+  domain.nodes.force.resize(static_cast<std::size_t>(domain.nodes.count()) + domain.assembly.slots());
+}
+
 Domain build(const model::Model& model, const Execution& execution) {
   require_sound(model);
   Domain domain;
@@ -201,8 +207,7 @@ Domain build(const model::Model& model, const Execution& execution) {
     if (const auto& discretes = numbering.discretes_by_part[part]; !discretes.empty())
       domain.discretes.push_back(make_discrete_block(model, domain.nodes, part, discretes));
   }
-  domain.assembly.build(domain.blocks(), domain.nodes.count(), execution.groups_per_chunk);
-  domain.nodes.force.resize(static_cast<std::size_t>(domain.nodes.count()) + domain.assembly.slots());
+  deal_out(domain);
   domain.nodes.publish_all();
   return domain;
 }

@@ -12,4 +12,8 @@ namespace crumple::domain {
 /// layer. Throws Error listing the faults if model::faults finds any.
 Domain build(const model::Model& model, const Execution& execution);
 
+/// Deals the elements out to the threads: builds the assembly and makes room for its slots. To be called
+/// again where it has become known how many points elements have, which is what they cost.
+void deal_out(Domain& domain);
+
 }  // namespace crumple::domain

@@ -17,9 +17,11 @@ namespace {
 void declare_block(const std::string& name, Entity entity, ElementBlock& block, StateList& list) {
   list.add(name, "by item", entity, block.components, std::span(block.float_state));
   list.add(name, "by item", entity, block.components, std::span(block.double_state));
-  list.add(name + "_internal_energy", "energy", Entity::Run, 1, std::span(&block.internal_energy, 1));
-  list.add(name + "_hourglass_energy", "energy", Entity::Run, 1, std::span(&block.hourglass_energy, 1));
-  list.add(name + "_eroded_energy", "energy", Entity::Run, 1, std::span(&block.eroded_energy, 1));
+  list.add(name + "_energy", "energy", entity, 4, std::span(block.energy));
+  list.keep(name + "_internal_energy", "energy", Entity::Run, block.internal_energy);
+  list.keep(name + "_hourglass_energy", "energy", Entity::Run, block.hourglass_energy);
+  list.keep(name + "_damping_energy", "energy", Entity::Run, block.damping_energy);
+  list.keep(name + "_eroded_energy", "energy", Entity::Run, block.eroded_energy);
   list.add(name + "_eroded", "-", Entity::Run, 1, std::span(&block.eroded, 1));
   list.keep_list(name + "_scaled_mass", "by item", entity, 2, block.scaled);
 }

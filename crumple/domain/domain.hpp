@@ -16,9 +16,9 @@
 // neighbours in memory. model_node and domain_node translate; everything that is printed or written uses the
 // ids of the deck.
 //
-// Assembly: a node that one chunk touches gets the forces of its elements directly. A node between chunks
-// has a slot for each of them; gather_interface() sums the slots in the order of the chunks, so that the
-// sums have the same bits for any number of threads.
+// Assembly: a node whose elements one thread computes gets their forces directly, one after the other. A node
+// between threads has a slot for each corner of an element there; gather_interface() sums the slots in the
+// same order, so that the sums have the same bits for any number of threads.
 //
 // State: the owner of an array that changes declares it once to a StateList (state_list.hpp), by name, unit
 // and entity. The hash, restart files and StateSnapshot follow from the list.
@@ -51,9 +51,7 @@ struct Execution {
   Precision precision = Precision::Double;
   Isa isa = Isa::Baseline;
   int threads = 1;
-  /// Groups of elements that a thread works off at a time; 0: by the size of the model, see
-  /// groups_per_chunk(). Results depend on it in their last digits.
-  Index groups_per_chunk = 0;
+  Index groups_per_chunk = 0;  ///< see Cut; no result depends on it
 };
 
 /// Time and step. Positions are at `time`, velocities half a step earlier.
@@ -91,9 +89,7 @@ struct Domain {
   AlignedArray<Vec3> contact_force;  ///< on the nodes at time n, normal and friction [force]
   Clock clock;
   EnergyLedger energy;
-  double added_mass = 0;  ///< by mass scaling [mass]
-  /// Shortest stable step of each chunk, where mass is scaled; negative where elements have just gone [time].
-  std::vector<double> chunk_steps;
+  double added_mass = 0;               ///< by mass scaling [mass]
   std::vector<PartShare> part_shares;  ///< by part; empty unless a load, a damping or a mass asks for parts
   std::vector<ContactReport> contacts;
   std::vector<TransducerReport> transducers;

@@ -15,6 +15,7 @@ void ElementBlock::allocate(Precision precision) {
     float_state.assign(numbers, 0.0F);
   else
     double_state.assign(numbers, 0.0);
+  energy.assign(static_cast<std::size_t>(groups()), {});
 }
 
 Index add_item(ElementBlock& block, const std::string& name, const std::string& unit, Index count) {

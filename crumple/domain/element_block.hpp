@@ -39,6 +39,15 @@ struct ScaledMass {
   double inertia = 0;  ///< rotary, likewise [mass * length^2]
 };
 
+/// What the elements of one group have got since the start, in double [energy]. They are neighbours wherever
+/// a block is cut, so that sums over groups do not depend on threads.
+struct GroupEnergy {
+  double internal = 0;
+  double hourglass = 0;
+  double damping = 0;  ///< taken by damping in proportion to stiffness
+  double eroded = 0;  ///< internal and hourglass energy of elements that have failed, no longer in the others
+};
+
 /// What blocks of all kinds of elements have. Elements are held in groups of `lanes`; the last group is
 /// filled with copies of the last element whose `active` state is zero and whose forces go to a slot nobody
 /// reads.
@@ -56,16 +65,23 @@ struct ElementBlock {
   AlignedArray<double> double_state;       ///< the same in double precision, else empty
   std::vector<double> element_constants;   ///< laid out and read by the element kind
   std::vector<double> material_constants;  ///< laid out and read by the material kind
-  double internal_energy = 0;              ///< accumulated, of the whole block [energy]
-  double hourglass_energy = 0;             ///< accumulated, of the whole block [energy]
-  double eroded_energy = 0;                ///< part of both that elements had when they failed [energy]
-  Index eroded = 0;                        ///< elements that have failed
+  std::vector<GroupEnergy> energy;         ///< by group
+  // Sums over the groups [energy].
+  double internal_energy = 0;
+  double hourglass_energy = 0;
+  double damping_energy = 0;
+  double eroded_energy = 0;
+  Index eroded = 0;                               ///< elements that have failed
   std::optional<model::ErosionCriteria> erosion;  ///< its item "erosion" is [point][failed, strain, impulse]
   std::optional<model::GissmoDamage> damage;      ///< its items: elements/common/damage_growth.hpp
   double least_step = 0;  ///< elements go whose own stable step is shorter [time]; 0: none
   /// By place in the block, where mass is scaled during the run (elements/mass_scaling.hpp), else empty.
   std::vector<ScaledMass> scaled;
-  bool rigid = false;  ///< its elements have mass and a surface, but no forces
+  /// By group, where mass is scaled during the run, else empty: shortest stable step of its elements,
+  /// negative where some have just failed [time].
+  std::vector<double> group_step;
+  bool rigid = false;             ///< its elements have mass and a surface, but no forces
+  bool corner_by_corner = false;  ///< the forces of a group go to the nodes so, else element by element
 
   Index groups() const { return (elements + lanes - 1) / lanes; }
 
@@ -88,8 +104,13 @@ struct ElementBlock {
     else
       float_state[at] = static_cast<float>(value);
   }
-  /// Makes room for the state of all groups, all zero.
+  /// Makes room for the state and the energies of all groups, all zero.
   void allocate(Precision precision);
+  /// Adds to the internal energy of element `place`.
+  void add_internal_energy(Index place, double amount) {
+    energy[static_cast<std::size_t>(place / lanes)].internal += amount;
+    internal_energy += amount;
+  }
   /// Domain node `corner` of element `place`.
   Index node_of(Index place, Index corner) const {
     return node[(static_cast<std::size_t>(place / lanes) * corners + corner) * lanes + place % lanes];

@@ -26,6 +26,8 @@ struct SolidBlock : DampedBlock {
   model::SolidFormulation formulation = model::SolidFormulation::OnePointHexahedron;
   NodalAverage average;  ///< worked out anew in each cycle; empty if the formulation has none
 
+  SolidBlock() { corner_by_corner = true; }
+
   /// The domain nodes at the corners of element `place`, as a list for hexahedra: a tetrahedron repeats its
   /// third and fourth.
   std::array<Index, 8> nodes_of(Index place) const {

@@ -109,20 +109,23 @@ class Pass {
   void work_off_beams(domain::BeamBlock& block, const Chunk& chunk, const BeamConstants& constants,
                       ElementSums& sums) const {
     const std::size_t first = static_cast<std::size_t>(chunk.first_group) * lanes;
-    BeamTask task{.position = domain_.nodes.position.data(),
-                  .angular_velocity = domain_.nodes.angular_velocity.data(),
-                  .force = domain_.nodes.force.data(),
-                  .node = block.node.data() + first * 2,
-                  .target = block.target.data() + first * 2,
-                  .state = block.double_state.data() + first * block.components,
-                  .components = block.components,
-                  .groups = chunk.last_group - chunk.first_group,
-                  .step = domain_.clock.step,
-                  .time = domain_.clock.time,
-                  .constants = constants,
-                  .section = section_of(block, constants),
-                  .section_places = section_places(block.element_constants),
-                  .material = block.material_constants.data()};
+    BeamTask task{
+        .position = domain_.nodes.position.data(),
+        .angular_velocity = domain_.nodes.angular_velocity.data(),
+        .force = domain_.nodes.force.data(),
+        .node = block.node.data() + first * 2,
+        .target = block.target.data() + first * 2,
+        .state = block.double_state.data() + first * block.components,
+        .components = block.components,
+        .groups = chunk.last_group - chunk.first_group,
+        .energy = block.energy.data() + chunk.first_group,
+        .group_step = block.group_step.empty() ? nullptr : block.group_step.data() + chunk.first_group,
+        .step = domain_.clock.step,
+        .time = domain_.clock.time,
+        .constants = constants,
+        .section = section_of(block, constants),
+        .section_places = section_places(block.element_constants),
+        .material = block.material_constants.data()};
     if (block.damping) {
       const StiffnessDamping& damping = damping_[static_cast<std::size_t>(chunk.block)];
       task.damping = damping.given;
@@ -172,8 +175,32 @@ template <class Real>
 void work_off_all(Domain& domain, std::vector<ElementSums>& sums) {
   const Pass<Real> pass(domain);
   const std::vector<Chunk>& chunks = domain.assembly.chunks();
-  parallel_for(static_cast<Index>(chunks.size()), domain.execution.threads,
-               [&](Index c) { pass.work_off(chunks[c], sums[c]); });
+  const std::vector<domain::ThreadShare>& shares = domain.assembly.shares();
+  parallel_for(static_cast<Index>(shares.size()), domain.execution.threads, [&](Index s) {
+    for (Index c = shares[s].first_chunk; c < shares[s].last_chunk; ++c) pass.work_off(chunks[c], sums[c]);
+  });
+}
+
+domain::GroupEnergy operator+(const domain::GroupEnergy& a, const domain::GroupEnergy& b) {
+  return {a.internal + b.internal, a.hourglass + b.hourglass, a.damping + b.damping, a.eroded + b.eroded};
+}
+
+/// Sums the energies of a block's groups, piece by piece in their order.
+void sum_groups(domain::ElementBlock& block, int threads) {
+  constexpr Index piece = 1024;
+  const auto groups = static_cast<Index>(block.energy.size());
+  std::vector<domain::GroupEnergy> sums(static_cast<std::size_t>(pieces(groups, piece)));
+  parallel_for(static_cast<Index>(sums.size()), threads, [&](Index p) {
+    domain::GroupEnergy sum;
+    for (Index g = p * piece; g < std::min((p + 1) * piece, groups); ++g) sum = sum + block.energy[g];
+    sums[p] = sum;
+  });
+  domain::GroupEnergy all;
+  for (const domain::GroupEnergy& sum : sums) all = all + sum;
+  block.internal_energy = all.internal;
+  block.hourglass_energy = all.hourglass;
+  block.damping_energy = all.damping;
+  block.eroded_energy = all.eroded;
 }
 
 }  // namespace
@@ -186,22 +213,19 @@ void add_element_forces(Domain& domain, EnergyTrace* trace) {
     work_off_all<float>(domain, sums);
   else
     work_off_all<double>(domain, sums);
-  if (trace != nullptr) trace->observe(domain, sums);
+  if (trace != nullptr) trace->observe(domain);
   domain.assembly.gather_interface(domain.nodes.force, domain.execution.threads);
   domain.clock.element_limit = domain.clock.rigid_limit;
   const std::vector<domain::ElementBlock*> blocks = domain.blocks();
   for (std::size_t c = 0; c < chunks.size(); ++c) {
-    domain::ElementBlock& block = *blocks[chunks[c].block];
-    block.internal_energy += sums[c].internal_energy - sums[c].eroded_internal;
-    block.hourglass_energy += sums[c].hourglass_energy - sums[c].eroded_hourglass;
-    block.eroded_energy += sums[c].eroded_internal + sums[c].eroded_hourglass;
-    block.eroded += sums[c].eroded;
-    domain.energy.damping += sums[c].damping_energy;
+    blocks[chunks[c].block]->eroded += sums[c].eroded;
     domain.clock.element_limit = std::min(domain.clock.element_limit, sums[c].shortest_step);
-    // Section forces are computed on copies, which keep no steps. What has just gone may have had the
-    // shortest one.
-    if (!domain.chunk_steps.empty())
-      domain.chunk_steps[c] = sums[c].eroded > 0 ? -sums[c].shortest_step : sums[c].shortest_step;
+  }
+  for (domain::ElementBlock* block : blocks) {
+    if (block->rigid) continue;
+    const double damped = block->damping_energy;
+    sum_groups(*block, domain.execution.threads);
+    domain.energy.damping += block->damping_energy - damped;
   }
 }
 

@@ -3,27 +3,27 @@
 
 // The elements: from the motion of the nodes to the forces of the stresses. Shells, solids, beams and
 // discrete elements live in blocks, one formulation and one material each (domain/element_block.hpp); a block
-// is computed in chunks, one thread at a time on each, and a chunk of shells or solids tile by tile
+// is computed in chunks, each by one thread, and a chunk of shells or solids tile by tile
 // (shell/chunk.hpp, solid/solid_chunk.hpp):
 //
 //     gather      positions and velocities of the nodes, from their records
 //     strains()   strain increments of all points, at the geometry in the middle of the step
 //     material    stresses of time n (materials/list.hpp)
 //     forces()    nodal forces at the geometry of time n, hourglass forces, energies, stable step
-//     scatter     onto the nodes that only this chunk has, else into slots of its own
+//     scatter     onto the nodes that only this thread has, else into slots of its own
 //     erode       elements of which all points have failed
 //
 // Strains at the middle of the step are the method of T.J.R. Hughes & J. Winget, IJNME 15 (1980) 1862-1867: a
 // rotation makes no strain. Forces are the transpose of the strains, so that momentum and energy balance to
-// round-off. Slots are summed in the order of the chunks, and so are the energies: bitwise the same for any
-// number of threads (domain/assembly.hpp).
+// round-off. Slots are summed in the order of the elements, and energies in that of the groups: bitwise the
+// same for any number of threads (domain/assembly.hpp).
 //
 // Order of calls: prepare_elements() once; in every step add_element_forces(), which does
 //
 //     average_dilatations()          tetrahedra with nodal pressure only
 //     the kernel of each chunk       in parallel
 //     gather_interface()             slots to nodes
-//     sums over the chunks           energies, eroded elements, smallest stable step
+//     sums over the groups           energies, eroded elements, smallest stable step
 //
 // Rooms: shell/ and solid/ have a file per formulation, with its source in docs/theory, a list of all of them
 // (shell/list.hpp, solid/solid_list.hpp) and what a formulation must have (shell/formulation.hpp,

@@ -25,6 +25,16 @@ std::pair<Index, Index> places_of(const Chunk& chunk, const ElementBlock& block)
   return {chunk.first_group * lanes, std::min(chunk.last_group * lanes, block.elements)};
 }
 
+/// All that the elements of a chunk have got so far [energy].
+double energy_of(const Chunk& chunk, const ElementBlock& block) {
+  double sum = 0;
+  for (Index group = chunk.first_group; group < chunk.last_group; ++group) {
+    const domain::GroupEnergy& energy = block.energy[static_cast<std::size_t>(group)];
+    sum += energy.internal + energy.hourglass + energy.damping + energy.eroded;
+  }
+  return sum;
+}
+
 /// What the elements of a block are called, and their user numbers by their index in the model.
 struct Named {
   const char* kind;
@@ -66,10 +76,13 @@ EnergyTrace::EnergyTrace(const Domain& domain) {
   }
   previous_.resize(entries_.size());
   residual_.resize(chunks.size());
+  for (const Chunk& chunk : chunks)
+    energy_.push_back(energy_of(chunk, *blocks[static_cast<std::size_t>(chunk.block)]));
 }
 
-void EnergyTrace::observe(const Domain& domain, std::span<const ElementSums> sums) {
+void EnergyTrace::observe(const Domain& domain) {
   const domain::NodeFields& nodes = domain.nodes;
+  const std::vector<const ElementBlock*> blocks = domain.blocks();
   const double half_step = 0.5 * domain.clock.step;
   parallel_for(static_cast<Index>(residual_.size()), domain.execution.threads, [&](Index chunk) {
     double work = 0;
@@ -81,8 +94,10 @@ void EnergyTrace::observe(const Domain& domain, std::span<const ElementSums> sum
               dot(previous_[i].moment + present.moment, nodes.angular_velocity[node]);
       previous_[i] = present;
     }
-    residual_[chunk] += sums[chunk].internal_energy + sums[chunk].hourglass_energy +
-                        sums[chunk].damping_energy + half_step * work;
+    const Chunk& of = domain.assembly.chunks()[chunk];
+    const double energy = energy_of(of, *blocks[static_cast<std::size_t>(of.block)]);
+    residual_[chunk] += energy - energy_[chunk] + half_step * work;
+    energy_[chunk] = energy;
   });
 }
 
@@ -136,6 +151,7 @@ std::vector<domain::ElementResidual> EnergyTrace::worst(const model::Model& mode
 void EnergyTrace::declare(domain::StateList& list) {
   list.keep_list("energy_trace_forces", "force, force*length", domain::Entity::Run, 6, previous_);
   list.keep_list("energy_trace_residuals", "energy", domain::Entity::Run, 1, residual_);
+  list.keep_list("energy_trace_energies", "energy", domain::Entity::Run, 1, energy_);
 }
 
 }  // namespace crumple::elements

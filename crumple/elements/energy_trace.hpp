@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "domain/domain.hpp"
 #include "domain/energy_residual.hpp"
-#include "elements/common/element_sums.hpp"
 #include "model/model.hpp"
 
 namespace crumple::elements {
@@ -15,7 +13,7 @@ namespace crumple::elements {
 /// Finds where the energy balance of elements goes wrong. Their energy comes from stresses and strains, the
 /// kinetic energy of the nodes from the forces that follow from these: what elements gain must be what their
 /// forces take from the nodes. Per chunk of elements (neighbours of one part, up to
-/// lanes * Execution::groups_per_chunk, or what the size of the model gives)
+/// lanes * Execution::groups_per_chunk, which must be given)
 ///
 ///     residual = gain of internal and hourglass energy + sum over its nodes and steps of
 ///                (f(n) + f(n+1)) / 2 . (x(n+1) - x(n)) and the same of moments,
@@ -28,8 +26,8 @@ class EnergyTrace {
   explicit EnergyTrace(const domain::Domain& domain);
 
   /// To be called in every step, the first at time zero, when the elements have put their forces where the
-  /// chunks' targets are and before those of different chunks are added up. `sums` are those of the chunks.
-  void observe(const domain::Domain& domain, std::span<const ElementSums> sums);
+  /// chunks' targets are and before those of different chunks are added up.
+  void observe(const domain::Domain& domain);
 
   /// Residuals of the parts, in the order of the model.
   std::vector<domain::EnergyResidual> parts(const model::Model& model, const domain::Domain& domain) const;
@@ -52,6 +50,7 @@ class EnergyTrace {
   std::vector<Index> first_;      ///< entry of each chunk, and one past the last
   std::vector<Entry> entries_;    ///< targets of each chunk, each once
   std::vector<Work> previous_;    ///< forces of time n - 1, by entry
+  std::vector<double> energy_;    ///< of each chunk at time n - 1 [energy]
   std::vector<double> residual_;  ///< by chunk [energy]
 };
 

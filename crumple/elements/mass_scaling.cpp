@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -75,11 +76,11 @@ double share_of(const domain::ElementBlock& block, Index /*place*/, Index /*corn
   return 1.0 / block.corners;
 }
 
-/// Scales the elements of a chunk that need it; returns their shortest step then [time].
+/// Scales the elements of a group that need it; returns their shortest step then [time].
 template <class Block>
-double scale_chunk(Domain& domain, Block& block, const domain::Chunk& chunk, double found) {
-  const Index begin = chunk.first_group * lanes;
-  const Index end = std::min(chunk.last_group * lanes, block.elements);
+double scale_group(Domain& domain, Block& block, Index group, double found) {
+  const Index begin = group * lanes;
+  const Index end = std::min(begin + lanes, block.elements);
   double shortest = 1e30;
   for_each_step(domain, block, begin, end, [&](Index, double step) { shortest = std::min(shortest, step); });
   // What the kernel's step has beyond that of the geometry: viscous pressure and pressure of contact inside.
@@ -105,36 +106,29 @@ double scale_chunk(Domain& domain, Block& block, const domain::Chunk& chunk, dou
   return left;
 }
 
+/// Scales the elements of a block that need it and brings clock.element_limit up to date.
+template <class Block>
+void scale_block(Domain& domain, Block& block) {
+  domain::Clock& clock = domain.clock;
+  for (Index group = 0; group < static_cast<Index>(block.group_step.size()); ++group) {
+    double& step = block.group_step[static_cast<std::size_t>(group)];
+    if constexpr (requires { set_scale(block, group, step); })
+      if (step >= 0 && step < clock.kept_step && !block.scaled.empty())
+        step = scale_group(domain, block, group, step);
+    clock.element_limit = std::min(clock.element_limit, std::fabs(step));
+  }
+}
+
 }  // namespace
 
 void keep_step(Domain& domain) {
   domain::Clock& clock = domain.clock;
   if (!(clock.kept_step > 0) || clock.element_limit >= clock.kept_step) return;
-  const std::vector<domain::Chunk>& chunks = domain.assembly.chunks();
-  const auto shells = static_cast<Index>(domain.shells.size());
-  const auto solids = static_cast<Index>(domain.solids.size());
-  const auto beams = static_cast<Index>(domain.beams.size());
   clock.element_limit = clock.rigid_limit;
-  for (std::size_t c = 0; c < chunks.size(); ++c) {
-    double& step = domain.chunk_steps[c];
-    if (step < 0) {
-      clock.element_limit = std::min(clock.element_limit, -step);
-      continue;
-    }
-    const auto scale = [&](auto& block) {
-      if (!block.scaled.empty()) step = scale_chunk(domain, block, chunks[c], step);
-    };
-    const Index block = chunks[c].block;
-    if (step < clock.kept_step) {
-      if (block < shells)
-        scale(domain.shells[block]);
-      else if (block < shells + solids)
-        scale(domain.solids[block - shells]);
-      else if (block < shells + solids + beams)
-        scale(domain.beams[block - shells - solids]);
-    }
-    clock.element_limit = std::min(clock.element_limit, step);
-  }
+  for (domain::ShellBlock& block : domain.shells) scale_block(domain, block);
+  for (domain::SolidBlock& block : domain.solids) scale_block(domain, block);
+  for (domain::BeamBlock& block : domain.beams) scale_block(domain, block);
+  for (domain::DiscreteBlock& block : domain.discretes) scale_block(domain, block);
 }
 
 }  // namespace crumple::elements

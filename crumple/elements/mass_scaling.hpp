@@ -10,7 +10,7 @@ namespace crumple::elements {
 /// little longer than that again, in proportion at all their nodes, so that the bound on the frequencies of
 /// the model by those of its elements holds. Mass is never taken away.
 ///
-/// To be called after add_element_forces(), whose chunk_steps it reads; brings clock.element_limit up to
+/// To be called after add_element_forces(), whose group_step it reads; brings clock.element_limit up to
 /// date. Nodes keep their velocities: what the new mass moves with is booked as external work, as if no node
 /// were tied. Nodes of rigid bodies add to the mass of their body, and to its inertia about every axis.
 void keep_step(domain::Domain& domain);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "domain/build.hpp"
 #include "elements/elements.hpp"
 #include "elements/initial_stress.hpp"
 #include "elements/lone_elements.hpp"
@@ -111,7 +112,6 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   if (asks_for_parts(model)) domain.part_shares.resize(model.parts.size());
   if (model.control.mass_scaling_step < 0 && !model.control.scales_mass_once)
     domain.clock.kept_step = -model.control.mass_scaling_step;
-  if (domain.clock.kept_step > 0) domain.chunk_steps.assign(domain.assembly.chunks().size(), 0.0);
   const LoneElements lone(model, domain);
   prepare_shells(model, lone, domain);
   prepare_solids(model, lone, domain);
@@ -121,6 +121,10 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   prepare_discretes(model, domain);
   set_initial_stresses(model, domain);
   limit_by_rigid_elements(model, domain);
+  if (domain.clock.kept_step > 0)
+    for (domain::ElementBlock* block : domain.blocks())
+      if (!block->rigid) block->group_step.assign(static_cast<std::size_t>(block->groups()), 0.0);
+  domain::deal_out(domain);
 }
 
 }  // namespace crumple::elements

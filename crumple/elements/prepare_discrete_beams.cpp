@@ -104,7 +104,7 @@ void start_element(const model::Model& model, domain::Domain& domain, const mode
   const double energy = stored_energy(law, DiscreteBeamResponse(block.material_constants.data()),
                                       block.state(place, discrete_beam_state::reference));
   block.set_state(place, discrete_beam_state::energy, energy);
-  block.internal_energy += energy;
+  block.add_internal_energy(place, energy);
   const double volume = data.volume > 0 ? data.volume : data.cable_area * length;
   for (const Index end : node) {
     add_mass(domain, block.part, end, 0.5 * model.materials[part.material].density * volume);

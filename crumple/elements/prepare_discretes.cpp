@@ -159,7 +159,7 @@ void prepare_discretes(const model::Model& model, domain::Domain& domain) {
     for (Index place = 0; place < block.elements; ++place) {
       const model::DiscreteElement& discrete = model.discretes[block.element[place]];
       prepare_element(discrete, domain, block, place);
-      if (discrete.offset != 0) block.internal_energy += stretch(law, block, place, discrete.offset);
+      if (discrete.offset != 0) block.add_internal_energy(place, stretch(law, block, place, discrete.offset));
     }
     add_to_sums(ends, block, law, block.torsional ? moments : forces);
   }

@@ -147,7 +147,7 @@ SectionForces::Section SectionForces::make_section(const model::CrossSection& gi
     nodes.double_records.resize(count);
   else
     nodes.float_records.resize(count);
-  part.assembly.build(part.blocks(), static_cast<Index>(count));
+  part.assembly.build(part.blocks(), static_cast<Index>(count), {});
   nodes.force.resize(count + static_cast<std::size_t>(part.assembly.slots()));
   return section;
 }

@@ -151,6 +151,11 @@ void Simulation::verify_search_every(long cycles) {
 }
 
 void Simulation::trace_energy() {
+  constexpr Index usual_groups = 32;
+  if (domain_.execution.groups_per_chunk == 0) {
+    domain_.execution.groups_per_chunk = usual_groups;
+    domain::deal_out(domain_);
+  }
   energy_trace_.emplace(domain_);
 }
 

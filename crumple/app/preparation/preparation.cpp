@@ -71,9 +71,8 @@ domain::Execution choose_execution(const Options& options, const model::Model& m
   // Not all cores: threads that wait for each other every cycle are slower than one where the machine has
   // other work too, so whoever has it for himself says so.
   execution.threads = options.threads.value_or(1);
-  // The largest groups that can be asked for are those that a run without the question has.
-  if (options.trace_energy > 0 && options.trace_energy < largest_traced_group)
-    execution.groups_per_chunk = options.trace_energy / lanes;
+  if (options.trace_energy > 0)
+    execution.groups_per_chunk = std::min(options.trace_energy, largest_traced_group) / lanes;
   return execution;
 }
 

@@ -17,6 +17,8 @@ Task<Real> chunk_task(domain::Domain& domain, domain::ElementBlock& block, const
   task.state = domain::state_of<Real>(block).data() + first * block.components;
   task.components = block.components;
   task.groups = chunk.last_group - chunk.first_group;
+  task.energy = block.energy.data() + chunk.first_group;
+  task.group_step = block.group_step.empty() ? nullptr : block.group_step.data() + chunk.first_group;
   task.step = static_cast<Real>(domain.clock.step);
   task.material_constants = block.material_constants.data();
   return task;

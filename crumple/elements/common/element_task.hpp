@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "domain/element_block.hpp"
 #include "domain/node_fields.hpp"
 
 namespace crumple::elements {
@@ -20,7 +21,9 @@ struct ElementTask {
   Real* state = nullptr;          ///< of the first group
   Index components = 0;
   Index groups = 0;
-  Real step = 0;             ///< from n-1 to n [time]
+  domain::GroupEnergy* energy = nullptr;  ///< of the first group
+  double* group_step = nullptr;           ///< of the first group, where mass is scaled; else nullptr
+  Real step = 0;                          ///< from n-1 to n [time]
   bool from_memory = false;  ///< the model is larger than the caches: ask for everything a tile ahead
   const double* material_constants = nullptr;
   const ErosionCheck* erosion = nullptr;      ///< what makes points fail whatever their law; nullptr: nothing

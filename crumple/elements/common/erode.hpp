@@ -21,8 +21,14 @@ struct ErosionPlace {
 /// of stresses that are zero already: so the last work is still counted. Keeps the energy of each element,
 /// that it may be told apart when the element goes.
 template <class Pack>
-void erode(const ErosionPlace<RealOf<Pack>>& place, ElementSums& sums) {
+void erode(const ErosionPlace<RealOf<Pack>>& place, const GroupSums& group, ElementSums& sums) {
   using Real = RealOf<Pack>;
+  Index eroded = 0;
+  const auto book = [&](Real internal, Real hourglass) {
+    group.energy->internal -= static_cast<double>(internal);
+    group.energy->hourglass -= static_cast<double>(hourglass);
+    group.energy->eroded += static_cast<double>(internal) + static_cast<double>(hourglass);
+  };
   for (Index lane = 0; lane < lanes; ++lane) {
     Real* const internal = place.energy + lane;
     Real* const hourglass = internal + lanes;
@@ -32,8 +38,7 @@ void erode(const ErosionPlace<RealOf<Pack>>& place, ElementSums& sums) {
     *hourglass += hourglass_now;
     if (place.active[lane] == Real(0)) {
       // Viscous and hourglass forces of the step of failure still act until the next one.
-      sums.eroded_internal += static_cast<double>(internal_now);
-      sums.eroded_hourglass += static_cast<double>(hourglass_now);
+      book(internal_now, hourglass_now);
       continue;
     }
     bool intact = false;
@@ -41,10 +46,13 @@ void erode(const ErosionPlace<RealOf<Pack>>& place, ElementSums& sums) {
       intact = intact || place.intact[plane * materials::tile_lanes + lane] != Real(0);
     if (intact) continue;
     place.active[lane] = Real(0);
-    sums.eroded_internal += static_cast<double>(*internal);
-    sums.eroded_hourglass += static_cast<double>(*hourglass);
-    ++sums.eroded;
+    book(*internal, *hourglass);
+    ++eroded;
   }
+  if (eroded == 0) return;
+  sums.eroded += eroded;
+  // What has just gone may have had the shortest step.
+  if (group.shortest_step != nullptr) *group.shortest_step = -*group.shortest_step;
 }
 
 }  // namespace crumple::elements

@@ -39,7 +39,6 @@ void beam_chunk(const BeamTask& task, ElementSums& sums) {
   alignas(cache_line) double rows[beam_row::count * materials::tile_lanes] = {};
   LaneSums<Pack> lane_sums;
   sums = {};
-  sums.shortest_step = 1e30;
   for (Index group = 0; group < task.groups; ++group) {
     double* const state = task.state + static_cast<std::ptrdiff_t>(group) * task.components * lanes;
     const std::ptrdiff_t nodes = static_cast<std::ptrdiff_t>(group) * 2 * lanes;
@@ -48,16 +47,17 @@ void beam_chunk(const BeamTask& task, ElementSums& sums) {
       scatter_beams<Pack, Formulation::turns>(task.force, task.target + nodes + lane,
                                               Formulation::template forces<Pack>(place));
     }
-    lane_sums.add_group(rows);
+    const GroupSums own_sums = sums_of_group(task, group);
+    lane_sums.add_group(rows, own_sums);
     if (task.damping_item > 0)
-      add_damping_energy<Pack>(rows + beam_row::damping_energy * materials::tile_lanes, 1, sums);
+      add_damping_energy<Pack>(rows + beam_row::damping_energy * materials::tile_lanes, 1, own_sums.energy);
     if constexpr (Formulation::can_fail)
       if (Formulation::fails(task.constants))
         erode<Pack>({state + beam_state::active * lanes, state + Formulation::energy * lanes, rows,
                      rows + beam_row::intact * materials::tile_lanes},
-                    sums);
+                    own_sums, sums);
   }
-  lane_sums.add_to(sums);
+  sums.shortest_step = lane_sums.shortest_step();
 }
 
 }  // namespace crumple::elements

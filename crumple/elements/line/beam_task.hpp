@@ -106,8 +106,10 @@ struct BeamTask {
   double* state = nullptr;        ///< of the first group
   Index components = 0;
   Index groups = 0;
-  double step = 0;  ///< from n-1 to n [time]
-  double time = 0;  ///< n [time]
+  domain::GroupEnergy* energy = nullptr;  ///< of the first group
+  double* group_step = nullptr;           ///< of the first group, where mass is scaled; else nullptr
+  double step = 0;                        ///< from n-1 to n [time]
+  double time = 0;                        ///< n [time]
   model::StiffnessDamping damping{};
   Index damping_item = 0;  ///< first component of the item "damping"; 0: there is none
   BeamConstants constants;

@@ -60,7 +60,6 @@ void add_discrete_forces(domain::Domain& domain, DiscreteBlock& block, const dom
   namespace item = discrete_state;
   const DiscreteLaw law(block.material_constants);
   sums = {};
-  sums.shortest_step = 1e30;
   for (Index place = chunk.first_group * lanes; place < std::min(chunk.last_group * lanes, block.elements);
        ++place) {
     const Motion motion = motion_of(domain, block, place);
@@ -69,8 +68,12 @@ void add_discrete_forces(domain::Domain& domain, DiscreteBlock& block, const dom
     const double force =
         block.state(place, item::scale) * law.force(motion.deformation, motion.rate, history);
     const double change = motion.deformation - block.state(place, item::deformation);
-    sums.internal_energy += 0.5 * (before + force) * change;
-    sums.shortest_step = std::min(sums.shortest_step, block.state(place, item::stable_step));
+    const auto group = static_cast<std::size_t>(place / lanes);
+    const double step = block.state(place, item::stable_step);
+    block.energy[group].internal += 0.5 * (before + force) * change;
+    sums.shortest_step = std::min(sums.shortest_step, step);
+    if (!block.group_step.empty())
+      block.group_step[group] = place % lanes == 0 ? step : std::min(block.group_step[group], step);
     block.set_state(place, item::deformation, motion.deformation);
     block.set_state(place, item::force, force);
     block.set_state(place, item::plastic, history.plastic);

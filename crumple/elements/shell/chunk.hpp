@@ -226,7 +226,6 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
   const TileScratch<Real> scratch{strain, rows, area, nodes};
   LaneSums<Pack> lane_sums;
   sums = {};
-  sums.shortest_step = 1e30;
   materials::MaterialTask<Real> material = material_task<Formulation, Pack>(task);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
@@ -267,23 +266,24 @@ void shell_chunk(const ShellTask<RealOf<Pack>>& task, ElementSums& sums) {
                         });
     if (task.damping != nullptr) {
       end_damping(*task.damping, damping_tile<Formulation, Pack>(task, scratch, material));
-      add_damping_energy<Pack>(rows + scratch_row::damping_energy * tile_lanes, groups, sums);
+      add_damping_energy<Pack>(rows + scratch_row::damping_energy * tile_lanes, groups, task.energy + first);
     }
     if (task.short_steps != nullptr)
       mark_short_elements(*task.short_steps, point_tile<Formulation, Pack>(scratch, material),
                           rows + scratch_row::shortest_step * tile_lanes);
     for (Index group = 0; group < groups; ++group) {
-      lane_sums.add_group(rows + group * lanes);
+      const GroupSums own_sums = sums_of_group(task, first + group);
+      lane_sums.add_group(rows + group * lanes, own_sums);
       if (task.constants.can_fail) {
         Real* const own = material.state + group * material.group_stride + task.constants.own * lanes;
         erode<Pack>(
             {own + element_state::active * lanes, own + element_state::energy * lanes, rows + group * lanes,
              rows + scratch_row::intact * tile_lanes + group * lanes, task.constants.planes},
-            sums);
+            own_sums, sums);
       }
     }
   }
-  lane_sums.add_to(sums);
+  sums.shortest_step = lane_sums.shortest_step();
 }
 
 }  // namespace crumple::elements

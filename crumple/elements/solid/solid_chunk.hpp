@@ -117,7 +117,6 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
   GroupForces<Real, Formulation::corners> forces;
   LaneSums<Pack> lane_sums;
   sums = {};
-  sums.shortest_step = 1e30;
   materials::SolidMaterialTask<Real> material = solid_material_task<Pack>(task, scratch);
   for (Index first = 0; first < task.groups; first += tile_groups) {
     const Index groups = task.groups - first < tile_groups ? task.groups - first : tile_groups;
@@ -171,22 +170,24 @@ void solid_chunk(const SolidTask<RealOf<Pack>>& task, ElementSums& sums) {
     }
     if (task.damping != nullptr) {
       end_damping(*task.damping, damped);
-      add_damping_energy<Pack>(rows + solid_scratch::damping_energy * tile_lanes, groups, sums);
+      add_damping_energy<Pack>(rows + solid_scratch::damping_energy * tile_lanes, groups,
+                               task.energy + first);
     }
     if (task.short_steps != nullptr)
       mark_short_elements(*task.short_steps, points, rows + solid_scratch::shortest_step * tile_lanes);
     for (Index group = 0; group < groups; ++group) {
-      lane_sums.add_group(rows + group * lanes);
+      const GroupSums own_sums = sums_of_group(task, first + group);
+      lane_sums.add_group(rows + group * lanes, own_sums);
       if (task.constants.can_fail) {
         Real* const own = material.state + group * material.group_stride + task.constants.own * lanes;
         erode<Pack>(
             {own + solid_state::active * lanes, own + (solid_state::own + Formulation::kept.count) * lanes,
              rows + group * lanes, rows + solid_scratch::intact * tile_lanes + group * lanes},
-            sums);
+            own_sums, sums);
       }
     }
   }
-  lane_sums.add_to(sums);
+  sums.shortest_step = lane_sums.shortest_step();
 }
 
 }  // namespace crumple::elements
