@@ -26,7 +26,8 @@ model::Model bar(model::SolidFormulation formulation) {
   middle.damage = model::GissmoDamage{.exponent = 2,
                                       .failure_strain = model::constant_family(0.06),
                                       .critical_strain = model::constant_family(0.03),
-                                      .fading_exponent = model::constant_family(1.5)};
+                                      .fading_exponent = model::constant_family(1.5),
+                                      .size_factor = {}};
   model.materials.push_back(middle);
   model.parts.push_back({.id = 2, .title = "middle", .solid_section = 0, .material = 1});
   test::add_box(model, 0, length, 2, 2, [](double u, double v, double w) {

@@ -66,8 +66,10 @@ model::Model strip(const Case& of) {
   else if (of.failure == Failure::Damage)
     middle.damage = model::GissmoDamage{.exponent = 2,
                                         .failure_strain = model::constant_family(0.06),
+                                        .critical_strain = {},
                                         .critical_damage = 0.4,
-                                        .fading_exponent = model::constant_family(1.5)};
+                                        .fading_exponent = model::constant_family(1.5),
+                                        .size_factor = {}};
   else if (of.failure == Failure::Step)
     middle.least_step = 0.985 * size * std::sqrt(7.85e-6 * (1 - 0.09) / 210);
   else
