@@ -2,6 +2,7 @@
 #include "domain/assembly.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "base/parallel.hpp"
@@ -74,7 +75,7 @@ void Assembly::cut_by_cost(const std::vector<ElementBlock*>& blocks, int threads
       Index count = all - first;
       if (share < threads - 1) {
         const double room = (share + 1) * share_cost - before;
-        count = std::clamp(static_cast<Index>(room / group_cost + 0.5), 1, count);
+        count = std::clamp(static_cast<Index>(std::lround(room / group_cost)), 1, count);
       }
       add_chunk({b, first, first + count}, share != present);
       present = share;
