@@ -110,6 +110,32 @@ TEST(TieSprings, RotationsAreTiedWhereAsked) {
   for (const test::Deflection& found : {exact, springs, hinged}) EXPECT_LT(found.energy_error, 0.01);
 }
 
+/// The plate of the shell joint is a rigid body that is held: the strip is clamped, and hangs on hinges where
+/// rotations are free.
+TEST(TieSprings, RotationsAreTiedToRigidBodies) {
+  model::Model clamped = test::shell_joint(false, 6);
+  for (Index i = 0; i < clamped.nodes.count(); ++i)
+    if (clamped.nodes.position[i][2] == 0)
+      clamped.fixed_nodes.push_back(
+          {.node = i, .translation = {true, true, true}, .rotation = {true, true, true}});
+  const test::Deflection exact = test::deflection(clamped);
+  model::Model model = test::shell_joint(true, 6);
+  model.tied_contacts[0].method = model::TieMethod::Penalty;
+  model.fixed_nodes.clear();
+  model::RigidBody& plate = test::make_rigid(model, 0);
+  plate.fixed_translation = plate.fixed_rotation = {true, true, true};
+  const test::Deflection springs = test::deflection(model);
+  model.tied_contacts[0].ties_rotations = false;
+  const test::Deflection hinged = test::deflection(model);
+  std::printf("largest deflection: clamped %.5f, springs %.5f, without rotations %.5f\n", exact.largest,
+              springs.largest, hinged.largest);
+  // Springs give way by as much as in the joint above.
+  test::verified("strip tied to a rigid plate by springs: deflection over that of a clamped one", "one mesh")
+      .near(springs.largest / exact.largest, 1, 0.25);
+  EXPECT_GT(hinged.largest, 4 * exact.largest);
+  for (const test::Deflection& found : {exact, springs, hinged}) EXPECT_LT(found.energy_error, 0.01);
+}
+
 /// Stiffness of all springs of breaking_blocks(): ten times SLSFAC times the bulk modulus over the depth of
 /// the elements, times the area.
 constexpr double area = 16;

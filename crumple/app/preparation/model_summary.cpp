@@ -9,6 +9,7 @@
 #include "app/preparation/left_out.hpp"
 #include "app/preparation/part_tables.hpp"
 #include "base/counted.hpp"
+#include "contact/tied/node_rotation.hpp"
 
 namespace crumple::app {
 
@@ -105,7 +106,7 @@ void print_untied(std::ostream& out, const domain::Tie& tie) {
 void print_hinges(std::ostream& out, const domain::Domain& domain, const domain::Tie& tie) {
   const auto hinged = [&](const domain::TiedNode& tied) {
     for (std::size_t k = 0; k < 4; ++k)
-      if (tied.weight[k] != 0 && !(domain.nodes.inertia[tied.corner[k]] > 0))
+      if (tied.weight[k] != 0 && !contact::has_rotation(domain, tied.corner[k]))
         return domain.nodes.inertia[tied.node] > 0;
     return false;
   };

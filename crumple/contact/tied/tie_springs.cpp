@@ -12,6 +12,7 @@
 #include "contact/enforcement/penalty.hpp"
 #include "contact/surface/segment_shape.hpp"
 #include "contact/tied/cohesive_law.hpp"
+#include "contact/tied/node_rotation.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -39,18 +40,32 @@ Vec3 spin_of(const domain::NodeFields& nodes, const domain::TiedNode& tied) {
   return spin;
 }
 
-/// Springs by penalty at each node of the domain.
-std::vector<Index> count_springs(const domain::Domain& domain) {
-  std::vector<Index> count(static_cast<std::size_t>(domain.nodes.count()), 0);
+/// Springs by penalty at each node of the domain and at each rigid body.
+SpringCounts count_springs(const domain::Domain& domain) {
+  SpringCounts count{std::vector<Index>(static_cast<std::size_t>(domain.nodes.count()), 0),
+                     std::vector<Index>(domain.rigid_bodies.size(), 0)};
+  const auto at_body = [&](Index node) {
+    if (const Index body = body_of(domain, node); body != no_index) ++count.at_body[body];
+  };
   for (const domain::Tie& tie : domain.ties) {
     if (tie.method != model::TieMethod::Penalty) continue;
     for (const domain::TiedNode& tied : tie.nodes) {
-      ++count[tied.node];
+      ++count.at_node[tied.node];
+      at_body(tied.corner[0]);
       for (std::size_t k = 0; k < 4; ++k)
-        if (k < 3 || tied.corner[3] != tied.corner[2]) ++count[tied.corner[k]];
+        if (k < 3 || tied.corner[3] != tied.corner[2]) ++count.at_node[tied.corner[k]];
     }
   }
   return count;
+}
+
+/// What a moment on a corner meets, the springs there sharing it: the inertia of the node, or the least one
+/// of the rigid body that it belongs to [mass * length^2].
+double lent_inertia(const domain::Domain& domain, const SpringCounts& springs, Index corner) {
+  const Index body = body_of(domain, corner);
+  if (body == no_index) return domain.nodes.inertia[corner] / springs.at_node[corner];
+  const Vec3& principal = domain.rigid_bodies[body].principal_inertia;
+  return std::min({principal.x, principal.y, principal.z}) / springs.at_body[body];
 }
 
 /// True if one rigid body has all nodes.
@@ -68,14 +83,14 @@ TieSprings::TieSprings(const model::Model& model, const domain::Domain& domain, 
       tie_(tie),
       step_scale_(model.control.step_scale),
       budget_(tolerances::tie_budget * stability_budget(model.control.step_scale)) {
-  const std::vector<Index> springs_at = count_springs(domain);
+  const SpringCounts springs = count_springs(domain);
   const std::vector<domain::TiedNode>& nodes = domain.ties[tie].nodes;
   springs_.reserve(nodes.size());
   active_.reserve(nodes.size());
   for (const domain::TiedNode& tied : nodes) {
     Spring spring{.tied = tied};
     spring.tied.stiffness *= tolerances::tie_over_contact_stiffness;
-    set_limits(domain, springs_at, spring);
+    set_limits(domain, springs, spring);
     springs_.push_back(spring);
     active_.push_back(in_one_body(domain, tied) ? 0 : 1);
   }
@@ -95,29 +110,28 @@ std::array<Index, TieSprings::ends> TieSprings::nodes_of(const Spring& spring) c
 /// Bounds for stability, each node lending its mass divided by the number of springs at it: as for contact
 /// (docs/theory/contact.md). A corner moves the end of the spring by no more than its weight plus the height
 /// times the opposite diagonal over twice the segment's area. Rotations have the frequency of the spring.
-void TieSprings::set_limits(const domain::Domain& domain, const std::vector<Index>& springs_at,
-                            Spring& spring) const {
+void TieSprings::set_limits(const domain::Domain& domain, const SpringCounts& springs, Spring& spring) const {
   const domain::NodeFields& nodes = domain.nodes;
   const domain::TiedNode& tied = spring.tied;
   const SegmentShape shape = shape_of(nodes, tied);
   const Vec3 first = shape.corner[2] - shape.corner[0];
   const Vec3 second = shape.corner[3] - shape.corner[1];
   const double size = norm(cross(first, second));
-  spring.inverse_mass = springs_at[tied.node] / nodes.mass[tied.node];
+  spring.inverse_mass = springs.at_node[tied.node] / nodes.mass[tied.node];
   bool turns = contact_.ties_rotations && nodes.inertia[tied.node] > 0;
   for (std::size_t k = 0; k < 4; ++k) {
     const double lever = std::fabs(tied.height) * norm(k % 2 == 0 ? second : first) / size;
     const double gain = std::fabs(tied.weight[k]) + lever;
-    spring.inverse_mass += gain * gain * springs_at[tied.corner[k]] / nodes.mass[tied.corner[k]];
-    if (tied.weight[k] != 0 && !(nodes.inertia[tied.corner[k]] > 0)) turns = false;
+    spring.inverse_mass += gain * gain * springs.at_node[tied.corner[k]] / nodes.mass[tied.corner[k]];
+    if (tied.weight[k] != 0 && !has_rotation(domain, tied.corner[k])) turns = false;
   }
   if (!turns) return;
   spring.turning_stiffness = tied.stiffness * nodes.inertia[tied.node] / nodes.mass[tied.node];
-  spring.inverse_inertia = springs_at[tied.node] / nodes.inertia[tied.node];
+  spring.inverse_inertia = springs.at_node[tied.node] / nodes.inertia[tied.node];
   for (std::size_t k = 0; k < 4; ++k)
     if (tied.weight[k] != 0)
       spring.inverse_inertia +=
-          tied.weight[k] * tied.weight[k] * springs_at[tied.corner[k]] / nodes.inertia[tied.corner[k]];
+          tied.weight[k] * tied.weight[k] / lent_inertia(domain, springs, tied.corner[k]);
 }
 
 double TieSprings::share_of_strength(const Spring& spring, double tension, double shear) const {

@@ -32,6 +32,12 @@ namespace crumple::contact {
 
 using math::Vec3;
 
+/// How many springs share a node, and how many a rigid body.
+struct SpringCounts {
+  std::vector<Index> at_node;
+  std::vector<Index> at_body;
+};
+
 /// Nodes that springs hold to segments (tied contact with OFFSET, TIEBREAK). The other end of a spring stands
 /// at the height of the node over its segment, on the segment's normal, and moves with it: forces on the
 /// corners are the derivatives of the spring's energy by their places, so that force and moment of force add
@@ -81,7 +87,7 @@ class TieSprings {
   };
 
   std::array<Index, ends> nodes_of(const Spring& spring) const;
-  void set_limits(const domain::Domain& domain, const std::vector<Index>& springs_at, Spring& spring) const;
+  void set_limits(const domain::Domain& domain, const SpringCounts& springs, Spring& spring) const;
   bool ends_now(const domain::Domain& domain, const Spring& spring, bool look) const;
   void settle_stiffness(double step);
   static Place place_of(const domain::NodeFields& nodes, const domain::TiedNode& tied);
