@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Models beyond the caches: their arrays lie in huge pages, and kernels ask ahead
-// for what they need.
+// Models that do not fit into the caches: their arrays lie in huge pages, and kernels prefetch what they need.
 
 #include <gtest/gtest.h>
 

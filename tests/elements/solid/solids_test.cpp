@@ -300,7 +300,7 @@ TEST(Solids, HaveTheSameBitsForEveryWidth) {
     }
 }
 
-/// Shares that have nodes in common: their forces are added in one order whoever computes them.
+/// Shares that have nodes in common: their forces are added in one order for any number of threads.
 TEST(Solids, HaveTheSameBitsForEveryNumberOfThreads) {
   for (const Precision precision : {Precision::Double, Precision::Mixed})
     for (const SolidCase& of : solid_cases) {
