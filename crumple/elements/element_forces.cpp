@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -185,18 +187,26 @@ domain::GroupEnergy operator+(const domain::GroupEnergy& a, const domain::GroupE
   return {a.internal + b.internal, a.hourglass + b.hourglass, a.damping + b.damping, a.eroded + b.eroded};
 }
 
-/// Sums the energies of a block's groups, piece by piece in their order.
+domain::GroupEnergy sum_of(std::span<const domain::GroupEnergy> energies) {
+  domain::GroupEnergy sum;
+  for (const domain::GroupEnergy& energy : energies) sum = sum + energy;
+  return sum;
+}
+
+/// Sums the energies of a block's groups, piece by piece in their order; small blocks in one, without room
+/// for sums.
 void sum_groups(domain::ElementBlock& block, int threads) {
-  constexpr Index piece = 1024;
-  const auto groups = static_cast<Index>(block.energy.size());
-  std::vector<domain::GroupEnergy> sums(static_cast<std::size_t>(pieces(groups, piece)));
-  parallel_for(static_cast<Index>(sums.size()), threads, [&](Index p) {
-    domain::GroupEnergy sum;
-    for (Index g = p * piece; g < std::min((p + 1) * piece, groups); ++g) sum = sum + block.energy[g];
-    sums[p] = sum;
-  });
-  domain::GroupEnergy all;
-  for (const domain::GroupEnergy& sum : sums) all = all + sum;
+  constexpr std::size_t piece = 1024;
+  const std::span<const domain::GroupEnergy> groups(block.energy);
+  std::vector<domain::GroupEnergy> sums;
+  if (groups.size() > piece) {
+    sums.resize((groups.size() + piece - 1) / piece);
+    parallel_for(static_cast<Index>(sums.size()), threads, [&](Index p) {
+      const std::size_t first = static_cast<std::size_t>(p) * piece;
+      sums[p] = sum_of(groups.subspan(first, std::min(piece, groups.size() - first)));
+    });
+  }
+  const domain::GroupEnergy all = sums.empty() ? sum_of(groups) : sum_of(sums);
   block.internal_energy = all.internal;
   block.hourglass_energy = all.hourglass;
   block.damping_energy = all.damping;

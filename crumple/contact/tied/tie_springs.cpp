@@ -70,10 +70,9 @@ double lent_inertia(const domain::Domain& domain, const SpringCounts& springs, I
 
 /// True if one rigid body has all nodes.
 bool in_one_body(const domain::Domain& domain, const domain::TiedNode& tied) {
-  if (domain.body_of_node.empty()) return false;
-  const Index body = domain.body_of_node[tied.node];
+  const Index body = body_of(domain, tied.node);
   return body != no_index && std::all_of(tied.corner.begin(), tied.corner.end(),
-                                         [&](Index node) { return domain.body_of_node[node] == body; });
+                                         [&](Index node) { return body_of(domain, node) == body; });
 }
 
 }  // namespace

@@ -18,6 +18,18 @@ inline constexpr Field viscoplastic_field =
 /// The same of laws whose rates are all on the card: take_viscoplastic() checks its value.
 inline constexpr Field viscoplastic_value = real("VP");
 
+// Of damage, on the cards of *MAT_ADD_DAMAGE_GISSMO and, with IDAM = 1, of *MAT_ADD_EROSION.
+inline constexpr Field damage_failure = signed_id("LCSDG", IdKind::Function);
+inline constexpr Field damage_instability = real_or_id("ECRIT", IdKind::Function);
+inline constexpr Field damage_exponent = real_or_default("DMGEXP", 1, above_zero);
+inline constexpr Field damage_critical = real("DCRIT", 0, within(0, 1, "a damage"));
+inline constexpr Field damage_fading = real_or_id("FADEXP", IdKind::Function);
+inline constexpr Field damage_regularization = signed_id("LCREGD", IdKind::Function);
+inline constexpr Field damage_rates = signed_id("LCSRS", IdKind::Function);
+inline constexpr Field damage_limits = only("LCDLIM", {0}, "damage goes up to one");
+inline constexpr Field damage_middle =
+    only("MIDFAIL", {0}, "every point is checked, not that of the mid-surface first");
+
 }  // namespace row
 
 /// Number, title, density and place of a material whose first card this is.

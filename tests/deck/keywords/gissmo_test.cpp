@@ -28,11 +28,8 @@ void only_message(const std::string& cards, const std::string& part) {
   SCOPED_TRACE(cards);
   expect_one(cube(cards), part);
 }
-const std::string gissmo = "*MAT_ADD_DAMAGE_GISSMO\n";
-
-TEST(MatAddDamageGissmo, EveryField) {
-  const auto read =
-      damage("*MAT_ADD_DAMAGE_GISSMO_TITLE\nlimits\n1,,1,5.0,-60\n1,-2,2.5,,-7,3,1\n4,0.25,0.75\n");
+/// Curves 1 to 4 and 7 by their fields, on the cards of either keyword.
+void expect_all_fields(const model::GissmoDamage& read) {
   EXPECT_TRUE(read.acts);
   EXPECT_EQ(read.points, -60);
   EXPECT_NEAR(read.failure_strain.at(0, 0.25), 0.35, 1e-15);
@@ -42,10 +39,17 @@ TEST(MatAddDamageGissmo, EveryField) {
   EXPECT_NEAR(read.size_factor.at(0, 3), 0.7, 1e-15);
   ASSERT_TRUE(read.rate_factor);
   EXPECT_EQ(read.rate_factor->at(50), 1.5);
-  EXPECT_FALSE(read.logarithmic_rates);
-  EXPECT_TRUE(read.rates_scale_critical);
   EXPECT_EQ(read.shear_reduction, 0.25);
   EXPECT_EQ(read.biaxial_reduction, 0.75);
+}
+const std::string gissmo = "*MAT_ADD_DAMAGE_GISSMO\n";
+
+TEST(MatAddDamageGissmo, EveryField) {
+  const auto read =
+      damage("*MAT_ADD_DAMAGE_GISSMO_TITLE\nlimits\n1,,1,5.0,-60\n1,-2,2.5,,-7,3,1\n4,0.25,0.75\n");
+  expect_all_fields(read);
+  EXPECT_FALSE(read.logarithmic_rates);
+  EXPECT_TRUE(read.rates_scale_critical);
 }
 
 TEST(MatAddDamageGissmo, OtherMeaningsBySign) {
@@ -132,16 +136,7 @@ TEST(MatAddDamageGissmo, ReachesLayersOfOneMaterial) {
 
 TEST(MatAddErosion, DamageOfIdam1) {
   const auto read = damage("*MAT_ADD_EROSION\n1,,,,,,-60\n\n1,1,1,-2,2.5,,1.5,3\n,,,4,0.25,0.75\n");
-  EXPECT_TRUE(read.acts);
-  EXPECT_EQ(read.points, -60);
-  EXPECT_NEAR(read.failure_strain.at(0, 0.25), 0.35, 1e-15);
-  EXPECT_NEAR(read.critical_strain.at(0, 0.25), 0.2, 1e-15);
-  EXPECT_EQ(read.exponent, 2.5);
-  EXPECT_EQ(read.fading_exponent.at(0, 1), 1.5);
-  EXPECT_NEAR(read.size_factor.at(0, 3), 0.7, 1e-15);
-  EXPECT_TRUE(read.rate_factor);
-  EXPECT_EQ(read.shear_reduction, 0.25);
-  EXPECT_EQ(read.biaxial_reduction, 0.75);
+  expect_all_fields(read);
   // Beside criteria, and with the cards behind.
   const model::Model model = read_clean(cube("*MAT_ADD_EROSION\n1,,,,0.5\n\n1,1,1,,,0.4\n\n0\n0\n").text());
   EXPECT_TRUE(model.materials[0].damage);

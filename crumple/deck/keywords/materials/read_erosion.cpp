@@ -32,23 +32,23 @@ constexpr Field erosion_card_2[] = {
 constexpr Field erosion_card_3[] = {
     only("IDAM", {0, 1}, "0 is no damage, 1 that of *MAT_ADD_DAMAGE_GISSMO"),
     only("DMGTYP", {0, 1}, "0 adds damage up, 1 lets it act"),
-    signed_id("LCSDG", IdKind::Function),
-    real_or_id("ECRIT", IdKind::Function),
-    real_or_default("DMGEXP", 1, above_zero),
-    real("DCRIT", 0, within(0, 1, "a damage")),
-    real_or_id("FADEXP", IdKind::Function),
-    signed_id("LCREGD", IdKind::Function),
+    damage_failure,
+    damage_instability,
+    damage_exponent,
+    damage_critical,
+    damage_fading,
+    damage_regularization,
 };
 
 constexpr Field erosion_damage_card[] = {
     only("SIZFLG", {0}, "the size of an element is that at time zero"),
     unused("REFSZ"),
     unused("NAHSV"),
-    signed_id("LCSRS", IdKind::Function),
+    damage_rates,
     real("SHRF"),
     real("BIAXF"),
-    only("LCDLIM", {0}, "damage goes up to one"),
-    only("MIDFAIL", {0}, "every point is checked, not that of the mid-surface first"),
+    damage_limits,
+    damage_middle,
 };
 
 constexpr std::string_view no_such_criterion = "the criterion is not supported";

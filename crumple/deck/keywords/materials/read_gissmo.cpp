@@ -22,21 +22,21 @@ constexpr Field gissmo_card_1[] = {
 };
 
 constexpr Field gissmo_card_2[] = {
-    signed_id("LCSDG", IdKind::Function),
-    real_or_id("ECRIT", IdKind::Function),
-    real_or_default("DMGEXP", 1, above_zero),
-    real("DCRIT", 0, within(0, 1, "a damage")),
-    real_or_id("FADEXP", IdKind::Function),
-    signed_id("LCREGD", IdKind::Function),
+    damage_failure,
+    damage_instability,
+    damage_exponent,
+    damage_critical,
+    damage_fading,
+    damage_regularization,
     only("INSTF", {0, 1}, "the instability grows with the plastic strain, it does not jump"),
 };
 
 constexpr Field gissmo_card_3[] = {
-    signed_id("LCSRS", IdKind::Function),
+    damage_rates,
     real("SHRF"),
     real("BIAXF"),
-    only("LCDLIM", {0}, "damage goes up to one"),
-    only("MIDFAIL", {0}, "every point is checked, not that of the mid-surface first"),
+    damage_limits,
+    damage_middle,
     only("HISVN", {0}, "the failure strain depends on no history variable"),
     only("SOFT", {0}, "elements beside those that have failed are as strong as the others"),
     only("LP2BI", {0}, "tables are over Lode's parameter"),
