@@ -214,6 +214,41 @@ TEST(Tiebreak, BreaksAtItsStrength) {
   expect_booked(sliding, std::pow(shear * area, 2) / (2 * stiffness));
 }
 
+/// Two blocks of the same mesh, held at one end and pulled at the other to a stress that grows to `most`
+/// times the strength of the tie over twenty periods, at the step that the elements allow.
+Break pull_slowly(double most) {
+  constexpr double strength = 0.3;
+  model::Model model = test::two_blocks(2, 2, 2, model::TieMethod::Penalty);
+  model.tied_contacts[0].failure = model::TieFailure{.normal_strength = strength, .shear_strength = strength};
+  const double length = 20;
+  model.control.end_time = 20 * 4 * length / std::sqrt(test::modulus / test::density);
+  model.curves.push_back({.id = 1, .abscissa = {0, model.control.end_time}, .ordinate = {0, most}});
+  for (Index i = 0; i < model.nodes.count(); ++i) {
+    const auto& x = model.nodes.position[i];
+    if (x[0] == 0)
+      model.fixed_nodes.push_back({.node = i, .translation = {true, true, true}, .rotation = {}});
+    if (x[0] != length) continue;
+    const double share = (x[1] == 2 ? 0.5 : 0.25) * (x[2] == 2 ? 0.5 : 0.25);
+    model.nodal_loads.push_back(
+        {.node = i, .force = {share * strength * area, 0, 0}, .moment = {}, .curve = 0});
+  }
+  Break found = run_break(model);
+  found.largest_force /= strength * area;
+  return found;
+}
+
+/// Stability limits the springs, by the masses of nodes at the rim and inside, and must leave them in
+/// proportion to their areas.
+TEST(Tiebreak, HoldsUntilTheUniformStressIsItsStrength) {
+  const Break below = pull_slowly(0.95);
+  EXPECT_EQ(below.broken, 0);
+  const Break beyond = pull_slowly(1.1);
+  EXPECT_EQ(beyond.broken, 9);
+  test::verified("tiebreak of matching meshes at the elements' step: largest stress over the strength",
+                 "uniform stress")
+      .near(beyond.largest_force, 1, 0.01);
+}
+
 /// q with q^a + (2 q)^b = 1.
 double share_of_normal_strength(double a, double b) {
   double low = 0;

@@ -40,32 +40,42 @@ Vec3 spin_of(const domain::NodeFields& nodes, const domain::TiedNode& tied) {
   return spin;
 }
 
-/// Springs by penalty at each node of the domain and at each rigid body.
-SpringCounts count_springs(const domain::Domain& domain) {
-  SpringCounts count{std::vector<Index>(static_cast<std::size_t>(domain.nodes.count()), 0),
-                     std::vector<Index>(domain.rigid_bodies.size(), 0)};
-  const auto at_body = [&](Index node) {
-    if (const Index body = body_of(domain, node); body != no_index) ++count.at_body[body];
-  };
+/// By how much a corner that moves moves the end of the spring at most: its weight plus the height times the
+/// opposite diagonal over twice the segment's area [-].
+std::array<double, 4> gains(const domain::NodeFields& nodes, const domain::TiedNode& tied) {
+  const SegmentShape shape = shape_of(nodes, tied);
+  const Vec3 first = shape.corner[2] - shape.corner[0];
+  const Vec3 second = shape.corner[3] - shape.corner[1];
+  const double lever = std::fabs(tied.height) / norm(cross(first, second));
+  std::array<double, 4> found{};
+  for (std::size_t k = 0; k < 4; ++k)
+    found[k] = std::fabs(tied.weight[k]) + lever * norm(k % 2 == 0 ? second : first);
+  return found;
+}
+
+/// Over the springs by penalty.
+SpringSums sum_springs(const domain::Domain& domain) {
+  SpringSums sums{std::vector<double>(static_cast<std::size_t>(domain.nodes.count()), 0.0),
+                  std::vector<Index>(domain.rigid_bodies.size(), 0)};
   for (const domain::Tie& tie : domain.ties) {
     if (tie.method != model::TieMethod::Penalty) continue;
     for (const domain::TiedNode& tied : tie.nodes) {
-      ++count.at_node[tied.node];
-      at_body(tied.corner[0]);
-      for (std::size_t k = 0; k < 4; ++k)
-        if (k < 3 || tied.corner[3] != tied.corner[2]) ++count.at_node[tied.corner[k]];
+      const std::array<double, 4> gain = gains(domain.nodes, tied);
+      sums.at_node[tied.node] += 1;
+      for (std::size_t k = 0; k < 4; ++k) sums.at_node[tied.corner[k]] += gain[k];
+      if (const Index body = body_of(domain, tied.corner[0]); body != no_index) ++sums.at_body[body];
     }
   }
-  return count;
+  return sums;
 }
 
-/// What a moment on a corner meets, the springs there sharing it: the inertia of the node, or the least one
-/// of the rigid body that it belongs to [mass * length^2].
-double lent_inertia(const domain::Domain& domain, const SpringCounts& springs, Index corner) {
+/// Inertia that a moment on a corner meets: of the node the part that it lends to a spring with that gain, or
+/// that of the rigid body about its weakest axis over the number of springs there [mass * length^2].
+double lent_inertia(const domain::Domain& domain, const SpringSums& sums, Index corner, double gain) {
   const Index body = body_of(domain, corner);
-  if (body == no_index) return domain.nodes.inertia[corner] / springs.at_node[corner];
+  if (body == no_index) return domain.nodes.inertia[corner] * gain / sums.at_node[corner];
   const Vec3& principal = domain.rigid_bodies[body].principal_inertia;
-  return std::min({principal.x, principal.y, principal.z}) / springs.at_body[body];
+  return std::min({principal.x, principal.y, principal.z}) / sums.at_body[body];
 }
 
 /// True if one rigid body has all nodes.
@@ -82,14 +92,14 @@ TieSprings::TieSprings(const model::Model& model, const domain::Domain& domain, 
       tie_(tie),
       step_scale_(model.control.step_scale),
       budget_(tolerances::tie_budget * stability_budget(model.control.step_scale)) {
-  const SpringCounts springs = count_springs(domain);
+  const SpringSums sums = sum_springs(domain);
   const std::vector<domain::TiedNode>& nodes = domain.ties[tie].nodes;
   springs_.reserve(nodes.size());
   active_.reserve(nodes.size());
   for (const domain::TiedNode& tied : nodes) {
     Spring spring{.tied = tied};
     spring.tied.stiffness *= tolerances::tie_over_contact_stiffness;
-    set_limits(domain, springs, spring);
+    set_limits(domain, sums, spring);
     springs_.push_back(spring);
     active_.push_back(in_one_body(domain, tied) ? 0 : 1);
   }
@@ -106,31 +116,26 @@ std::array<Index, TieSprings::ends> TieSprings::nodes_of(const Spring& spring) c
   return {spring.tied.node, corner[0], corner[1], corner[2], corner[3]};
 }
 
-/// Bounds for stability, each node lending its mass divided by the number of springs at it: as for contact
-/// (docs/theory/contact.md). A corner moves the end of the spring by no more than its weight plus the height
-/// times the opposite diagonal over twice the segment's area. Rotations have the frequency of the spring.
-void TieSprings::set_limits(const domain::Domain& domain, const SpringCounts& springs, Spring& spring) const {
+/// Bounds for stability. Each node lends its mass to its springs in proportion to their gains, as for contact
+/// (docs/theory/contact.md): those that share no corner with weight take nothing from each other. Rotations
+/// have the frequency of the spring.
+void TieSprings::set_limits(const domain::Domain& domain, const SpringSums& sums, Spring& spring) const {
   const domain::NodeFields& nodes = domain.nodes;
   const domain::TiedNode& tied = spring.tied;
-  const SegmentShape shape = shape_of(nodes, tied);
-  const Vec3 first = shape.corner[2] - shape.corner[0];
-  const Vec3 second = shape.corner[3] - shape.corner[1];
-  const double size = norm(cross(first, second));
-  spring.inverse_mass = springs.at_node[tied.node] / nodes.mass[tied.node];
+  const std::array<double, 4> gain = gains(nodes, tied);
+  spring.inverse_mass = sums.at_node[tied.node] / nodes.mass[tied.node];
   bool turns = contact_.ties_rotations && nodes.inertia[tied.node] > 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const double lever = std::fabs(tied.height) * norm(k % 2 == 0 ? second : first) / size;
-    const double gain = std::fabs(tied.weight[k]) + lever;
-    spring.inverse_mass += gain * gain * springs.at_node[tied.corner[k]] / nodes.mass[tied.corner[k]];
+    spring.inverse_mass += gain[k] * sums.at_node[tied.corner[k]] / nodes.mass[tied.corner[k]];
     if (tied.weight[k] != 0 && !has_rotation(domain, tied.corner[k])) turns = false;
   }
   if (!turns) return;
   spring.turning_stiffness = tied.stiffness * nodes.inertia[tied.node] / nodes.mass[tied.node];
-  spring.inverse_inertia = springs.at_node[tied.node] / nodes.inertia[tied.node];
+  spring.inverse_inertia = sums.at_node[tied.node] / nodes.inertia[tied.node];
   for (std::size_t k = 0; k < 4; ++k)
     if (tied.weight[k] != 0)
       spring.inverse_inertia +=
-          tied.weight[k] * tied.weight[k] / lent_inertia(domain, springs, tied.corner[k]);
+          tied.weight[k] * tied.weight[k] / lent_inertia(domain, sums, tied.corner[k], gain[k]);
 }
 
 double TieSprings::share_of_strength(const Spring& spring, double tension, double shear) const {

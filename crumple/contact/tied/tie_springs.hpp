@@ -32,10 +32,10 @@ namespace crumple::contact {
 
 using math::Vec3;
 
-/// How many springs share a node, and how many a rigid body.
-struct SpringCounts {
-  std::vector<Index> at_node;
-  std::vector<Index> at_body;
+/// What all springs by penalty have at a node or rigid body.
+struct SpringSums {
+  std::vector<double> at_node;  ///< sum of their gains, one for the node that is tied [-]
+  std::vector<Index> at_body;   ///< springs to segments of the body
 };
 
 /// Nodes that springs hold to segments (tied contact with OFFSET, TIEBREAK). The other end of a spring stands
@@ -87,7 +87,7 @@ class TieSprings {
   };
 
   std::array<Index, ends> nodes_of(const Spring& spring) const;
-  void set_limits(const domain::Domain& domain, const SpringCounts& springs, Spring& spring) const;
+  void set_limits(const domain::Domain& domain, const SpringSums& sums, Spring& spring) const;
   bool ends_now(const domain::Domain& domain, const Spring& spring, bool look) const;
   void settle_stiffness(double step);
   static Place place_of(const domain::NodeFields& nodes, const domain::TiedNode& tied);
