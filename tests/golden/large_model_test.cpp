@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Models that do not fit into the caches: their arrays lie in huge pages, and kernels prefetch what they need.
+// Models that do not fit into the caches: their arrays lie in huge pages, and kernels prefetch what they
+// need.
 
 #include <gtest/gtest.h>
 
