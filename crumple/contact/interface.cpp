@@ -205,6 +205,10 @@ Interface::~Interface() = default;
 Interface::Interface(Interface&&) noexcept = default;
 Interface& Interface::operator=(Interface&&) noexcept = default;
 
+void Interface::clear_forces(domain::Domain& domain) const {
+  implementation_->forces.clear(domain);
+}
+
 void Interface::find_touches(domain::Domain& domain) {
   Implementation& own = *implementation_;
   own.bound_step(domain);
@@ -262,7 +266,7 @@ void Interface::declare(domain::StateList& list) {
   list.add("contact_started", "-", domain::Entity::Contact, 1, std::span(&own.started, 1));
   for (const auto& detector : own.detectors) {
     detector->declare_search(list);
-    if (detector == own.detectors.front()) own.forces.declare(list);
+    if (detector == own.detectors.front()) own.forces.sums().declare(list);
     detector->declare_pairs(list);
   }
   list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
@@ -274,7 +278,7 @@ void Interface::declare(domain::StateList& list) {
 void Interface::resume(const domain::Domain& domain) {
   Implementation& own = *implementation_;
   require_saved(own.started == 0 || own.started == 1, "marks of the start");
-  own.forces.resume();
+  own.forces.sums().resume();
   follow_erosion(own.surface, domain);
   for (const auto& detector : own.detectors) detector->resume(domain, present(domain));
 }
@@ -322,9 +326,10 @@ double Interface::stored_energy() const {
 
 void Interface::append_node_forces(std::vector<domain::ContactNodeForce>& forces) const {
   const Implementation& own = *implementation_;
-  for (const Index place : own.forces.places())
+  const NodalSums& sums = own.forces.sums();
+  for (const Index place : sums.places())
     forces.push_back(
-        {own.report, own.surface.nodes[place], own.surface.node_side[place], own.forces.force_at(place)});
+        {own.report, own.surface.nodes[place], own.surface.node_side[place], sums.force_at(place)});
 }
 
 const Surface& Interface::surface() const {

@@ -26,7 +26,7 @@
 // (1991) 103-128, for multipliers.
 //
 // Order of calls in a step, each stage for all contacts before the next, as the stiffness that one may have
-// depends on what all others do to its nodes: find_touches(), evaluate_forces(), add_forces(); for contacts
+// depends on what all others do to its nodes: clear_forces(), find_touches(), evaluate_forces(), add_forces(); for contacts
 // by multipliers add_multipliers() instead, once all other forces are known. longest_step() bounds the step
 // between them.
 //
@@ -58,6 +58,10 @@ class Interface {
   Interface(Interface&&) noexcept;
   Interface& operator=(Interface&&) noexcept;
 
+  /// Takes the contact forces of the last step out of domain.contact_force: for all contacts before the stages
+  /// of a step.
+  void clear_forces(domain::Domain& domain) const;
+
   /// First of three stages at time n, each to be called for all contacts before the next: what several do to
   /// one node counts together. Finds what touches, and counts it at the nodes. On entry nodes.position is
   /// x(n), nodes.velocity is v(n-1/2) and clock.step the step between them (zero before the first). Searches
@@ -67,8 +71,9 @@ class Interface {
   /// Second stage: computes the forces of the touches.
   void evaluate_forces(domain::Domain& domain);
 
-  /// Third stage: adds the contact forces to nodes.force and domain.contact_force, which the caller clears,
-  /// pairs in the order (node, segment), so that the sums are bitwise the same for any number of threads.
+  /// Third stage: adds the contact forces to nodes.force and domain.contact_force, each
+  /// node's in the order of pairs (node, segment), so that the sums are bitwise the same for any number of
+  /// threads.
   /// Updates the report's energies by the trapezoidal rule, and the stage times.
   void add_forces(domain::Domain& domain);
 

@@ -129,7 +129,7 @@ void Simulation::scale_masses() {
 /// In three stages: how stiff a contact may be depends on what the others do to its nodes.
 void Simulation::add_contact_forces() {
   if (contacts_.empty()) return;
-  std::fill(domain_.contact_force.begin(), domain_.contact_force.end(), math::Vec3{});
+  for (contact::Interface& contact : contacts_) contact.clear_forces(domain_);
   for (contact::Interface& contact : contacts_) contact.find_touches(domain_);
   for (contact::Interface& contact : contacts_) contact.evaluate_forces(domain_);
   for (contact::Interface& contact : contacts_) contact.add_forces(domain_);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -11,7 +10,6 @@
 #include "base/prefetch.hpp"
 #include "contact/enforcement/penalty.hpp"
 #include "contact/enforcement/raised_point.hpp"
-#include "contact/surface/saved_state.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -29,18 +27,6 @@ void ask_after(std::size_t i, std::span<const Touch> touches, const Ask& ask) {
   if (i + ahead >= touches.size()) return;
   const Touch& touch = touches[i + ahead];
   for (int k = 0; k < touch.nodes; ++k) ask(touch.place[k]);
-}
-
-/// Calls ask(place) for one soon after place `i` of a list.
-template <class Ask>
-void ask_after(std::size_t i, const std::vector<Index>& places, const Ask& ask) {
-  if (i + ahead < places.size()) ask(places[i + ahead]);
-}
-
-/// Weight with which a touch counts at one of its nodes: a little more than the node's own, as the couple of
-/// friction acts on all of them.
-double lent(double weight) {
-  return std::fabs(weight) + tolerances::borrowed_mass;
 }
 
 /// Step by which stability is judged: the larger of the last one and what the elements allow now.
@@ -89,27 +75,15 @@ void add_turning(std::span<const Vec3> x, Touch& touch) {
   add(first, x.size(), touch.height[1], -touch.normal_force);
 }
 
-/// The first of the nodes that bear a couple: those of the segment below a node, all of two edges, as an edge
-/// alone bears none about itself, and of two segments.
-int first_bearing(const Touch& touch) {
-  constexpr int least = 3;
-  return touch.nodes > least && touch.weight[1] <= 0 ? 1 : 0;
-}
-
 }  // namespace
 
 Forces::Forces(const Surface& surface, const model::Contact& contact, const model::Control& control)
     : surface_(&surface),
+      sums_(surface),
       contact_(contact),
       stiffness_scale_(stiffness_scale(contact, control)),
       step_scale_(control.step_scale) {
   share_step(step_scale_);
-  const std::size_t places = surface.nodes.size();
-  marked_.resize(places);
-  normal_.resize(places);
-  friction_.resize(places);
-  previous_normal_.resize(places);
-  previous_friction_.resize(places);
 }
 
 /// Where the motion of the surfaces bounds the step more than the elements do, these use less of what is
@@ -146,23 +120,6 @@ void Forces::evaluate(const domain::Domain& domain, std::span<Touch> touches) {
   limited_ = static_cast<Index>(std::count(is_limited_.begin(), is_limited_.end(), 1));
 }
 
-void Forces::apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report) {
-  scatter(domain, touches);
-  add_work(domain, report);
-  hand_over(domain);
-}
-
-void Forces::count(domain::Domain& domain, std::span<const Touch> touches) const {
-  for (std::size_t t = 0; t < touches.size(); ++t) {
-    ask_after(t, touches,
-              [&](Index place) { prefetch<true>(&domain.contact_weight[surface_->nodes[place]], 1); });
-    const Touch& touch = touches[t];
-    if (touch.penetration <= 0) continue;
-    for (int i = 0; i < touch.nodes; ++i)
-      domain.contact_weight[surface_->nodes[touch.place[i]]] += lent(touch.weight[i]);
-  }
-}
-
 /// 1/m* of the touch, each node lending its mass in proportion to the weights of the touches that act on it:
 /// a spring of stiffness k then has omega^2 <= k / m* in the assembled system (docs/theory/contact.md)
 /// [1/mass].
@@ -171,7 +128,7 @@ double Forces::inverse_mass(const domain::Domain& domain, const Touch& touch) co
   for (int i = 0; i < touch.nodes; ++i) {
     const double weight = touch.weight[i];
     const Index node = surface_->nodes[touch.place[i]];
-    sum += weight * weight * domain.contact_weight[node] / (lent(weight) * domain.nodes.mass[node]);
+    sum += weight * weight * domain.contact_weight[node] / (lent_weight(weight) * domain.nodes.mass[node]);
   }
   return sum;
 }
@@ -316,7 +273,7 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
     double lightest = 0;
     for (int i = first; i < touch.nodes; ++i) {
       const Index node = surface_->nodes[touch.place[i]];
-      lightest = std::max(lightest, domain.contact_weight[node] / (lent(touch.weight[i]) * nodes.mass[node]));
+      lightest = std::max(lightest, domain.contact_weight[node] / (lent_weight(touch.weight[i]) * nodes.mass[node]));
     }
     const double turning = couple.largest_square(arm) * lightest;
     const double step = judged_step(domain, step_share_);
@@ -347,95 +304,6 @@ Vec3 Forces::friction(const model::Friction& law, const Touch& touch, double nor
   double capacity = mu * normal_force;
   if (law.stress > 0) capacity = std::min(capacity, law.stress * touch.area);
   return size > capacity ? capacity / size * trial : trial;
-}
-
-/// In the order of the touches, one after another: the sums must not depend on threads.
-void Forces::scatter(domain::Domain& domain, std::span<const Touch> touches) {
-  active_.clear();
-  const auto is_zero = [](const Vec3& a) { return a.x == 0 && a.y == 0 && a.z == 0; };
-  for (std::size_t t = 0; t < touches.size(); ++t) {
-    ask_after(t, touches, [&](Index place) {
-      prefetch<true>(&normal_[place], 1);
-      prefetch<true>(&friction_[place], 1);
-      prefetch<true>(&marked_[place], 1);
-      prefetch<true>(&domain.contact_weight[surface_->nodes[place]], 1);
-    });
-    const Touch& touch = touches[t];
-    for (int i = 0; i < touch.nodes; ++i) domain.contact_weight[surface_->nodes[touch.place[i]]] = 0;
-    if (is_zero(touch.normal_force) && is_zero(touch.friction)) continue;
-    for (int i = 0; i < touch.nodes; ++i) {
-      const Index place = touch.place[i];
-      normal_[place] += touch.weight[i] * touch.normal_force;
-      friction_[place] += touch.weight[i] * touch.friction;
-      if (marked_[place] != 0) continue;
-      marked_[place] = 1;
-      active_.push_back(place);
-    }
-    // Without friction the couple is that of the normal force.
-    AlignedArray<Vec3>& turning = is_zero(touch.friction) ? normal_ : friction_;
-    const int first = first_bearing(touch);
-    for (int i = first; i < touch.nodes; ++i) turning[touch.place[i]] += touch.couple[i - first];
-  }
-  std::sort(active_.begin(), active_.end());
-}
-
-/// Trapezoidal rule: the mean of the forces at both ends of the step, times the displacement between them.
-void Forces::add_work(const domain::Domain& domain, domain::ContactReport& report) {
-  both_.clear();
-  std::set_union(active_.begin(), active_.end(), previous_active_.begin(), previous_active_.end(),
-                 std::back_inserter(both_));
-  double normal = 0;
-  double friction = 0;
-  for (std::size_t i = 0; i < both_.size(); ++i) {
-    ask_after(i, both_, [&](Index next) {
-      prefetch<false>(&domain.nodes.velocity[surface_->nodes[next]], 1);
-      prefetch<true>(&previous_normal_[next], 1);
-      prefetch<true>(&previous_friction_[next], 1);
-    });
-    const Index place = both_[i];
-    const Vec3& v = domain.nodes.velocity[surface_->nodes[place]];
-    normal += dot(previous_normal_[place] + normal_[place], v);
-    friction += dot(previous_friction_[place] + friction_[place], v);
-  }
-  report.energy -= 0.5 * domain.clock.step * normal;
-  report.friction_energy -= 0.5 * domain.clock.step * friction;
-}
-
-/// Adds the sums to the domain and makes them the previous ones.
-void Forces::hand_over(domain::Domain& domain) {
-  for (std::size_t i = 0; i < active_.size(); ++i) {
-    ask_after(i, active_, [&](Index next) {
-      prefetch<true>(&domain.contact_force[surface_->nodes[next]], 1);
-      prefetch<true>(&domain.nodes.force[surface_->nodes[next]], 1);
-    });
-    const Index place = active_[i];
-    const Index node = surface_->nodes[place];
-    const Vec3 sum = normal_[place] + friction_[place];
-    domain.contact_force[node] += sum;
-    for (int axis = 0; axis < 3; ++axis) domain.nodes.force[node].force[axis] += sum[axis];
-    marked_[place] = 0;
-  }
-  for (const Index place : previous_active_) {
-    previous_normal_[place] = Vec3{};
-    previous_friction_[place] = Vec3{};
-  }
-  std::swap(previous_normal_, normal_);
-  std::swap(previous_friction_, friction_);
-  std::swap(previous_active_, active_);
-}
-
-void Forces::declare(domain::StateList& list) {
-  list.add("contact_normal_force", "force", domain::Entity::Contact, 3, std::span(previous_normal_));
-  list.add("contact_friction_force", "force", domain::Entity::Contact, 3, std::span(previous_friction_));
-  list.keep_list("contact_active_places", "-", domain::Entity::Contact, 1, previous_active_);
-}
-
-void Forces::resume() const {
-  const auto fits = [this](Index place) { return is_one_of(place, surface_->nodes.size()); };
-  require_all_saved(previous_active_, fits, "active nodes");
-  const auto unordered = [](Index a, Index b) { return a >= b; };
-  require_saved(std::ranges::adjacent_find(previous_active_, unordered) == previous_active_.end(),
-                "active nodes");
 }
 
 }  // namespace crumple::contact

@@ -28,8 +28,8 @@
 #include <span>
 #include <vector>
 
-#include "base/aligned_array.hpp"
 #include "contact/enforcement/couple.hpp"
+#include "contact/enforcement/nodal_sums.hpp"
 #include "contact/enforcement/penalty.hpp"
 #include "contact/enforcement/touch.hpp"
 #include "contact/surface/surface.hpp"
@@ -47,10 +47,13 @@ class Forces {
   /// [time].
   void bound_step(const domain::Domain& domain, double bound);
 
+  /// Clears domain.contact_force where the last apply() has set it: for all contacts before the first adds.
+  void clear(domain::Domain& domain) const { sums_.clear(domain); }
+
   /// Adds to domain.contact_weight with how much weight the touches act on each node: its mass is shared out
   /// among them in that proportion when stability is judged, whichever contact they belong to. A touch that
   /// comes or goes at the rim of a segment so changes nothing at once.
-  void count(domain::Domain& domain, std::span<const Touch> touches) const;
+  void count(domain::Domain& domain, std::span<const Touch> touches) { sums_.count(domain, touches); }
 
   /// Computes the forces of all touches by the penalty law. The touches of all contacts have been counted.
   void evaluate(const domain::Domain& domain, std::span<Touch> touches);
@@ -59,19 +62,16 @@ class Forces {
   /// last call to the report. The force on the second point is that on the first, reversed, and each is
   /// shared out among the nodes by the weights, so that their sum is zero. Sums follow the order of the
   /// touches. Takes the touches out of domain.contact_weight.
-  void apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report);
+  void apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report) {
+    sums_.add(domain, touches, report);
+  }
 
   /// Touches of the last call whose stiffness the stability limit cut.
   Index limited() const { return limited_; }
 
-  /// Places with a force after the last call, ascending, and the force there [force].
-  const std::vector<Index>& places() const { return previous_active_; }
-  Vec3 force_at(Index place) const { return previous_normal_[place] + previous_friction_[place]; }
-
-  /// Declares the nodal forces of the last call.
-  void declare(domain::StateList& list);
-  /// To be called once after a restart has filled what was declared. Throws Error if it does not fit.
-  void resume() const;
+  /// Nodal forces of the last call.
+  const NodalSums& sums() const { return sums_; }
+  NodalSums& sums() { return sums_; }
 
  private:
   void share_step(double share);
@@ -94,11 +94,9 @@ class Forces {
   void add_friction(const domain::Domain& domain, Touch& touch, double stiffness, double inverse) const;
   static Vec3 friction(const model::Friction& law, const Touch& touch, double normal_force, double stiffness,
                        double step);
-  void scatter(domain::Domain& domain, std::span<const Touch> touches);
-  void add_work(const domain::Domain& domain, domain::ContactReport& report);
-  void hand_over(domain::Domain& domain);
 
   const Surface* surface_;
+  NodalSums sums_;
   model::Contact contact_;
   double stiffness_scale_;
   double step_scale_;
@@ -107,14 +105,6 @@ class Forces {
   double largest_budget_ = 0;  ///< of one that goes on
   Index limited_ = 0;
   std::vector<std::uint8_t> is_limited_;  ///< by touch
-  std::vector<std::uint8_t> marked_;      ///< 1 for places in active_
-  std::vector<Index> active_;             ///< places with a force now, ascending
-  std::vector<Index> previous_active_;
-  std::vector<Index> both_;      ///< places with a force now or a step ago, ascending
-  AlignedArray<Vec3> normal_;    ///< on the nodes now, by place [force]
-  AlignedArray<Vec3> friction_;  ///< the same
-  AlignedArray<Vec3> previous_normal_;
-  AlignedArray<Vec3> previous_friction_;
 };
 
 }  // namespace crumple::contact
