@@ -2,6 +2,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
+#include <climits>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -22,9 +25,25 @@ bool has_stack() {
   return false;
 }
 
+/// Threads that wait for others spin for some 20 us, which outlasts most serial parts of a step, and then
+/// sleep. The runtime's own choice is milliseconds: where anything else computes, those that spin then keep
+/// the processor from the one that they wait for, and two threads become ten times slower than one. The
+/// runtime reads this before main() begins, so that the program has to start once more. What the user has
+/// chosen stays.
+void wait_briefly(char** values) {
+  for (const char* chosen : {"GOMP_SPINCOUNT", "OMP_WAIT_POLICY"})
+    if (std::getenv(chosen) != nullptr) return;
+  const char* const threads = std::getenv("OMP_NUM_THREADS");
+  if (threads != nullptr && std::string(threads) == "1") return;
+  std::array<char, PATH_MAX> program{};
+  if (readlink("/proc/self/exe", program.data(), program.size() - 1) <= 0) return;
+  if (setenv("GOMP_SPINCOUNT", "1000", 0) == 0) execv(program.data(), values);
+}
+
 }  // namespace
 
 int main(int count, char** values) {
+  wait_briefly(values);
   if (!has_stack()) return static_cast<int>(crumple::app::ExitCode::Usage);
   const std::vector<std::string> arguments(values + 1, values + count);
   const crumple::app::Console console{std::cout, std::cerr, isatty(STDOUT_FILENO) == 1};

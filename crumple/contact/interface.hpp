@@ -26,9 +26,9 @@
 // (1991) 103-128, for multipliers.
 //
 // Order of calls in a step, each stage for all contacts before the next, as the stiffness that one may have
-// depends on what all others do to its nodes: clear_forces(), find_touches(), evaluate_forces(), add_forces(); for contacts
-// by multipliers add_multipliers() instead, once all other forces are known. longest_step() bounds the step
-// between them.
+// depends on what all others do to its nodes: clear_forces(), find_touches(), evaluate_forces(),
+// add_forces(); for contacts by multipliers add_multipliers() instead, once all other forces are known.
+// longest_step() bounds the step between them.
 //
 // Beside this: tied/ finds nodes that are tied to segments and has their springs; force_transducer.hpp sums
 // forces on a surface, intersections.hpp checks the result, move_apart.hpp removes overlaps before the run.
@@ -58,8 +58,8 @@ class Interface {
   Interface(Interface&&) noexcept;
   Interface& operator=(Interface&&) noexcept;
 
-  /// Takes the contact forces of the last step out of domain.contact_force: for all contacts before the stages
-  /// of a step.
+  /// Takes the contact forces of the last step out of domain.contact_force: for all contacts before the
+  /// stages of a step.
   void clear_forces(domain::Domain& domain) const;
 
   /// First of three stages at time n, each to be called for all contacts before the next: what several do to

@@ -189,6 +189,19 @@ class Faults(unittest.TestCase):
         self.assertEqual(again.returncode, 0, again.stderr)
         self.check_same_end(self.folder)
 
+    def test_threads_wait_briefly_unless_the_user_chooses(self):
+        def spins(**chosen):
+            surroundings = {name: value for name, value in os.environ.items()
+                            if name not in ("OMP_WAIT_POLICY", "GOMP_SPINCOUNT", "OMP_NUM_THREADS")}
+            surroundings |= {"OMP_DISPLAY_ENV": "verbose", **chosen}
+            shown = run([PROGRAM, "--version"], env=surroundings)
+            self.assertEqual(shown.returncode, 0)
+            return shown.stderr.count("GOMP_SPINCOUNT = '1000'")
+
+        self.assertEqual(spins(), 1)
+        self.assertEqual(spins(GOMP_SPINCOUNT="70"), 0)
+        self.assertEqual(spins(OMP_WAIT_POLICY="passive"), 0)
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

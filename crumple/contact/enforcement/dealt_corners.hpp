@@ -63,8 +63,8 @@ class DealtCorners {
       return;
     }
     constexpr std::size_t corners_ahead = 4 * ahead;
-    const auto own = std::span(corners_).subspan(first_corner_[share],
-                                                 first_corner_[share + 1] - first_corner_[share]);
+    const auto own =
+        std::span(corners_).subspan(first_corner_[share], first_corner_[share + 1] - first_corner_[share]);
     for (std::size_t i = 0; i < own.size(); ++i) {
       if (i + 2 * corners_ahead < own.size())
         prefetch<false>(&touches[own[i + 2 * corners_ahead] / Touch::most_nodes], 1);
@@ -93,8 +93,8 @@ class DealtCorners {
   std::size_t touches_ = 0;
   Index shares_ = 1;  ///< as many as parts of the touches
   Index places_in_bin_ = 1;
-  std::vector<std::uint32_t> counts_;   ///< by part and bin; then where the next corner goes
-  std::vector<std::uint32_t> corners_;  ///< touch times most_nodes, plus corner
+  std::vector<std::uint32_t> counts_;        ///< by part and bin; then where the next corner goes
+  std::vector<std::uint32_t> corners_;       ///< touch times most_nodes, plus corner
   std::vector<std::uint32_t> first_corner_;  ///< by share
   std::vector<Index> first_place_;           ///< by share
 };

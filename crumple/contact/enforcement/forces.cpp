@@ -273,7 +273,8 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
     double lightest = 0;
     for (int i = first; i < touch.nodes; ++i) {
       const Index node = surface_->nodes[touch.place[i]];
-      lightest = std::max(lightest, domain.contact_weight[node] / (lent_weight(touch.weight[i]) * nodes.mass[node]));
+      lightest =
+          std::max(lightest, domain.contact_weight[node] / (lent_weight(touch.weight[i]) * nodes.mass[node]));
     }
     const double turning = couple.largest_square(arm) * lightest;
     const double step = judged_step(domain, step_share_);

@@ -51,9 +51,8 @@ NodalSums::NodalSums(const Surface& surface) : surface_(&surface) {
 
 void NodalSums::clear(domain::Domain& domain) const {
   for (std::size_t i = 0; i < active_.size(); ++i) {
-    ask_for_later(i, active_, [&](Index next) {
-      prefetch<true>(&domain.contact_force[surface_->nodes[next]], 1);
-    });
+    ask_for_later(i, active_,
+                  [&](Index next) { prefetch<true>(&domain.contact_force[surface_->nodes[next]], 1); });
     domain.contact_force[surface_->nodes[active_[i]]] = Vec3{};
   }
 }
