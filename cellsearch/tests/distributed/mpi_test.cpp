@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "cellsearch/distributed/mpi_transport.hpp"
+#include "distributed_checks.hpp"
 #include "transport_checks.hpp"
 
 namespace {
@@ -19,6 +20,7 @@ void fail_on_one(cellsearch::Transport& transport) {
 
 void check(cellsearch::Transport& transport) {
   cellsearch::transport_checks::check_all(transport);
+  cellsearch::distributed_checks::check_models(transport, 0, 40);
 }
 
 }  // namespace
