@@ -213,6 +213,10 @@ Distributed::Distributed(Transport& transport, const Settings& settings)
 
 Distributed::~Distributed() = default;
 
+void Distributed::set(const Settings& settings) {
+  state_->search = Search(checked(settings));
+}
+
 const NodeCandidates& Distributed::find(const RankScene& own) {
   state_->find(own);
   return state_->candidates;

@@ -103,6 +103,9 @@ class Distributed {
   Distributed(const Distributed&) = delete;
   Distributed& operator=(const Distributed&) = delete;
 
+  /// Takes other settings from the next search on. Errors as above; the old ones stay then.
+  void set(const Settings& settings);
+
   /// Collective. The result belongs to this object and is overwritten by the next call. If the input of any
   /// rank is wrong all ranks throw Error and stay usable: that rank its own error; the others the one of the
   /// lowest such rank, with the index -1. There is then no result. Beside the errors of Search::build:
