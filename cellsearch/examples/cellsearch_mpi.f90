@@ -7,7 +7,7 @@ module cellsearch_mpi
   implicit none
   private
   public :: cellsearch_ranks_create, cellsearch_ranks_destroy, cellsearch_ranks_find, cellsearch_ranks_held
-  public :: cellsearch_ranks_update
+  public :: cellsearch_ranks_set_ids, cellsearch_ranks_update
 
   !> What a rank holds after a search. Pointers into the memory of the library, until the next search.
   type, public :: cellsearch_held
@@ -45,11 +45,17 @@ module cellsearch_mpi
       integer(c_int32_t) :: status
     end function
 
-    function c_ranks_find(ranks, handle, node_id, segment_id, first, segment, pairs) result(status) &
-      bind(C, name="cellsearch_ranks_find")
+    !> Global numbers of all nodes and segments; viewed after the return: they need the attribute target.
+    function cellsearch_ranks_set_ids(ranks, handle, node_id, segment_id) result(status) bind(C)
       import :: c_ptr, c_int32_t, c_int64_t
       type(c_ptr), value :: ranks, handle
-      integer(c_int64_t), intent(in) :: node_id(*), segment_id(*)
+      integer(c_int64_t), intent(in), target :: node_id(*), segment_id(*)
+      integer(c_int32_t) :: status
+    end function
+
+    function c_ranks_find(ranks, handle, first, segment, pairs) result(status) bind(C, name="cellsearch_ranks_find")
+      import :: c_ptr, c_int32_t, c_int64_t
+      type(c_ptr), value :: ranks, handle
       type(c_ptr), intent(out) :: first, segment
       integer(c_int64_t), intent(out) :: pairs
       integer(c_int32_t) :: status
@@ -67,17 +73,16 @@ contains
 
   !> Collective. Held segments of the node at place p of those that take part, `participants` in all: segment(first(p) :
   !> first(p + 1) - 1), with index base 1.
-  function cellsearch_ranks_find(ranks, handle, participants, node_id, segment_id, first, segment) result(status)
+  function cellsearch_ranks_find(ranks, handle, participants, first, segment) result(status)
     type(c_ptr), intent(in) :: ranks, handle
     integer(c_int64_t), intent(in) :: participants
-    integer(c_int64_t), intent(in) :: node_id(*), segment_id(*)
     integer(c_int64_t), pointer, intent(out) :: first(:)
     integer(c_int32_t), pointer, intent(out) :: segment(:)
     integer(c_int32_t) :: status
     integer(c_int64_t) :: pairs
     type(c_ptr) :: c_first, c_segment
     nullify (first, segment)
-    status = c_ranks_find(ranks, handle, node_id, segment_id, c_first, c_segment, pairs)
+    status = c_ranks_find(ranks, handle, c_first, c_segment, pairs)
     if (status /= 0) return
     call c_f_pointer(c_first, first, [participants + 1])
     call c_f_pointer(c_segment, segment, [pairs])

@@ -8,7 +8,7 @@ program mpi_fortran_example
   implicit none
   real(c_double), target :: xyz(3, 4)
   integer(c_int32_t), target :: segments(4, 1)
-  integer(c_int64_t) :: node_id(4), segment_id(1)
+  integer(c_int64_t), target :: node_id(4), segment_id(1)
   integer(c_int64_t), pointer :: first(:)
   integer(c_int32_t), pointer :: segment(:)
   type(cellsearch_held) :: held
@@ -30,7 +30,8 @@ program mpi_fortran_example
   status = cellsearch_set_segments(search, 1_c_int64_t, segments)
   status = cellsearch_set_expansion(search, 0.15d0)
   ranks = cellsearch_ranks_create(int(MPI_COMM_WORLD, c_int32_t)) ! keep it from search to search
-  if (cellsearch_ranks_find(ranks, search, 4_c_int64_t, node_id, segment_id, first, segment) /= cellsearch_ok) then
+  status = cellsearch_ranks_set_ids(ranks, search, node_id, segment_id)
+  if (cellsearch_ranks_find(ranks, search, 4_c_int64_t, first, segment) /= cellsearch_ok) then
     print '(a)', cellsearch_message(search)
     call MPI_Abort(MPI_COMM_WORLD, 1, error)
   end if

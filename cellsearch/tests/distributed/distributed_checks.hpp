@@ -43,7 +43,7 @@ struct Model {
 
 /// One rank's part of it.
 struct Part {
-  Part(const Model& model, Partition partition, std::uint64_t seed, int rank, int size);
+  Part(const Model& whole, Partition partition, std::uint64_t seed, int rank, int size);
 
   /// Views of this part.
   RankScene scene() const;

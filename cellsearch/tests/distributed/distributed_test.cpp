@@ -19,7 +19,6 @@ namespace cellsearch::distributed_test {
 namespace {
 
 using distributed_checks::Model;
-using distributed_checks::Part;
 using distributed_checks::Partition;
 
 // Among the models are degenerate ones of all kinds (scenes::make_mesh), with filters of all kinds.

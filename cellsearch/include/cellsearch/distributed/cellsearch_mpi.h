@@ -7,7 +7,7 @@
    Settings and the scene of each rank are set in a handle as for a search of one rank; every rank holds its own nodes and
    segments. Status codes are those of cellsearch_status; code, sentence and index stay with that handle. Where the
    input of one rank is wrong all ranks return its code, and may go on. CELLSEARCH_TRANSPORT_FAULT: another rank cannot go
-   on; leave. All functions but cellsearch_ranks_held() are collective: every rank calls them in the same order. */
+   on; leave. Every rank calls the collective functions in the same order: create, destroy, find and update. */
 
 #ifdef __cplusplus
 extern "C" {
@@ -23,16 +23,19 @@ cellsearch_ranks* cellsearch_ranks_create(int32_t communicator);
 /** Ends it and all that it lent out. Null is allowed. */
 void cellsearch_ranks_destroy(cellsearch_ranks* ranks);
 
+/** The global numbers of all nodes and segments of a handle's scene, >= 0, counted as the caller likes. Viewed until they
+    are set again; null where there are none. Not collective. CELLSEARCH_BAD_ARGUMENT. */
+int32_t cellsearch_ranks_set_ids(cellsearch_ranks* ranks, cellsearch_handle* handle, const int64_t* node_id,
+                                 const int64_t* segment_id);
+
 /** The candidate segments of each node that takes part on this rank, of all ranks, as one search of the whole model would
-    find them. `node_id`, `segment_id`: the global numbers of all nodes and segments of the handle, >= 0, counted as the
-    caller likes. With `base` the index base of the handle, row p = base, base + 1 ... in the order of the nodes that take
+    find them. With `base` the index base of the handle, row p = base, base + 1 ... in the order of the nodes that take
     part is (*segment)[(*first)[p - base] - base] to (*segment)[(*first)[p - base + 1] - base - 1]: held segments from the
     base on, ascending by global number. Each of the last three may be null. They belong to `ranks` and hold until its
-    next call. Beside the codes of a build: CELLSEARCH_BAD_NODE_ID, CELLSEARCH_BAD_SEGMENT_ID,
+    next search. Beside the codes of a build: CELLSEARCH_BAD_NODE_ID, CELLSEARCH_BAD_SEGMENT_ID,
     CELLSEARCH_BAD_ARGUMENT, CELLSEARCH_TRANSPORT_FAULT. */
-int32_t cellsearch_ranks_find(cellsearch_ranks* ranks, cellsearch_handle* handle, const int64_t* node_id,
-                              const int64_t* segment_id, const int64_t** first, const int32_t** segment,
-                              int64_t* pairs);
+int32_t cellsearch_ranks_find(cellsearch_ranks* ranks, cellsearch_handle* handle, const int64_t** first,
+                              const int32_t** segment, int64_t* pairs);
 
 /** What a rank holds after a search: own and ghost segments, own nodes and then ghost nodes. */
 typedef struct cellsearch_held_parts {

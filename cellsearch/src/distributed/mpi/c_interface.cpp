@@ -29,7 +29,10 @@ struct cellsearch_ranks {
   cellsearch::MpiTransport transport;
   Distributed search;
   Settings settings;
+  const GlobalId* node_id = nullptr;
+  const GlobalId* segment_id = nullptr;
   bool found = false;
+  bool agreed = false;  // errors of input are those of all ranks
   LentRows rows;
   cellsearch::Array<Index> corners;
   std::string fault;
@@ -47,20 +50,22 @@ bool are_same(const Settings& one, const Settings& other) {
          one.instruction_set == other.instruction_set && one.threads == other.threads;
 }
 
-/// Errors of input are those of all ranks already; all else must reach the others, which would wait.
+/// What all ranks return alike leaves them in step. All else must reach the others, which would wait.
 template <class Call>
 int32_t guarded_on_all(cellsearch_ranks* ranks, cellsearch_handle* handle, const Call& call) noexcept {
   return guarded(handle, [&](Handle& own) {
     demand(ranks != nullptr, CELLSEARCH_BAD_ARGUMENT, "The ranks are null.");
+    ranks->agreed = false;
     try {
       call(own);
-    } catch (const Error&) {
-      throw;
     } catch (const TransportFault& fault) {
       ranks->fault = fault.what();
       throw Refusal{CELLSEARCH_TRANSPORT_FAULT, ranks->fault.c_str()};
     } catch (const Refusal& refusal) {
-      ranks->transport.fault(refusal.message);
+      if (refusal.status != CELLSEARCH_NOT_BUILT) ranks->transport.fault(refusal.message);
+      throw;
+    } catch (const Error& error) {
+      if (!ranks->agreed) ranks->transport.fault(error.what());
       throw;
     } catch (const std::exception& error) {
       ranks->transport.fault(error.what());
@@ -74,15 +79,15 @@ void demand_search(const cellsearch_ranks* ranks) {
   demand(ranks->found, CELLSEARCH_NOT_BUILT, "There was no successful search of the ranks.");
 }
 
-cellsearch::RankScene scene_of(Handle& own, const int64_t* node_id, const int64_t* segment_id) {
+cellsearch::RankScene scene_of(const cellsearch_ranks& ranks, Handle& own) {
   cellsearch::RankScene scene;
   scene.scene = own.scene_from_zero();
   const std::size_t nodes = scene.scene.positions.count();
   const std::size_t segments = scene.scene.segments.count();
-  demand((node_id != nullptr || nodes == 0) && (segment_id != nullptr || segments == 0),
-         CELLSEARCH_BAD_ARGUMENT, "The global numbers are null.");
-  scene.node_id = {node_id, nodes};
-  scene.segment_id = {segment_id, segments};
+  demand((ranks.node_id != nullptr || nodes == 0) && (ranks.segment_id != nullptr || segments == 0),
+         CELLSEARCH_BAD_ARGUMENT, "The global numbers are not set.");
+  scene.node_id = {ranks.node_id, nodes};
+  scene.segment_id = {ranks.segment_id, segments};
   return scene;
 }
 
@@ -102,16 +107,26 @@ void cellsearch_ranks_destroy(cellsearch_ranks* ranks) {
   delete ranks;
 }
 
-int32_t cellsearch_ranks_find(cellsearch_ranks* ranks, cellsearch_handle* handle, const int64_t* node_id,
-                              const int64_t* segment_id, const int64_t** first, const int32_t** segment,
-                              int64_t* pairs) {
+int32_t cellsearch_ranks_set_ids(cellsearch_ranks* ranks, cellsearch_handle* handle, const int64_t* node_id,
+                                 const int64_t* segment_id) {
+  return guarded(handle, [&](const Handle& /*own*/) {
+    demand(ranks != nullptr, CELLSEARCH_BAD_ARGUMENT, "The ranks are null.");
+    ranks->node_id = node_id;
+    ranks->segment_id = segment_id;
+  });
+}
+
+int32_t cellsearch_ranks_find(cellsearch_ranks* ranks, cellsearch_handle* handle, const int64_t** first,
+                              const int32_t** segment, int64_t* pairs) {
   return guarded_on_all(ranks, handle, [&](Handle& own) {
     ranks->found = false;
     if (!are_same(ranks->settings, own.settings)) {
       ranks->search.set(own.settings);
       ranks->settings = own.settings;
     }
-    const NodeCandidates& found = ranks->search.find(scene_of(own, node_id, segment_id));
+    const cellsearch::RankScene scene = scene_of(*ranks, own);
+    ranks->agreed = true;
+    const NodeCandidates& found = ranks->search.find(scene);
     ranks->rows.lend(found.first, found.segment, own.base, own.settings.threads).give(first, segment, pairs);
     ranks->found = true;
   });

@@ -32,7 +32,7 @@ class MpiConnection {
 
   /// Waits for requests.
   void wait(MPI_Request& request);
-  void wait_all(std::vector<MPI_Request>& requests);
+  void wait_all(std::vector<MPI_Request>& all);
 
   void report_fault(std::string_view message) noexcept;
 

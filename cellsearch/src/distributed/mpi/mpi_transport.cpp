@@ -181,56 +181,58 @@ void MpiTransport::finish_allreduce() {
   own.sum = {};
 }
 
-void MpiTransport::allgather(std::span<const std::byte> given, Gathered& all) {
-  MpiConnection& own = *connection_;
-  const auto ranks = static_cast<std::size_t>(own.size);
-  const std::int64_t length = mpi_count(given.size());
-  own.lengths.resize(ranks);
+void MpiTransport::allgather(std::span<const std::byte> own, Gathered& all) {
+  MpiConnection& connection = *connection_;
+  const auto ranks = static_cast<std::size_t>(connection.size);
+  const std::int64_t length = mpi_count(own.size());
+  connection.lengths.resize(ranks);
   MPI_Request request = MPI_REQUEST_NULL;
-  own.check(
-      MPI_Iallgather(&length, 1, MPI_INT64_T, own.lengths.data(), 1, MPI_INT64_T, own.messages, &request));
-  own.wait(request);
-  const std::size_t sum = add_up(own.lengths, all.first);
+  connection.check(MPI_Iallgather(&length, 1, MPI_INT64_T, connection.lengths.data(), 1, MPI_INT64_T,
+                                  connection.messages, &request));
+  connection.wait(request);
+  const std::size_t sum = add_up(connection.lengths, all.first);
   mpi_count(sum);
   all.bytes.resize(sum);
-  own.counts.assign(own.lengths.begin(), own.lengths.end());
-  own.places.assign(all.first.begin(), all.first.end() - 1);
-  own.check(MPI_Iallgatherv(given.data(), static_cast<int>(length), MPI_BYTE, all.bytes.data(),
-                            own.counts.data(), own.places.data(), MPI_BYTE, own.messages, &request));
-  own.wait(request);
+  connection.counts.assign(connection.lengths.begin(), connection.lengths.end());
+  connection.places.assign(all.first.begin(), all.first.end() - 1);
+  connection.check(MPI_Iallgatherv(own.data(), static_cast<int>(length), MPI_BYTE, all.bytes.data(),
+                                   connection.counts.data(), connection.places.data(), MPI_BYTE,
+                                   connection.messages, &request));
+  connection.wait(request);
   ++traffic_.gathers;
   traffic_.bytes_given += length;
   traffic_.bytes_gathered += static_cast<Offset>(sum);
 }
 
 // Message by message: together they may be longer than MPI can count.
-void MpiTransport::gather(int root, std::span<const std::byte> given, Gathered& all) {
-  MpiConnection& own = *connection_;
-  const std::int64_t length = mpi_count(given.size());
-  own.lengths.assign(own.rank == root ? static_cast<std::size_t>(own.size) : 0, 0);
+void MpiTransport::gather(int root, std::span<const std::byte> own, Gathered& all) {
+  MpiConnection& connection = *connection_;
+  const std::int64_t length = mpi_count(own.size());
+  connection.lengths.assign(connection.rank == root ? static_cast<std::size_t>(connection.size) : 0, 0);
   MPI_Request request = MPI_REQUEST_NULL;
-  own.check(
-      MPI_Igather(&length, 1, MPI_INT64_T, own.lengths.data(), 1, MPI_INT64_T, root, own.messages, &request));
-  own.wait(request);
+  connection.check(MPI_Igather(&length, 1, MPI_INT64_T, connection.lengths.data(), 1, MPI_INT64_T, root,
+                               connection.messages, &request));
+  connection.wait(request);
   ++traffic_.gathers;
   traffic_.bytes_given += length;
   all.bytes.clear();
   all.first.clear();
-  own.requests.clear();
-  if (own.rank == root) {
-    all.bytes.resize(add_up(own.lengths, all.first));
+  connection.requests.clear();
+  if (connection.rank == root) {
+    all.bytes.resize(add_up(connection.lengths, all.first));
     traffic_.bytes_gathered += all.first.back();
-    for (int from = 0; from < own.size; ++from) {
+    for (int from = 0; from < connection.size; ++from) {
       const auto at = static_cast<std::size_t>(from);
-      own.requests.push_back(MPI_REQUEST_NULL);
-      own.check(MPI_Irecv(all.bytes.data() + all.first[at], static_cast<int>(own.lengths[at]), MPI_BYTE, from,
-                          gather_tag, own.messages, &own.requests.back()));
+      connection.requests.push_back(MPI_REQUEST_NULL);
+      connection.check(MPI_Irecv(all.bytes.data() + all.first[at], static_cast<int>(connection.lengths[at]),
+                                 MPI_BYTE, from, gather_tag, connection.messages,
+                                 &connection.requests.back()));
     }
   }
-  own.requests.push_back(MPI_REQUEST_NULL);
-  own.check(MPI_Isend(given.data(), static_cast<int>(length), MPI_BYTE, root, gather_tag, own.messages,
-                      &own.requests.back()));
-  own.wait_all(own.requests);
+  connection.requests.push_back(MPI_REQUEST_NULL);
+  connection.check(MPI_Isend(own.data(), static_cast<int>(length), MPI_BYTE, root, gather_tag,
+                             connection.messages, &connection.requests.back()));
+  connection.wait_all(connection.requests);
 }
 
 void MpiTransport::barrier() {
