@@ -97,7 +97,7 @@ class Ghosts {
   void place_node(const RankScene& own, std::span<const Arrival> same);
   void collect_members(const RankScene& own);
   void merge_segments(const RankScene& own);
-  void add_member(const RankScene& own, const Member& member);
+  void put_member(const RankScene& own, const Member& member, std::size_t at);
 
   Transport& transport_;
   std::unique_ptr<Exchange> footprint_round_;

@@ -119,45 +119,45 @@ void Ghosts::collect_members(const RankScene& own) {
   }
 }
 
-void Ghosts::add_member(const RankScene& own, const Member& member) {
-  segments.id.push_back(member.id);
+void Ghosts::put_member(const RankScene& own, const Member& member, std::size_t at) {
+  segments.id[at] = member.id;
   const Scene& scene = own.scene;
+  Index* corner = segments.corner.data() + 4 * at;
   if (member.sender < 0) {
-    segments.owner.push_back(transport_.rank());
-    segments.number.push_back(member.place);
-    segments.corner.insert(segments.corner.end(), scene.segments[member.place],
-                           scene.segments[member.place] + 4);
-    if (expansions_differ_) expansion.push_back(scene.expansion_of(member.place));
-    if (grouped_) group.push_back(scene.groups.segment_group[static_cast<std::size_t>(member.place)]);
+    segments.owner[at] = transport_.rank();
+    segments.number[at] = member.place;
+    std::copy_n(scene.segments[member.place], 4, corner);
+    if (expansions_differ_) expansion[at] = scene.expansion_of(member.place);
+    if (grouped_) group[at] = scene.groups.segment_group[static_cast<std::size_t>(member.place)];
     return;
   }
   const Sender& sender = senders_[static_cast<std::size_t>(member.sender)];
   const auto place = static_cast<std::size_t>(member.place);
-  segments.owner.push_back(sender.rank);
-  segments.number.push_back(sender.view.number[place]);
-  for (std::size_t corner = 0; corner < 4; ++corner) {
-    segments.corner.push_back(sender.held[static_cast<std::size_t>(sender.view.corner[4 * place + corner])]);
+  segments.owner[at] = sender.rank;
+  segments.number[at] = sender.view.number[place];
+  for (std::size_t number = 0; number < 4; ++number) {
+    corner[number] = sender.held[static_cast<std::size_t>(sender.view.corner[4 * place + number])];
   }
-  if (expansions_differ_) expansion.push_back(sender.view.expansion[place]);
-  if (grouped_) group.push_back(sender.view.group[place]);
+  if (expansions_differ_) expansion[at] = sender.view.expansion[place];
+  if (grouped_) group[at] = sender.view.group[place];
 }
 
 void Ghosts::merge_segments(const RankScene& own) {
   collect_members(own);
-  segments.id.clear();
-  segments.owner.clear();
-  segments.number.clear();
-  segments.corner.clear();
-  expansion.clear();
-  group.clear();
-  for (const Member& member : members_) {
-    if (!segments.id.empty() && segments.id.back() == member.id) {
-      throw Error(ErrorKind::BadSegmentId, -1,
-                  "The global number " + std::to_string(member.id) +
-                      " is that of segments on two ranks, one of them " +
-                      std::to_string(segments.owner.back()) + ".");
-    }
-    add_member(own, member);
+  const std::size_t count = members_.size();
+  segments.id.resize(count);
+  segments.owner.resize(count);
+  segments.number.resize(count);
+  segments.corner.resize(4 * count);
+  expansion.resize(expansions_differ_ ? count : 0);
+  group.resize(grouped_ ? count : 0);
+  for (std::size_t at = 0; at < count; ++at) {
+    put_member(own, members_[at], at);
+    if (at == 0 || segments.id[at] != segments.id[at - 1]) continue;
+    throw Error(ErrorKind::BadSegmentId, -1,
+                "The global number " + std::to_string(segments.id[at]) + " is that of segments on ranks " +
+                    std::to_string(segments.owner[at - 1]) + " and " + std::to_string(segments.owner[at]) +
+                    ".");
   }
 }
 
