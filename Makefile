@@ -62,15 +62,15 @@ test:
 	@$(use_ccache) tools/test
 
 test-full:
-	@tools/setup build python viewer test check picture report docs
+	@tools/setup build python viewer test check mpi picture report docs
 	@$(use_ccache) tools/test_full
 
 nightly:
-	@tools/setup build python viewer package test check docs
+	@tools/setup build python viewer package test check mpi docs
 	@$(use_ccache) tools/nightly
 
 check:
-	@tools/setup build python test check docs
+	@tools/setup build python test check mpi docs
 	@$(use_ccache) tools/check
 
 docs:

@@ -10,7 +10,8 @@ if(CELLSEARCH_OPENMP AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND runtime_libraries ${OpenMP_CXX_LIB_NAMES})  # every gcc finds its own
 elseif(CELLSEARCH_OPENMP)
   list(APPEND runtime_libraries ${OpenMP_CXX_LIBRARIES})
-else()
+endif()
+if(NOT "pthread" IN_LIST runtime_libraries)
   list(APPEND runtime_libraries pthread)
 endif()
 

@@ -22,7 +22,8 @@ module cellsearch
     cellsearch_bad_expansion = 5, cellsearch_bad_node_list = 6, cellsearch_bad_domain = 7, &
     cellsearch_bad_setting = 8, cellsearch_bad_radius = 9, cellsearch_bad_node_group = 10, &
     cellsearch_bad_segment_group = 11, cellsearch_unsuited_method = 12, cellsearch_bad_argument = 20, &
-    cellsearch_not_built = 21, cellsearch_out_of_memory = 22, cellsearch_internal_error = 23
+    cellsearch_not_built = 21, cellsearch_out_of_memory = 22, cellsearch_internal_error = 23, &
+    cellsearch_bad_node_id = 13, cellsearch_bad_segment_id = 14, cellsearch_transport_fault = 24
 
   !> What the last build and the queries since did.
   type, bind(C), public :: cellsearch_counts

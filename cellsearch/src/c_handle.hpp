@@ -79,6 +79,10 @@ inline std::int32_t status_of(ErrorKind kind) {
       return CELLSEARCH_BAD_SETTING;
     case ErrorKind::UnsuitedMethod:
       return CELLSEARCH_UNSUITED_METHOD;
+    case ErrorKind::BadNodeId:
+      return CELLSEARCH_BAD_NODE_ID;
+    case ErrorKind::BadSegmentId:
+      return CELLSEARCH_BAD_SEGMENT_ID;
   }
   return CELLSEARCH_INTERNAL_ERROR;
 }
@@ -102,6 +106,11 @@ inline std::string message_from_one(std::int32_t status, const std::string& numb
       return "The group of segment " + number + " is out of range.";
     case CELLSEARCH_UNSUITED_METHOD:
       return "The method is not made for scenes like this: segment " + number + " is too large or too small.";
+    case CELLSEARCH_BAD_NODE_ID:
+      return "The global number of node " + number +
+             " is negative or given twice, or its coordinates differ by rank.";
+    case CELLSEARCH_BAD_SEGMENT_ID:
+      return "The global number of segment " + number + " is negative or given twice.";
     default:
       return "";
   }

@@ -85,6 +85,12 @@ class CheckLayers(unittest.TestCase):
         self.assert_fails({"cellsearch/src/search.cpp": "#include <fmt/format.h>\n"},
                           "cellsearch/src/search.cpp:1", "standard library")
 
+    def test_mpi_outside_its_transport(self):
+        self.assert_fails({"cellsearch/src/search.cpp": "#include <mpi.h>\n"},
+                          "cellsearch/src/search.cpp:1", "standard library")
+        status, output = self.run_on({"cellsearch/include/cellsearch/distributed/mpi_transport.hpp": "#include <mpi.h>\n"})
+        self.assertEqual(status, 0, output)
+
     def test_core_with_a_dependency(self):
         self.assert_fails({"crumple/model/model.hpp": "#include <zlib.h>\n"},
                           "crumple/model/model.hpp:1", "standard library")

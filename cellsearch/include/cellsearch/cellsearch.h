@@ -42,10 +42,13 @@ enum cellsearch_status {
   CELLSEARCH_BAD_NODE_GROUP = 10,    /**< out of range [node] */
   CELLSEARCH_BAD_SEGMENT_GROUP = 11, /**< out of range [segment] */
   CELLSEARCH_UNSUITED_METHOD = 12,   /**< the method is not made for this scene [segment] */
+  CELLSEARCH_BAD_NODE_ID = 13,       /**< global number negative, twice, or coordinates differ by rank [node] */
+  CELLSEARCH_BAD_SEGMENT_ID = 14,    /**< global number negative or twice [segment] */
   CELLSEARCH_BAD_ARGUMENT = 20,      /**< a null pointer or a negative number where none may be */
   CELLSEARCH_NOT_BUILT = 21,         /**< no successful build since the last change of settings or views */
   CELLSEARCH_OUT_OF_MEMORY = 22,     /**< memory ran out */
-  CELLSEARCH_INTERNAL_ERROR = 23     /**< a fault of the library; please report it */
+  CELLSEARCH_INTERNAL_ERROR = 23,    /**< a fault of the library; please report it */
+  CELLSEARCH_TRANSPORT_FAULT = 24    /**< another rank cannot go on, or cannot be reached */
 };
 
 /* ---- handle and errors ---- */

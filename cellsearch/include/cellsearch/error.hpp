@@ -22,6 +22,8 @@ enum class ErrorKind {
   BadDomain,            ///< inverted, flat, non-finite or too many cells; index: the axis (0, 1, 2) or -1
   BadSetting,           ///< a setting is outside its range; index -1
   UnsuitedMethod,       ///< the method is not made for this scene (see Method); index: the segment
+  BadNodeId,     ///< global number negative or given twice, or coordinates differ by rank; index: the node
+  BadSegmentId,  ///< global number negative or given twice; index: the segment
 };
 
 /// The only exception of this library, apart from std::bad_alloc. It is thrown before the loops over segments
