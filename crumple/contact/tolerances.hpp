@@ -134,6 +134,10 @@ inline constexpr double smooth_in_front = 1.0 / 3;
 /// The same behind a segment, over the depth below the mid-surface or face [-].
 inline constexpr double smooth_behind = 2;
 
+/// Depth of a node behind a face over the height of its solid, beyond which the contact has not held [-]: it
+/// is as near to the far side. A check of the run fails; the forces know nothing of it.
+inline constexpr double deepest_in_solid = 0.5;
+
 /// Distance from a side of a solid over the third root of its volume, within which a node lies on the side
 /// and is not inside [-].
 inline constexpr double on_side_of_solid = 0.01;
@@ -211,6 +215,10 @@ inline constexpr double smallest_budget = 0.1;
 /// steps or more, and its energy is kept to a per cent. A stiffer pair has its slope limited and counts as
 /// limited.
 inline constexpr double budget_over_stiffness_scale = 3.5;
+
+/// Stiffness by masses and step (SOFT = 1, 2) of now over that with which a touch began, from which on the
+/// touch takes that of now [-]: the step is 1.4 times shorter. Below, a slope that changed would make energy.
+inline constexpr double renewed_stiffness = 2.0;
 
 /// Part of a node's mass that a touch borrows beside its weight on the node [-]: the couple of friction acts
 /// on nodes that have no weight.

@@ -110,6 +110,9 @@ Forces::Forces(const Surface& surface, const model::Contact& contact, const mode
   friction_.resize(places);
   previous_normal_.resize(places);
   previous_friction_.resize(places);
+  if (contact.viscous_damping <= 0) return;
+  damping_.resize(places);
+  previous_damping_.resize(places);
 }
 
 /// Where the motion of the surfaces bounds the step more than the elements do, these use less of what is
@@ -201,11 +204,18 @@ double Forces::stiffness_by_mass(const domain::NodeFields& nodes, const Touch& t
                                  : unit * contact_.soft_scale / whole_inverse_mass(nodes, touch);
 }
 
-/// The stiffness before stability limits it. What masses and steps give a touch keeps while it lasts.
-double Forces::stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const {
+/// The stiffness before stability limits it. What masses and steps give a touch keeps while it lasts, unless
+/// the step has shrunk so far that much more is due: foam that has become dense presses with many times the
+/// stiffness with which the touch began. `most`: limit on the slope of one that begins now.
+double Forces::stiffness(const domain::NodeFields& nodes, Touch& touch, double step, double most) const {
   if (!contact_.mass_stiffness && contact_.soft_scale <= 0) return touch.stiffness;
   double& by_mass = touch.penalty.stiffness;
-  if (by_mass <= 0) by_mass = stiffness_by_mass(nodes, touch, step);
+  const double present = stiffness_by_mass(nodes, touch, step);
+  if (by_mass <= 0) by_mass = present;
+  if (present > tolerances::renewed_stiffness * by_mass) {
+    by_mass = present;
+    touch.penalty.slope_limit = std::max(touch.penalty.slope_limit, most);
+  }
   return contact_.mass_stiffness ? by_mass : std::max(touch.stiffness, by_mass);
 }
 
@@ -227,7 +237,7 @@ bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
   touch.penalty.depth = touch.penetration;
   touch.penalty.speed = dot(relative, touch.normal);
   PenaltyLaw law;
-  law.stiffness = stiffness(nodes, touch, step);
+  law.stiffness = stiffness(nodes, touch, step, slope_limit({}, inverse, step));
   law.limit = touch.penalty.slope_limit;
   law.reach = touch.reach;
   const double stiffness = std::min(law.stiffness, law.limit);
@@ -241,6 +251,7 @@ bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
   const double size = std::max(0.0, spring - acting * damping * touch.penalty.speed);
 
   touch.normal_force = size * touch.normal;
+  touch.damping = size - spring;
   add_friction(domain, touch, law.stiffness, inverse);
   return law.limit < law.stiffness;
 }
@@ -367,6 +378,7 @@ void Forces::scatter(domain::Domain& domain, std::span<const Touch> touches) {
       const Index place = touch.place[i];
       normal_[place] += touch.weight[i] * touch.normal_force;
       friction_[place] += touch.weight[i] * touch.friction;
+      if (!damping_.empty()) damping_[place] += touch.weight[i] * touch.damping * touch.normal;
       if (marked_[place] != 0) continue;
       marked_[place] = 1;
       active_.push_back(place);
@@ -386,6 +398,7 @@ void Forces::add_work(const domain::Domain& domain, domain::ContactReport& repor
                  std::back_inserter(both_));
   double normal = 0;
   double friction = 0;
+  double damping = 0;
   for (std::size_t i = 0; i < both_.size(); ++i) {
     ask_after(i, both_, [&](Index next) {
       prefetch<false>(&domain.nodes.velocity[surface_->nodes[next]], 1);
@@ -396,9 +409,11 @@ void Forces::add_work(const domain::Domain& domain, domain::ContactReport& repor
     const Vec3& v = domain.nodes.velocity[surface_->nodes[place]];
     normal += dot(previous_normal_[place] + normal_[place], v);
     friction += dot(previous_friction_[place] + friction_[place], v);
+    if (!damping_.empty()) damping += dot(previous_damping_[place] + damping_[place], v);
   }
   report.energy -= 0.5 * domain.clock.step * normal;
   report.friction_energy -= 0.5 * domain.clock.step * friction;
+  report.damping_energy -= 0.5 * domain.clock.step * damping;
 }
 
 /// Adds the sums to the domain and makes them the previous ones.
@@ -418,21 +433,26 @@ void Forces::hand_over(domain::Domain& domain) {
   for (const Index place : previous_active_) {
     previous_normal_[place] = Vec3{};
     previous_friction_[place] = Vec3{};
+    if (!damping_.empty()) previous_damping_[place] = Vec3{};
   }
   std::swap(previous_normal_, normal_);
   std::swap(previous_friction_, friction_);
+  std::swap(previous_damping_, damping_);
   std::swap(previous_active_, active_);
 }
 
 void Forces::declare(domain::StateList& list) {
   list.add("contact_normal_force", "force", domain::Entity::Contact, 3, std::span(previous_normal_));
   list.add("contact_friction_force", "force", domain::Entity::Contact, 3, std::span(previous_friction_));
+  if (!damping_.empty())
+    list.keep_list("contact_damping_force", "force", domain::Entity::Contact, 3, previous_damping_);
   list.keep_list("contact_active_places", "-", domain::Entity::Contact, 1, previous_active_);
 }
 
 void Forces::resume() const {
   const auto fits = [this](Index place) { return is_one_of(place, surface_->nodes.size()); };
   require_all_saved(previous_active_, fits, "active nodes");
+  require_saved(previous_damping_.size() == damping_.size(), "damping forces");
   const auto unordered = [](Index a, Index b) { return a >= b; };
   require_saved(std::ranges::adjacent_find(previous_active_, unordered) == previous_active_.end(),
                 "active nodes");

@@ -76,7 +76,7 @@ class Forces {
  private:
   void share_step(double share);
   double inverse_mass(const domain::Domain& domain, const Touch& touch) const;
-  double stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const;
+  double stiffness(const domain::NodeFields& nodes, Touch& touch, double step, double most) const;
   double stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const;
   bool evaluate_touch(const domain::Domain& domain, Touch& touch) const;
   /// Input of passive_spring_force().
@@ -115,6 +115,9 @@ class Forces {
   AlignedArray<Vec3> friction_;  ///< the same
   AlignedArray<Vec3> previous_normal_;
   AlignedArray<Vec3> previous_friction_;
+  /// The part of the normal forces that is damping; empty without.
+  AlignedArray<Vec3> damping_;
+  AlignedArray<Vec3> previous_damping_;
 };
 
 }  // namespace crumple::contact
