@@ -237,6 +237,7 @@ void TiedNodes::release(Domain& domain) {
   share_masses(domain);
   const KineticChange after = carried_energy(domain);
   first->energy -= after.translational + after.rotational;
+  first->dissipated = std::max(0.0, first->energy);
 }
 
 void TiedNodes::remember(const Domain& domain) {

@@ -162,7 +162,12 @@ struct Interface::Implementation {
     entry.two_sided = contact.kind != model::ContactKind::SingleSurface;
   }
 
-  void write_report(domain::ContactReport& entry) {
+  static void note_deepest(const Penetration& found, long cycle, domain::DeepestPenetration& deepest) {
+    if (found.depth <= deepest.share * found.most) return;
+    deepest = {found.most > 0 ? found.depth / found.most : 1.0, cycle, found.node, found.segment};
+  }
+
+  void write_report(domain::ContactReport& entry, long cycle) {
     describe(entry);
     entry.searches = 0;
     entry.candidates = 0;
@@ -173,6 +178,7 @@ struct Interface::Implementation {
     entry.penetration = 0;
     for (const Penetration& found : penetrations) {
       entry.penetration = std::max(entry.penetration, found.depth);
+      note_deepest(found, cycle, entry.deepest);
       if (found.depth <= entry.worst_penetration) continue;
       entry.worst_penetration = found.depth;
       entry.worst_node = found.node;
@@ -235,7 +241,7 @@ void Interface::add_forces(domain::Domain& domain) {
   const StageTimer timer(domain.times.contact_forces, &report.times.forces);
   own.forces.apply(domain, own.touches, report);
   own.remember(present(domain), domain);
-  own.write_report(report);
+  own.write_report(report, domain.clock.cycle);
 }
 
 void Interface::add_multipliers(domain::Domain& domain, double interval, double next_step) {
@@ -250,7 +256,7 @@ void Interface::add_multipliers(domain::Domain& domain, double interval, double 
   own.forces.apply(domain, own.touches, report);
   own.for_each_detector([&](Detector& detector, std::span<Touch> left) { detector.correct(motion, left); });
   own.remember(motion, domain);
-  own.write_report(report);
+  own.write_report(report, domain.clock.cycle);
 }
 
 double Interface::longest_step() const {

@@ -134,6 +134,10 @@ inline constexpr double smooth_in_front = 1.0 / 3;
 /// The same behind a segment, over the depth below the mid-surface or face [-].
 inline constexpr double smooth_behind = 2;
 
+/// Depth of a node behind a face over the height of its solid, beyond which the contact has not held [-]: it
+/// is as near to the far side. A check of the run fails; the forces know nothing of it.
+inline constexpr double deepest_in_solid = 0.5;
+
 /// Distance from a side of a solid over the third root of its volume, within which a node lies on the side
 /// and is not inside [-].
 inline constexpr double on_side_of_solid = 0.01;

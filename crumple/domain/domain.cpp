@@ -55,6 +55,8 @@ void keep_contact(ContactReport& contact, StateList& list) {
   keep("penetration", "length", contact.penetration);
   keep("worst_penetration", "length", contact.worst_penetration);
   keep("worst_node", "-", contact.worst_node);
+  keep("deepest", "by item", contact.deepest);
+  keep("damping_energy", "energy", contact.damping_energy);
   keep("force", "force", contact.force);
   keep("mass", "mass", contact.mass);
   keep("times", "s", contact.times);
@@ -152,6 +154,7 @@ void Domain::declare(StateList& list) {
     list.add("tie_released", "-", Entity::Contact, 1, std::span(&tie.released, 1));
     list.add("tie_broken", "-", Entity::Contact, 1, std::span(&tie.broken, 1));
     list.keep("tie_force", "force", Entity::Contact, tie.force);
+    list.keep("tie_dissipated", "energy", Entity::Contact, tie.dissipated);
     list.keep("tie_opening", "length", Entity::Contact, tie.opening);
   }
   for (WeldReport& weld : welds) list.keep("weld_report", "by item", Entity::Run, weld);

@@ -91,6 +91,15 @@ struct OverlapForces {
   double share() const { return impulse > 0 ? overlap_impulse / impulse : 0; }
 };
 
+/// The deepest place of all pairs so far, over the depth at which a node has gone through the whole thickness
+/// of a shell, or through half of a solid.
+struct DeepestPenetration {
+  double share = 0;  ///< penetration over that depth [-]
+  long cycle = 0;
+  UserId node = 0;
+  UserId segment = 0;  ///< shell, solid or edge
+};
+
 /// What a contact interface did so far.
 struct ContactReport {
   UserId id = 0;
@@ -103,6 +112,7 @@ struct ContactReport {
   double worst_penetration = 0;  ///< largest of the run [length]
   UserId worst_node = 0;         ///< where that was
   double energy = 0;             ///< normal: stored and dissipated [energy]
+  double damping_energy = 0;     ///< of that, dissipated by damping [energy]
   double friction_energy = 0;    ///< dissipated [energy]
   double eroded_energy =
       0;  ///< held by pairs when their segment or node eroded, taken from `energy` [energy]
@@ -111,6 +121,7 @@ struct ContactReport {
   math::Vec3 force{};            ///< on the first of two sides now, from the second [force]
   std::array<double, 2> mass{};  ///< of the nodes of its sides [mass]
   WithheldForces withheld{};
+  DeepestPenetration deepest{};
   LostContacts lost_nodes{};
   LostContacts lost_edges{};
   OverlapForces overlap_forces{};

@@ -48,6 +48,8 @@ struct Tie {
   Index broken = 0;    ///< of these, by their load
   math::Vec3 force;    ///< on the tied nodes, at time n [force]
   double energy = 0;   ///< stored in springs, and lost where ties ended [energy]
+  /// Of that, what ties took that broke, softened or ended [energy].
+  double dissipated = 0;
   double opening = 0;  ///< largest stretch of a spring now [length]
 
   std::string name() const { return "Tied contact " + std::to_string(id); }

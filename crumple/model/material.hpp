@@ -193,6 +193,7 @@ struct LowDensityFoam {
   double unloading_factor = 1;       ///< HU: share of the stress that unloading keeps at the least [-]
   double unloading_shape = 1;        ///< exponent of the stored energy in unloading [-]
   double damping = 0;                ///< coefficient of the linear viscosity [-]
+  double contact_modulus = 0;        ///< KCON: Young's modulus of contact; 0: steepest slope, or E [stress]
   double slowest = 0;                ///< rate up to which the curve above holds [1/time]
   std::vector<FoamAtRate> faster{};  ///< curves of loading at higher rates, ascending
   bool engineering_rate = false;     ///< the rate is that of the stretch, else of its logarithm

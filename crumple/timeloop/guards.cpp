@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "domain/round_off_energy.hpp"
 #include "materials/common/shell_material.hpp"
 #include "timeloop/trouble.hpp"
 
@@ -22,21 +23,6 @@ constexpr double contact_share = 0.1;
 
 double supplied_energy(const domain::EnergyLedger& energy) {
   return std::fabs(energy.initial_total) + std::fabs(energy.external_work);
-}
-
-/// What round-off alone gives a model at rest: places are known to the last digit of the largest coordinate,
-/// and stiffness throws nodes about by that much in a step [energy].
-double round_off_energy(const domain::Domain& domain) {
-  constexpr double digits = 64 * std::numeric_limits<double>::epsilon();
-  double extent = 0;
-  double mass = 0;
-  for (Index node = 0; node < domain.nodes.count(); ++node) {
-    const math::Vec3& x = domain.nodes.position[node];
-    extent = std::max({extent, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
-    mass += domain.nodes.mass[node];
-  }
-  const double speed = domain.clock.step > 0 ? digits * extent / domain.clock.step : 0;
-  return 0.5 * mass * speed * speed;
 }
 
 /// Largest density of strain energy that a stress at time zero can have: (1 + nu) sigma.sigma / (2 E)
@@ -102,7 +88,7 @@ KineticRange plausible_kinetic_energy(const domain::Domain& domain, double step_
   const double negative = negative_ratio(step_scale);
   KineticRange range{-negative * supplied, runaway_ratio * supplied + absorbed};
   if (energy.kinetic >= range.least && energy.kinetic <= range.most) return range;
-  const double floor = round_off_energy(domain);
+  const double floor = domain::round_off_energy(domain);
   return {range.least - negative * floor, range.most + runaway_ratio * floor};
 }
 

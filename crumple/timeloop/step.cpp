@@ -241,7 +241,7 @@ void Simulation::sum_kinetic_energy() {
 void Simulation::balance() {
   domain::EnergyLedger& energy = domain_.energy;
   energy.internal = energy.hourglass = energy.eroded = 0;
-  energy.contact = energy.friction = energy.rigidwall = 0;
+  energy.contact = energy.contact_dissipated = energy.friction = energy.rigidwall = 0;
   for (const domain::ElementBlock* block : domain_.blocks()) {
     energy.internal += block->internal_energy;
     energy.hourglass += block->hourglass_energy;
@@ -249,10 +249,14 @@ void Simulation::balance() {
   }
   for (const domain::ContactReport& contact : domain_.contacts) {
     energy.contact += contact.energy;
+    energy.contact_dissipated += contact.damping_energy;
     energy.friction += contact.friction_energy;
     energy.eroded += contact.eroded_energy;
   }
-  for (const domain::Tie& tie : domain_.ties) energy.contact += tie.energy;
+  for (const domain::Tie& tie : domain_.ties) {
+    energy.contact += tie.energy;
+    energy.contact_dissipated += tie.dissipated;
+  }
   for (const domain::JointReport& joint : domain_.joints) energy.internal += joint.energy;
   for (const domain::JointStiffnessReport& stiffness : domain_.joint_stiffnesses) {
     energy.internal += stiffness.energy;

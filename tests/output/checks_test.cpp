@@ -156,6 +156,49 @@ TEST_F(ChecksTest, ContactThatHasJustBegunIsHeldAgainstTheEnergyAround) {
   EXPECT_FALSE(find("negative contact").pass);
 }
 
+/// Damping and ties that broke take energy by their rule. It hides no springs that give some away.
+TEST_F(ChecksTest, WhatContactDissipatesIsNoFault) {
+  domain_.energy.contact = 30;
+  domain_.energy.contact_dissipated = 29;
+  EXPECT_TRUE(find("without friction").pass);
+  domain_.energy.contact_dissipated = 31;
+  peaks_.observe(domain_.energy);
+  EXPECT_FALSE(find("negative contact").pass);
+}
+
+/// Rigid bodies absorb nothing: their balance is held against a hundredth of what moves.
+TEST_F(ChecksTest, RigidBodiesPassByTheDigitsOfTheirBalance) {
+  PeakValues peaks;
+  domain_.energy = domain::EnergyLedger{};
+  domain_.energy.external_work = 100;
+  domain_.energy.kinetic = 100 + 1e-5;
+  peaks.observe(view());
+  peaks_ = peaks;
+  EXPECT_NEAR(find("energy error").value, 1e-5, 1e-7);
+  EXPECT_TRUE(find("energy error").pass);
+  domain_.energy.kinetic = 100.02;
+  EXPECT_FALSE(find("energy error").pass);
+}
+
+TEST_F(ChecksTest, RoundOffAtRestIsNoError) {
+  PeakValues peaks;
+  domain_.energy = domain::EnergyLedger{};
+  domain_.clock.step = 1e-6;
+  domain_.energy.kinetic = 1e-22;
+  peaks.observe(view());
+  peaks_ = peaks;
+  EXPECT_TRUE(find("energy error").pass);
+  EXPECT_TRUE(find("total energy change").pass);
+}
+
+/// A node that has been behind a surface counts, though it has come back by the end.
+TEST_F(ChecksTest, TheDeepestPenetrationOfTheRunCounts) {
+  EXPECT_TRUE(find("deepest penetration").pass);
+  domain_.contacts[0].deepest = {.share = 1.5, .cycle = 7, .node = 40, .segment = 1};
+  EXPECT_DOUBLE_EQ(find("deepest penetration").value, 1.5);
+  EXPECT_FALSE(find("deepest penetration").pass);
+}
+
 TEST_F(ChecksTest, AShootingNodeIsFoundAndNamed) {
   domain_.nodes.velocity[domain_.nodes.domain_node[2]] = {0, 0, 1500};
   peaks_.observe(view());

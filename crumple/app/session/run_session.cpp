@@ -376,12 +376,14 @@ ExitCode RunSession::close() {
     board_->post(live_status(simulation_.domain(), monitor_->progress(), recorder_->frames()));
     board_->end(ending.termination);
   }
+  const std::vector<output::Check> checks = output::acceptance_checks(view(), peaks_);
   if (!options_.quiet) {
     print_summary(console_.out, view(), loop_seconds_);
-    print_checks(console_.out, output::acceptance_checks(view(), peaks_));
+    print_checks(console_.out, checks);
     print_final_omissions(console_.out, left_out_of(deck_));
     print_files(console_.out, folder_, written_files());
   }
+  print_failed_checks(console_.err, checks);
   if (ending.code == ExitCode::Normal)
     print(console_.out, "\n *** {} ***\n", ending.reason);
   else

@@ -118,6 +118,10 @@ void print_contacts(std::ostream& out, const output::View& view) {
             "excess {:.4g} on node {} at element {} in cycle {}\n",
             contact.withheld.count, contact.withheld.largest, contact.withheld.node, contact.withheld.segment,
             contact.withheld.cycle);
+    if (contact.deepest.share > 1)
+      print(out,
+            "  deepest: {:.3g} times through what it should not pass, node {} at element {} in cycle {}\n",
+            contact.deepest.share, contact.deepest.node, contact.deepest.segment, contact.deepest.cycle);
     print_lost(out, contact.lost_nodes, "node", "lost beyond a surface");
     print_lost(out, contact.lost_edges, "edge pair", "lost after they had gone through each other");
     print_inspection(out, view.model, contact);
@@ -146,6 +150,7 @@ void print_energies(std::ostream& out, const domain::EnergyLedger& energy) {
   row("internal", energy.internal);
   row("hourglass", energy.hourglass);
   row("contact", energy.contact);
+  if (energy.contact_dissipated != 0) row("  of it dissipated", energy.contact_dissipated);
   row("contact friction", energy.friction);
   row("rigid walls", energy.rigidwall);
   row("damping", energy.damping);
@@ -213,6 +218,12 @@ void print_checks(std::ostream& out, const std::vector<output::Check>& checks) {
     print(out, "  {:<50} {:>11.4g} {:>9.4g} {:>9}  {}   {}\n", check.name, check.value, check.limit,
           check.source_limit ? fmt::format("{:.4g}", *check.source_limit) : "-", check.pass ? "PASS" : "FAIL",
           check.source);
+}
+
+void print_failed_checks(std::ostream& err, const std::vector<output::Check>& checks) {
+  for (const output::Check& check : checks)
+    if (!check.pass)
+      print(err, "warning: check failed: {} is {:.4g}, limit {:.4g}\n", check.name, check.value, check.limit);
 }
 
 void print_final_omissions(std::ostream& out, const std::vector<output::LeftOut>& list) {

@@ -23,6 +23,9 @@ void print_summary(std::ostream& out, const output::View& view, double loop_seco
 /// The table of acceptance checks, with PASS or FAIL.
 void print_checks(std::ostream& out, const std::vector<output::Check>& checks);
 
+/// One line for each check that failed, for those who see no table.
+void print_failed_checks(std::ostream& err, const std::vector<output::Check>& checks);
+
 /// What of the deck did not take part, listed beside the results.
 void print_final_omissions(std::ostream& out, const std::vector<output::LeftOut>& list);
 

@@ -141,11 +141,10 @@ void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touc
                                  edge_shape(edges_.ends(pair.key.second), x), pair.normal)
                             .to_local(friction);
     remembered_.push_back(memory);
+    const double height = std::max(edges_.height[pair.key.first], edges_.height[pair.key.second]);
     if (pair.penetration() > 0 && pair.share > 0)
-      notes.penetrations.push_back(
-          {pair.penetration(),
-           std::max({pair.reach, edges_.height[pair.key.first], edges_.height[pair.key.second]}),
-           node_id(pair), segment});
+      notes.penetrations.push_back({pair.penetration(), std::max(pair.reach, height), node_id(pair), segment,
+                                    pair.reach + pair.offset + tolerances::deepest_in_solid * height});
   }
   remember_nodes();
 }

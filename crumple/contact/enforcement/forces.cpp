@@ -79,7 +79,7 @@ void add_turning(std::span<const Vec3> x, Touch& touch) {
 
 Forces::Forces(const Surface& surface, const model::Contact& contact, const model::Control& control)
     : surface_(&surface),
-      sums_(surface),
+      sums_(surface, contact.viscous_damping > 0),
       contact_(contact),
       stiffness_scale_(stiffness_scale(contact, control)),
       step_scale_(control.step_scale) {
@@ -198,6 +198,7 @@ bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
   const double size = std::max(0.0, spring - acting * damping * touch.penalty.speed);
 
   touch.normal_force = size * touch.normal;
+  touch.damping = size - spring;
   add_friction(domain, touch, law.stiffness, inverse);
   return law.limit < law.stiffness;
 }

@@ -40,13 +40,23 @@ int first_bearing(const Touch& touch) {
   return touch.nodes > least && touch.weight[1] <= 0 ? 1 : 0;
 }
 
-NodalSums::NodalSums(const Surface& surface) : surface_(&surface) {
+NodalSums::NodalSums(const Surface& surface, bool is_damped) : surface_(&surface) {
   const std::size_t places = surface.nodes.size();
   marked_.resize(places);
   normal_.resize(places);
   friction_.resize(places);
   previous_normal_.resize(places);
   previous_friction_.resize(places);
+  if (!is_damped) return;
+  damping_.resize(places);
+  previous_damping_.resize(places);
+}
+
+NodalSums::Power& NodalSums::Power::operator+=(const Power& other) {
+  normal += other.normal;
+  friction += other.friction;
+  damping += other.damping;
+  return *this;
 }
 
 void NodalSums::clear(domain::Domain& domain) const {
@@ -84,17 +94,16 @@ void NodalSums::add(domain::Domain& domain, std::span<const Touch> touches, doma
   });
   std::swap(previous_normal_, normal_);
   std::swap(previous_friction_, friction_);
+  std::swap(previous_damping_, damping_);
   active_.clear();
   Power total;
   for (const Share& share : shares_) {
     active_.insert(active_.end(), share.active.begin(), share.active.end());
-    for (const Power& power : share.power) {
-      total.normal += power.normal;
-      total.friction += power.friction;
-    }
+    for (const Power& power : share.power) total += power;
   }
   report.energy -= 0.5 * domain.clock.step * total.normal;
   report.friction_energy -= 0.5 * domain.clock.step * total.friction;
+  report.damping_energy -= 0.5 * domain.clock.step * total.damping;
 }
 
 /// Of the last call, those in the range of a share.
@@ -126,6 +135,7 @@ void NodalSums::add_corner(const Touch& touch, int corner, std::vector<Index>& a
   const Index place = touch.place[corner];
   normal_[place] += touch.weight[corner] * touch.normal_force;
   friction_[place] += touch.weight[corner] * touch.friction;
+  if (!damping_.empty()) damping_[place] += touch.weight[corner] * touch.damping * touch.normal;
   const int first = first_bearing(touch);
   if (corner >= first) (is_zero(touch.friction) ? normal_ : friction_)[place] += touch.couple[corner - first];
   if (marked_[place] != 0) return;
@@ -149,7 +159,8 @@ void NodalSums::measure_power(const domain::Domain& domain, Index share) {
     const Index place = both[i];
     const Vec3& v = domain.nodes.velocity[surface_->nodes[place]];
     power[i] = {dot(previous_normal_[place] + normal_[place], v),
-                dot(previous_friction_[place] + friction_[place], v)};
+                dot(previous_friction_[place] + friction_[place], v),
+                damping_.empty() ? 0 : dot(previous_damping_[place] + damping_[place], v)};
   }
 }
 
@@ -168,19 +179,24 @@ void NodalSums::hand_over(domain::Domain& domain, Index share) {
     for (int axis = 0; axis < 3; ++axis) domain.nodes.force[node].force[axis] += sum[axis];
     marked_[place] = 0;
   }
-  for (const Index place : previous_places(share))
+  for (const Index place : previous_places(share)) {
     previous_normal_[place] = previous_friction_[place] = Vec3{};
+    if (!damping_.empty()) previous_damping_[place] = Vec3{};
+  }
 }
 
 void NodalSums::declare(domain::StateList& list) {
   list.add("contact_normal_force", "force", domain::Entity::Contact, 3, std::span(previous_normal_));
   list.add("contact_friction_force", "force", domain::Entity::Contact, 3, std::span(previous_friction_));
+  if (!damping_.empty())
+    list.keep_list("contact_damping_force", "force", domain::Entity::Contact, 3, previous_damping_);
   list.keep_list("contact_active_places", "-", domain::Entity::Contact, 1, active_);
 }
 
 void NodalSums::resume() const {
   const auto fits = [this](Index place) { return is_one_of(place, surface_->nodes.size()); };
   require_all_saved(active_, fits, "active nodes");
+  require_saved(previous_damping_.size() == damping_.size(), "damping forces");
   const auto unordered = [](Index a, Index b) { return a >= b; };
   require_saved(std::ranges::adjacent_find(active_, unordered) == active_.end(), "active nodes");
 }

@@ -19,7 +19,8 @@ namespace crumple::contact {
 /// Order of calls in a step: clear() and count() for all contacts, then add() for all.
 class NodalSums {
  public:
-  explicit NodalSums(const Surface& surface);
+  /// `is_damped`: whether a part of normal forces is damping.
+  NodalSums(const Surface& surface, bool is_damped);
 
   /// Clears domain.contact_force where the last add() has set it.
   void clear(domain::Domain& domain) const;
@@ -45,6 +46,9 @@ class NodalSums {
   struct Power {
     double normal = 0;
     double friction = 0;
+    double damping = 0;  ///< of the normal one
+
+    Power& operator+=(const Power& other);
   };
   /// What a thread notes of the places of its own.
   struct Share {
@@ -68,6 +72,8 @@ class NodalSums {
   AlignedArray<Vec3> friction_;       ///< the same
   AlignedArray<Vec3> previous_normal_;
   AlignedArray<Vec3> previous_friction_;
+  AlignedArray<Vec3> damping_;  ///< the part of the normal forces that is damping; empty without
+  AlignedArray<Vec3> previous_damping_;
 };
 
 /// Weight with which a touch counts at one of its nodes: a little more than the node's own, as the couple of

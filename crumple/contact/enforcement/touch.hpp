@@ -47,9 +47,10 @@ struct Touch {
   bool has_potential = false;  ///< the force derives from a potential and needs no passivity limit
   /// Of both points above their segments, along the normals: of pinballs in the faces of solids [length].
   std::array<double, 2> height{};
-  Vec3 slip;          ///< movement of the first point over the second since the last step [length]
-  Vec3 friction;      ///< on the first point, at the last step, turned to now; then the present one [force]
-  Vec3 normal_force;  ///< on the first point now [force]
+  Vec3 slip;           ///< movement of the first point over the second since the last step [length]
+  Vec3 friction;       ///< on the first point, at the last step, turned to now; then the present one [force]
+  Vec3 normal_force;   ///< on the first point now [force]
+  double damping = 0;  ///< part of that which is damping; below zero it takes from the spring [force]
   /// On the nodes that bear a couple, see Forces: takes up the moment that the forces leave [force].
   std::array<Vec3, most_nodes> couple{};
 

@@ -274,7 +274,8 @@ void PinballContact::remember(const Kinematics& motion, std::span<const Touch> t
     remembered_.push_back(memory);
     if (touches[i].penetration > 0)
       notes.penetrations.push_back({touches[i].penetration, contact_distance(pair.first, pair.second),
-                                    node_id(pair), surface_->segment_id[pair.second]});
+                                    node_id(pair), surface_->segment_id[pair.second],
+                                    contact_distance(pair.first, pair.second)});
   }
 }
 

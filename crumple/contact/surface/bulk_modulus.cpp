@@ -2,11 +2,32 @@
 #include "contact/surface/bulk_modulus.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <variant>
 
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
+
+namespace {
+
+template <class Law>
+double stiffness_of(const Law& law) {
+  return law.youngs_modulus;
+}
+
+/// Of foam KCON; else the steepest slope of its curve, or E. E alone is a tenth and less of what foam resists
+/// with once it is dense (S. Bala, Best practices for modeling recoverable low density foams, d3view, 2006).
+double stiffness_of(const model::LowDensityFoam& law) {
+  if (law.contact_modulus > 0) return law.contact_modulus;
+  double steepest = law.youngs_modulus;
+  for (std::size_t i = 1; i < law.compression.size(); ++i)
+    steepest = std::max(steepest,
+                        (law.stress[i] - law.stress[i - 1]) / (law.compression[i] - law.compression[i - 1]));
+  return steepest;
+}
+
+}  // namespace
 
 double bulk_modulus(const model::Model& model, const model::Part& part) {
   const model::Material& material = model.materials[part.material];
@@ -16,7 +37,7 @@ double bulk_modulus(const model::Model& model, const model::Part& part) {
       [](const auto& law) {
         const double compressibility =
             std::max(1.0 - 2.0 * law.poissons_ratio, tolerances::smallest_compressibility);
-        return law.youngs_modulus / (3.0 * compressibility);
+        return stiffness_of(law) / (3.0 * compressibility);
       },
       material.law);
 }

@@ -36,6 +36,9 @@ struct Penetration {
   double reach = 0;  ///< at this depth the node is on the mid-surface, or behind the solid of a face [length]
   UserId node = 0;
   UserId segment = 0;  ///< shell or solid
+  /// Penetration that leaves no doubt: through the whole thickness of a shell, to the middle of a solid
+  /// behind a face [length].
+  double most = 0;
 };
 
 }  // namespace crumple::contact

@@ -307,6 +307,7 @@ void TieSprings::add_forces(domain::Domain& domain) {
   });
   tie.force = Vec3{};
   tie.opening = 0;
+  double held = 0;
   for (std::size_t i = 0; i < springs_.size(); ++i) {
     Load& load = loads_[i];
     if (active_[i] == 0 && previous_[i].opening == 0) continue;
@@ -320,7 +321,9 @@ void TieSprings::add_forces(domain::Domain& domain) {
     tie.energy -= add(domain, i, load);
     tie.force += load.force[0];
     tie.opening = std::max(tie.opening, load.opening);
+    held += 0.5 * (norm(load.force[0]) * load.opening + norm(load.moment) * norm(turn_[i]));
   }
+  if (contact_.softening || tie.released > 0) tie.dissipated = std::max(0.0, tie.energy - held);
 }
 
 void TieSprings::declare(domain::StateList& list) {

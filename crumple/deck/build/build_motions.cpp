@@ -89,6 +89,19 @@ bool may_move(Index node, const RawPrescribedMotion& raw, const Movers& movers, 
   return false;
 }
 
+/// A degree of freedom cannot be held and moved.
+bool is_free(const model::PrescribedMotion& motion, const RawPrescribedMotion& raw, Build& build) {
+  const model::RigidBody& body = build.model.rigid_bodies[static_cast<std::size_t>(motion.body)];
+  const auto axis = static_cast<std::size_t>(motion.axis);
+  if (!(motion.rotation ? body.fixed_rotation : body.fixed_translation)[axis]) return true;
+  build.report.error(
+      raw.where, "held body",
+      fmt::format("rigid body {} is held {} {} by its *MAT_RIGID or its supports, and cannot be moved so as "
+                  "well; free it there or leave out the motion",
+                  body.id, motion.rotation ? "about" : "along", "xyz"[axis]));
+  return false;
+}
+
 void build_prescribed_motion(const RawPrescribedMotion& raw, const Movers& movers, Build& build) {
   model::PrescribedMotion motion = raw.motion;
   motion.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
@@ -99,7 +112,8 @@ void build_prescribed_motion(const RawPrescribedMotion& raw, const Movers& mover
   }
   if (raw.target == RawPrescribedMotion::Target::Body) {
     motion.body = build.find(Item::RigidBody, {raw.id, "PID", raw.where});
-    if (motion.body != no_index && motion.curve != no_index && choose_axis(raw, along, build, motion))
+    if (motion.body != no_index && motion.curve != no_index && choose_axis(raw, along, build, motion) &&
+        is_free(motion, raw, build))
       build.model.prescribed_motions.push_back(motion);
     return;
   }

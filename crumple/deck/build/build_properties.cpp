@@ -294,7 +294,9 @@ void enter_sections(Build& build) {
     if (entry.reference.id != 0) build.enter(Item::Section, entry.reference, entry.index);
 }
 
-/// A curve of a spring or damper: it must have both signs and go through the origin.
+/// A curve of a spring or damper: it must have both signs and go through the origin. That of an elastic
+/// spring may begin or end there: its first or last slope goes on, as in LS-DYNA (S. Bala, Modeling symmetric
+/// and unsymmetric nonlinear discrete springs, d3view, 2006).
 Index spring_curve(const RawSpringMaterial& raw, UserId id, std::string_view field, Build& build) {
   if (id == 0) return no_index;
   const Index index = find_points(build, {id, field, raw.where});
@@ -303,7 +305,14 @@ Index spring_curve(const RawSpringMaterial& raw, UserId id, std::string_view fie
   constexpr double small = 1e-9;
   const bool both = curve.abscissa.front() < 0 && curve.abscissa.back() > 0;
   const double most = std::max(std::fabs(curve.ordinate.front()), std::fabs(curve.ordinate.back()));
-  if (!both || std::fabs(curve.at(0)) > small * most)
+  const bool one_sided = !both && field == "LCD" && curve.abscissa.size() > 1 &&
+                         (curve.abscissa.front() == 0 || curve.abscissa.back() == 0);
+  if (one_sided)
+    build.report.warning(raw.where, "spring curve " + std::to_string(id),
+                         fmt::format("curve {} has one direction alone: in the other one the slope at (0, 0) "
+                                     "goes on, as in LS-DYNA; give points of both for another force there",
+                                     id));
+  if ((!both && !one_sided) || std::fabs(curve.at(0)) > small * most)
     build.report.field_error(raw.where,
                              {field, std::to_string(id), "a curve from below zero to above through (0, 0)",
                               "it holds for both directions, the negative one first", "curve"});

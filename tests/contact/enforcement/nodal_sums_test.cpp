@@ -50,6 +50,8 @@ std::vector<Touch> draw_touches(std::mt19937& random, Index places, int count) {
     for (Index k = 1; k <= 4; ++k) touch.add(first + k, -0.25);
     if (draw(random) < 0.2) continue;
     touch.penetration = draw(random);
+    touch.normal = draw_vector(random);
+    touch.damping = draw(random);
     touch.normal_force = draw_vector(random);
     if (draw(random) < 0.5) touch.friction = draw_vector(random);
     for (Vec3& force : touch.couple) force = draw_vector(random);
@@ -62,14 +64,14 @@ struct Outcome {
   std::vector<double> force;
   std::vector<double> contact_force;
   std::vector<double> weight;    ///< that was counted, in the last step
-  std::vector<double> energies;  ///< of the normal forces and of friction
+  std::vector<double> energies;  ///< of the normal forces, of friction and of damping
 };
 
 Outcome two_steps(int threads, bool is_counted) {
   const Sheet sheet;
   domain::Domain made = sheet.build(threads);
   const contact::Surface surface = contact::build_surface(sheet.bodies.model, made, sheet.bodies.contact);
-  NodalSums sums(surface);
+  NodalSums sums(surface, true);
   std::mt19937 random(7);
   Outcome out;
   for (int step = 0; step < 2; ++step) {
@@ -85,14 +87,15 @@ Outcome two_steps(int threads, bool is_counted) {
       out.force.push_back(made.nodes.force[node].force[axis]);
     for (const Vec3& force : made.contact_force) out.contact_force.push_back(force[axis]);
   }
-  out.energies = {made.contacts[0].energy, made.contacts[0].friction_energy};
+  const domain::ContactReport& report = made.contacts[0];
+  out.energies = {report.energy, report.friction_energy, report.damping_energy};
   return out;
 }
 
 TEST(NodalSums, HaveTheSameBitsForAnyNumberOfThreads) {
   for (const bool is_counted : {true, false}) {
     const Outcome alone = two_steps(1, is_counted);
-    EXPECT_NE(alone.energies[0], 0);
+    for (const double energy : alone.energies) EXPECT_NE(energy, 0);
     for (const int threads : {2, 3, 7, 64}) {
       const Outcome dealt = two_steps(threads, is_counted);
       EXPECT_EQ(dealt.force, alone.force) << threads << " threads";
@@ -107,7 +110,7 @@ TEST(NodalSums, AreThoseOfTheTouches) {
   const Sheet sheet;
   domain::Domain made = sheet.build(3);
   const contact::Surface surface = contact::build_surface(sheet.bodies.model, made, sheet.bodies.contact);
-  NodalSums sums(surface);
+  NodalSums sums(surface, true);
   std::mt19937 random(7);
   std::vector<Touch> touches = draw_touches(random, surface.node_count(), 2000);
   std::vector<Vec3> expected(made.contact_force.size());
@@ -126,6 +129,12 @@ TEST(NodalSums, AreThoseOfTheTouches) {
   sums.count(made, touches);
   for (Index i = 0; i < made.nodes.count(); ++i) EXPECT_NEAR(made.contact_weight[i], weight[i], 1e-10);
   sums.add(made, touches, made.contacts[0]);
+  double damping = 0;
+  for (const Touch& touch : touches)
+    for (int k = 0; k < touch.nodes; ++k)
+      damping += touch.weight[k] * touch.damping *
+                 dot(touch.normal, made.nodes.velocity[surface.nodes[touch.place[k]]]);
+  EXPECT_NEAR(made.contacts[0].damping_energy, -0.5 * made.clock.step * damping, 1e-12 * 2000);
   Vec3 total;
   double power = 0;
   for (Index i = 0; i < made.nodes.count(); ++i) {
@@ -143,8 +152,8 @@ TEST(NodalSums, ClearTakesOutWhatOtherContactsMayThenSet) {
   const Sheet sheet;
   domain::Domain made = sheet.build(2);
   const contact::Surface surface = contact::build_surface(sheet.bodies.model, made, sheet.bodies.contact);
-  NodalSums first(surface);
-  NodalSums second(surface);
+  NodalSums first(surface, false);
+  NodalSums second(surface, false);
   std::mt19937 random(7);
   const std::vector<Touch> touches = draw_touches(random, surface.node_count(), 300);
   first.add(made, touches, made.contacts[0]);

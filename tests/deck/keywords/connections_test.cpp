@@ -152,7 +152,7 @@ TEST(Connections, NodesAreNotMovedBySomethingElseToo) {
   const std::string held = "*BOUNDARY_SPC_NODE\n         6         0         1\n";
   const std::string curve =
       "*DEFINE_CURVE\n         1\n                 0.0                 1.0\n"
-      "                 1.0                 1.0\n";
+      "                 3.0                 1.0\n";
   const std::string along_x =
       curve + "*BOUNDARY_PRESCRIBED_MOTION_NODE\n         6         1         0         1\n";
   const std::string along_y =

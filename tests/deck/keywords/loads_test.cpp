@@ -11,7 +11,7 @@ namespace {
 TEST(Loads, NodesSegmentsAndShells) {
   const model::Model model = read_with(
       "*DEFINE_CURVE\n         1\n                 0.0                 0.0\n"
-      "                 1.0                 2.0\n"
+      "                 3.0                 2.0\n"
       "*SET_NODE_LIST\n         3\n         5         6\n"
       "*LOAD_NODE_POINT\n         2         3         1      -5.0\n         1         6         1\n"
       "*LOAD_NODE_SET\n         3         1         1       4.0\n"

@@ -13,7 +13,7 @@ namespace {
 
 /// Local x is along (1, 1, 0), local y along (-1, 1, 0).
 const std::string system = "*DEFINE_COORDINATE_SYSTEM\n9,0,0,0,1,1,0\n-1,1,0\n";
-const std::string curve = "*DEFINE_CURVE\n1\n0,1\n1,1\n";
+const std::string curve = "*DEFINE_CURVE\n1\n0,1\n3,1\n";
 const double half = std::sqrt(0.5);
 
 void expect_vector(const std::array<double, 3>& found, const std::array<double, 3>& expected) {

@@ -26,7 +26,7 @@ SmallDeck rigid_deck() {
       "*MAT_RIGID\n         2   7.83E-6     207.0       0.3\n"
       "       1.0         4         7\n\n"
       "*DEFINE_CURVE\n         1\n                 0.0                 0.0\n"
-      "                 1.0                 2.0\n";
+      "                 3.0                 2.0\n";
   return deck;
 }
 
@@ -307,6 +307,8 @@ TEST(RigidBodies, DeformablePartsCannotBeMergedOrTiedTo) {
 
 TEST(PrescribedMotions, OfNodesSetsAndBodies) {
   SmallDeck deck = rigid_deck();
+  deck.material.replace(deck.material.find("       1.0         4         7"), 30,
+                        "       1.0         4         0");
   deck.more =
       "*SET_NODE_LIST\n         7\n         1         4\n"
       "*BOUNDARY_PRESCRIBED_MOTION_SET\n         7         3         2         1      -2.0\n"

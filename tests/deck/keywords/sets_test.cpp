@@ -255,7 +255,7 @@ TEST(SolidFaces, OfWedgesPyramidsAndTetrahedra) {
 
 TEST(Loads, OnSetsOfSegmentsAndShells) {
   const model::Model model = block_with(
-      "*DEFINE_CURVE\n1\n0.0,0.0\n1.0,2.0\n*SET_SEGMENT\n3\n1,2,5,4\n7,8,11,10\n*SET_SHELL\n4\n31,32\n"
+      "*DEFINE_CURVE\n1\n0.0,0.0\n3.0,2.0\n*SET_SEGMENT\n3\n1,2,5,4\n7,8,11,10\n*SET_SHELL\n4\n31,32\n"
       "*LOAD_SEGMENT_SET\n         3         1       0.5       0.1\n"
       "*LOAD_SHELL_SET_ID\n        12lid\n         4         1       0.7\n");
   ASSERT_EQ(model.pressure_loads.size(), 4U);

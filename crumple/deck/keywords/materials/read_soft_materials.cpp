@@ -33,7 +33,7 @@ constexpr Field low_density_second_card[] = {
     unused("BVFLAG"),  // the bulk viscosity is that of all solids
     only("ED", {0}, "foam has no viscoelastic stress of its own"),
     unused("BETA1"),  // of ED
-    unused("KCON"),   // contact takes E
+    real("KCON", 0, not_negative),
     only("REF", {0}, without_reference),
 };
 
@@ -41,7 +41,7 @@ constexpr Field fu_chang_card[] = {
     id("MID"),
     real("RO", 0, above_zero),
     real("E", 0, above_zero),
-    unused("KCON"),  // contact takes E
+    real("KCON", 0, not_negative),
     real_or_default("TC", 1e20, not_negative),
     only("FAIL", {0, 1}, "0 keeps the tension at TC, 1 takes it away"),
     real("DAMP", 0, not_negative),
@@ -172,6 +172,7 @@ void read_mat_low_density_foam(Cards& cards, RawDeck& deck) {
     law.unloading_shape = second.real("SHAPE");
     law.damping = card.real("DAMP");
     law.tears = second.real("FAIL") == 1;
+    law.contact_modulus = second.real("KCON");
     raw.hardening_curve = card.good("LCID") ? card.integer("LCID") : 0;
     raw.curve_where = card.where();
     raw.material.law = law;
@@ -193,6 +194,7 @@ void read_mat_fu_chang_foam(Cards& cards, RawDeck& deck) {
     law.youngs_modulus = card.real("E");
     if (card.real("TC") < unbounded) law.tensile_stress = card.real("TC");
     law.tears = card.real("FAIL") == 1;
+    law.contact_modulus = card.real("KCON");
     law.damping = card.real("DAMP");
     law.engineering_rate = second.real("SFLAG") == 1;
     if (second.real("HU") > 0) law.unloading_factor = second.real("HU");
