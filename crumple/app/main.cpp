@@ -29,14 +29,17 @@ bool has_stack() {
 /// sleep. The runtime's own choice is milliseconds: where anything else computes, those that spin then keep
 /// the processor from the one that they wait for, and two threads become ten times slower than one. The
 /// runtime reads this before main() begins, so that the program has to start once more. What the user has
-/// chosen stays.
+/// chosen stays, and so does a program inside of another one: of a loader, whose name is not the program's,
+/// or of valgrind and the like, which preload a library.
 void wait_briefly(char** values) {
-  for (const char* chosen : {"GOMP_SPINCOUNT", "OMP_WAIT_POLICY"})
+  for (const char* chosen : {"GOMP_SPINCOUNT", "OMP_WAIT_POLICY", "LD_PRELOAD"})
     if (std::getenv(chosen) != nullptr) return;
   const char* const threads = std::getenv("OMP_NUM_THREADS");
   if (threads != nullptr && std::string(threads) == "1") return;
   std::array<char, PATH_MAX> program{};
   if (readlink("/proc/self/exe", program.data(), program.size() - 1) <= 0) return;
+  const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
+  if (values[0] == nullptr || name_of(program.data()) != name_of(values[0])) return;
   if (setenv("GOMP_SPINCOUNT", "1000", 0) == 0) execv(program.data(), values);
 }
 

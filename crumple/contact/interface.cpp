@@ -163,8 +163,8 @@ struct Interface::Implementation {
   }
 
   static void note_deepest(const Penetration& found, long cycle, domain::DeepestPenetration& deepest) {
-    if (found.depth <= deepest.share * found.most) return;
-    deepest = {found.most > 0 ? found.depth / found.most : 1.0, cycle, found.node, found.segment};
+    const double share = found.most > 0 ? found.depth / found.most : HUGE_VAL;
+    if (share > deepest.share) deepest = {share, cycle, found.node, found.segment};
   }
 
   void write_report(domain::ContactReport& entry, long cycle) {

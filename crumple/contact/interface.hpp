@@ -71,10 +71,9 @@ class Interface {
   /// Second stage: computes the forces of the touches.
   void evaluate_forces(domain::Domain& domain);
 
-  /// Third stage: adds the contact forces to nodes.force and domain.contact_force, each
-  /// node's in the order of pairs (node, segment), so that the sums are bitwise the same for any number of
-  /// threads.
-  /// Updates the report's energies by the trapezoidal rule, and the stage times.
+  /// Third stage: adds the contact forces to nodes.force and domain.contact_force, each node's in the
+  /// order of pairs (node, segment), so that the sums are bitwise the same for any number of threads. Updates
+  /// the report's energies by the trapezoidal rule, and the stage times.
   void add_forces(domain::Domain& domain);
 
   /// The same for contact that is enforced by multipliers, where the stages do nothing (and this one does

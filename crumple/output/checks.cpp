@@ -180,11 +180,12 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
   // A model at rest gets its energy from the work of its loads, and may have returned it by now.
   const double before = peaks.largest_supplied_energy();
   const auto [parts, hourglass] = artificial_energies(view);
-  const double least = smallest_energy(view, scale);
+  const double round_off = domain::round_off_energy(view.domain);
+  const double least = std::max(negligible * scale, round_off);
   std::vector<Check> checks;
   checks.push_back(make_check("total energy change / initial energy",
                               std::fabs(ratio_of(energy.imbalance(), before, least)), 0.01, w179, 0.10));
-  const bool is_round_off = std::fabs(energy.imbalance()) <= domain::round_off_energy(view.domain);
+  const bool is_round_off = std::fabs(energy.imbalance()) <= round_off;
   checks.push_back(make_check(
       "energy error / absorbed energy",
       is_round_off ? 0 : energy.error(peaks.largest_absorbed_energy(), least_absorbed), 0.01, "crumple"));

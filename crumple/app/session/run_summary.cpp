@@ -120,7 +120,8 @@ void print_contacts(std::ostream& out, const output::View& view) {
             contact.withheld.cycle);
     if (contact.deepest.share > 1)
       print(out,
-            "  deepest: {:.3g} times through what it should not pass, node {} at element {} in cycle {}\n",
+            "  deepest penetration: {:.3g} times the thickness of a shell, or half of a solid, by node {} at "
+            "element {} in cycle {}\n",
             contact.deepest.share, contact.deepest.node, contact.deepest.segment, contact.deepest.cycle);
     print_lost(out, contact.lost_nodes, "node", "lost beyond a surface");
     print_lost(out, contact.lost_edges, "edge pair", "lost after they had gone through each other");

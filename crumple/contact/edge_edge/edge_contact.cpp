@@ -144,7 +144,7 @@ void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touc
     const double height = std::max(edges_.height[pair.key.first], edges_.height[pair.key.second]);
     if (pair.penetration() > 0 && pair.share > 0)
       notes.penetrations.push_back({pair.penetration(), std::max(pair.reach, height), node_id(pair), segment,
-                                    pair.reach + pair.offset + tolerances::deepest_in_solid * height});
+                                    std::max(pair.reach, 0.0) + tolerances::deepest_in_solid * height});
   }
   remember_nodes();
 }

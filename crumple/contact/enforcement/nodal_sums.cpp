@@ -17,8 +17,9 @@ bool is_zero(const Vec3& a) {
   return a.x == 0 && a.y == 0 && a.z == 0;
 }
 
+/// Damping that takes the whole force of the spring does work, too.
 bool has_force(const Touch& touch) {
-  return !is_zero(touch.normal_force) || !is_zero(touch.friction);
+  return !is_zero(touch.normal_force) || !is_zero(touch.friction) || touch.damping != 0;
 }
 
 /// By how many places data are asked for before they are needed. In a large model they come from memory.
@@ -86,7 +87,7 @@ void NodalSums::add(domain::Domain& domain, std::span<const Touch> touches, doma
   if (!is_dealt_) dealt_.deal(touches, surface_->node_count(), domain.execution.threads, has_force);
   is_dealt_ = false;
   const Index count = dealt_.shares();
-  shares_.resize(static_cast<std::size_t>(count));
+  if (shares_.size() < static_cast<std::size_t>(count)) shares_.resize(static_cast<std::size_t>(count));
   parallel_for(count, count, [&](Index share) {
     sum(domain, touches, share);
     measure_power(domain, share);
@@ -97,7 +98,7 @@ void NodalSums::add(domain::Domain& domain, std::span<const Touch> touches, doma
   std::swap(previous_damping_, damping_);
   active_.clear();
   Power total;
-  for (const Share& share : shares_) {
+  for (const Share& share : std::span(shares_).first(static_cast<std::size_t>(count))) {
     active_.insert(active_.end(), share.active.begin(), share.active.end());
     for (const Power& power : share.power) total += power;
   }

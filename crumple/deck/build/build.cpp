@@ -205,7 +205,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_tied_contacts(build);
   check_contact_of_null_shells(build);
   build_terminations(build);
-  check_short_curves(build);
+  check_short_curves(build, options.end_time.value_or(build.model.control.end_time));
   build_output(build);
   build_cross_sections(build);
   return std::move(build.model);

@@ -266,8 +266,9 @@ std::vector<Index> bodies_of_nodes(const Build& build);
 // build_motions.cpp
 /// Prescribed motions and loads on rigid bodies.
 void build_motions(Build& build);
-/// Warns once of each curve over time that ends before the run and goes on with another value than zero.
-void check_short_curves(Build& build);
+/// Warns once of each curve of a load, velocity or acceleration that ends before the run and goes on with
+/// another value than zero. `end_time`: of the run [time].
+void check_short_curves(Build& build, double end_time);
 // build_inertia_fields.cpp
 /// Body loads, and damping.
 void build_inertia_fields(Build& build);

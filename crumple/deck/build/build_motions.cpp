@@ -89,15 +89,22 @@ bool may_move(Index node, const RawPrescribedMotion& raw, const Movers& movers, 
   return false;
 }
 
+/// Whether a motion is none, as where a deck holds by it.
+bool is_rest(const model::PrescribedMotion& motion, const model::Model& model) {
+  const auto& ordinates = model.curves[static_cast<std::size_t>(motion.curve)].ordinate;
+  return motion.scale == 0 || std::ranges::all_of(ordinates, [](double value) { return value == 0; });
+}
+
 /// A degree of freedom cannot be held and moved.
 bool is_free(const model::PrescribedMotion& motion, const RawPrescribedMotion& raw, Build& build) {
+  if (is_rest(motion, build.model)) return true;
   const model::RigidBody& body = build.model.rigid_bodies[static_cast<std::size_t>(motion.body)];
   const auto axis = static_cast<std::size_t>(motion.axis);
   if (!(motion.rotation ? body.fixed_rotation : body.fixed_translation)[axis]) return true;
   build.report.error(
       raw.where, "held body",
-      fmt::format("rigid body {} is held {} {} by its *MAT_RIGID or its supports, and cannot be moved so as "
-                  "well; free it there or leave out the motion",
+      fmt::format("rigid body {} is held {} {} by its *MAT_RIGID or its supports, and cannot be moved in "
+                  "the same direction; free it there or leave out the motion",
                   body.id, motion.rotation ? "about" : "along", "xyz"[axis]));
   return false;
 }

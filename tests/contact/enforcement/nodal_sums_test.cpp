@@ -52,6 +52,8 @@ std::vector<Touch> draw_touches(std::mt19937& random, Index places, int count) {
     touch.penetration = draw(random);
     touch.normal = draw_vector(random);
     touch.damping = draw(random);
+    // Damping may take the whole force of the spring.
+    if (draw(random) < 0.2) continue;
     touch.normal_force = draw_vector(random);
     if (draw(random) < 0.5) touch.friction = draw_vector(random);
     for (Vec3& force : touch.couple) force = draw_vector(random);

@@ -97,6 +97,9 @@ extern "C" {
 
 cellsearch_ranks* cellsearch_ranks_create(int32_t communicator) {
   try {
+    // MPI_Comm_f2c itself ends the program before MPI_Init.
+    int is_initialised = 0;
+    if (MPI_Initialized(&is_initialised) != MPI_SUCCESS || is_initialised == 0) return nullptr;
     return new cellsearch_ranks(MPI_Comm_f2c(communicator));
   } catch (...) {
     return nullptr;
