@@ -16,7 +16,7 @@
 namespace crumple::contact {
 namespace {
 
-constexpr Index piece = 256;
+constexpr Index pairs_in_piece = 256;
 
 Configuration now(const Kinematics& motion) {
   return {motion.position.data(), motion.velocity.data(), 0};
@@ -197,11 +197,11 @@ void PinballContact::carry_on(const Configuration& x, const RememberedPinballs& 
 double PinballContact::find(const domain::Domain& /*domain*/, const Kinematics& motion, bool start,
                             domain::ContactReport& /*report*/) {
   const Index rows = pairs_.rows();
-  parts_.resize(static_cast<std::size_t>(pieces(rows, piece)));
-  parallel_for(pieces(rows, piece), motion.threads, [&](Index part) {
+  parts_.resize(static_cast<std::size_t>(pieces(rows, pairs_in_piece)));
+  parallel_for(pieces(rows, pairs_in_piece), motion.threads, [&](Index part) {
     std::vector<PinballPair>& found = parts_[static_cast<std::size_t>(part)];
     found.clear();
-    for (Index first = part * piece; first < std::min((part + 1) * piece, rows); ++first)
+    for (Index first = part * pairs_in_piece; first < std::min((part + 1) * pairs_in_piece, rows); ++first)
       for (std::int64_t at = pairs_.first[first]; at < pairs_.first[first + 1]; ++at) {
         if (slack_[at] > travel_.length()) continue;
         PinballPair pair;

@@ -9,7 +9,7 @@
 namespace crumple::contact {
 namespace {
 
-double squared(double value) {
+double square_of(double value) {
   return value * value;
 }
 
@@ -17,16 +17,16 @@ double squared(double value) {
 
 double CohesiveLaw::used(double across, double along, const CohesiveStiffness& stiffness) const {
   double square = 0;
-  if (failure_.normal_strength > 0) square += across * squared(stiffness.normal / failure_.normal_strength);
-  if (failure_.shear_strength > 0) square += along * squared(stiffness.shear / failure_.shear_strength);
+  if (failure_.normal_strength > 0) square += across * square_of(stiffness.normal / failure_.normal_strength);
+  if (failure_.shear_strength > 0) square += along * square_of(stiffness.shear / failure_.shear_strength);
   return square;
 }
 
 CohesiveLaw::Range CohesiveLaw::range(double opening, double sliding,
                                       const CohesiveStiffness& stiffness) const {
   const double length = std::hypot(std::max(opening, 0.0), sliding);
-  const double across = squared(std::max(opening, 0.0) / length);
-  const double along = squared(sliding / length);
+  const double across = square_of(std::max(opening, 0.0) / length);
+  const double along = square_of(sliding / length);
   const double square = used(across, along, stiffness);
   constexpr double never = std::numeric_limits<double>::max();
   if (!(square > 0)) return {never, never};
@@ -59,7 +59,7 @@ double CohesiveLaw::damage(double opening, double sliding, const CohesiveStiffne
                            double before) const {
   const double length = std::hypot(std::max(opening, 0.0), sliding);
   // Most ties are below their strength, and where they fail takes powers to find.
-  if (used(squared(std::max(opening, 0.0)), squared(sliding), stiffness) <= 1) return before;
+  if (used(square_of(std::max(opening, 0.0)), square_of(sliding), stiffness) <= 1) return before;
   const auto [onset, failure] = range(opening, sliding, stiffness);
   if (length <= onset) return before;
   if (length >= failure) return 1;
