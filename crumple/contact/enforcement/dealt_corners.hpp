@@ -49,15 +49,15 @@ class DealtCorners {
   Index shares() const { return shares_; }
   Index first_place(Index share) const { return first_place_[share]; }
 
-  /// Calls ask(place) for what is soon needed, and add(touch, corner) for all corners of a share in the order
-  /// of the touches. One share alone has all touches, those that do not act as well.
-  template <class Ask, class Add>
-  void for_each(Index share, std::span<const Touch> touches, const Ask& ask, const Add& add) const {
+  /// Calls fetch(place) for what is soon needed, and add(touch, corner) for all corners of a share in the
+  /// order of the touches. One share alone has all touches, those that do not act as well.
+  template <class Prefetch, class Add>
+  void for_each(Index share, std::span<const Touch> touches, const Prefetch& fetch, const Add& add) const {
     constexpr std::size_t ahead = 8;
     if (shares_ == 1) {
       for (std::size_t t = 0; t < touches.size(); ++t) {
         if (t + ahead < touches.size())
-          for (int k = 0; k < touches[t + ahead].nodes; ++k) ask(touches[t + ahead].place[k]);
+          for (int k = 0; k < touches[t + ahead].nodes; ++k) fetch(touches[t + ahead].place[k]);
         for (int k = 0; k < touches[t].nodes; ++k) add(touches[t], k);
       }
       return;
@@ -70,7 +70,7 @@ class DealtCorners {
         prefetch<false>(&touches[own[i + 2 * corners_ahead] / Touch::most_nodes], 1);
       if (i + corners_ahead < own.size()) {
         const std::uint32_t later = own[i + corners_ahead];
-        ask(touches[later / Touch::most_nodes].place[later % Touch::most_nodes]);
+        fetch(touches[later / Touch::most_nodes].place[later % Touch::most_nodes]);
       }
       add(touches[own[i] / Touch::most_nodes], static_cast<int>(own[i] % Touch::most_nodes));
     }

@@ -22,12 +22,12 @@ bool has_force(const Touch& touch) {
   return !is_zero(touch.normal_force) || !is_zero(touch.friction) || touch.damping != 0;
 }
 
-/// By how many places data are asked for before they are needed. In a large model they come from memory.
+/// By how many places data are prefetched before they are needed. In a large model they come from memory.
 constexpr std::size_t places_ahead = 8;
 
-template <class Ask>
-void ask_for_later(std::size_t i, std::span<const Index> places, const Ask& ask) {
-  if (i + places_ahead < places.size()) ask(places[i + places_ahead]);
+template <class Prefetch>
+void prefetch_later(std::size_t i, std::span<const Index> places, const Prefetch& fetch) {
+  if (i + places_ahead < places.size()) fetch(places[i + places_ahead]);
 }
 
 }  // namespace
@@ -62,8 +62,8 @@ NodalSums::Power& NodalSums::Power::operator+=(const Power& other) {
 
 void NodalSums::clear(domain::Domain& domain) const {
   for (std::size_t i = 0; i < active_.size(); ++i) {
-    ask_for_later(i, active_,
-                  [&](Index next) { prefetch<true>(&domain.contact_force[surface_->nodes[next]], 1); });
+    prefetch_later(i, active_,
+                   [&](Index next) { prefetch<true>(&domain.contact_force[surface_->nodes[next]], 1); });
     domain.contact_force[surface_->nodes[active_[i]]] = Vec3{};
   }
 }
@@ -152,7 +152,7 @@ void NodalSums::measure_power(const domain::Domain& domain, Index share) {
   std::ranges::set_union(active, previous, std::back_inserter(both));
   power.resize(both.size());
   for (std::size_t i = 0; i < both.size(); ++i) {
-    ask_for_later(i, both, [&](Index next) {
+    prefetch_later(i, both, [&](Index next) {
       prefetch<false>(&domain.nodes.velocity[surface_->nodes[next]], 1);
       prefetch<true>(&previous_normal_[next], 1);
       prefetch<true>(&previous_friction_[next], 1);
@@ -169,7 +169,7 @@ void NodalSums::measure_power(const domain::Domain& domain, Index share) {
 void NodalSums::hand_over(domain::Domain& domain, Index share) {
   const std::vector<Index>& active = shares_[share].active;
   for (std::size_t i = 0; i < active.size(); ++i) {
-    ask_for_later(i, active, [&](Index next) {
+    prefetch_later(i, active, [&](Index next) {
       prefetch<true>(&domain.contact_force[surface_->nodes[next]], 1);
       prefetch<true>(&domain.nodes.force[surface_->nodes[next]], 1);
     });
