@@ -266,6 +266,7 @@ std::vector<Index> bodies_of_nodes(const Build& build);
 // build_motions.cpp
 /// Prescribed motions and loads on rigid bodies.
 void build_motions(Build& build);
+// short_curves.cpp
 /// Warns once of each curve of a load, velocity or acceleration that ends before the run and goes on with
 /// another value than zero. `end_time`: of the run [time].
 void check_short_curves(Build& build, double end_time);
