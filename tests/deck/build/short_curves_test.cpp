@@ -18,7 +18,8 @@ const std::string load = "*LOAD_NODE_POINT\n2,3,1,-5.0\n";
 TEST(ShortCurves, AreWarnedOfOnce) {
   const auto found = messages_with(curve_to("2") + load + load);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_NE(found[0].find("curve 1 ends at the time 2, and is used until 2.5"), std::string::npos) << found[0];
+  EXPECT_NE(found[0].find("curve 1 ends at the time 2, and is used until 2.5"), std::string::npos)
+      << found[0];
 }
 
 TEST(ShortCurves, MayEndWithTheRunOrWithZero) {

@@ -45,7 +45,8 @@ class MpiTransport final : public Transport {
 
 /// Initialises MPI and ends it: a local variable of main(), made before all transports. After a fault MPI
 /// cannot be ended in order: the destructor then waits a moment, so that the other ranks can say what they
-/// have to say, and ends the whole job by MPI_Abort.
+/// have to say, and ends the whole job by MPI_Abort. Throws std::runtime_error where this MPI cannot be used
+/// beside threads.
 class MpiSession {
  public:
   MpiSession(int& argc, char**& argv);

@@ -53,6 +53,7 @@ bool are_same(const Settings& one, const Settings& other) {
 /// What all ranks return alike leaves them in step. All else must reach the others, which would wait.
 template <class Call>
 int32_t guarded_on_all(cellsearch_ranks* ranks, cellsearch_handle* handle, const Call& call) noexcept {
+  if (ranks != nullptr && handle == nullptr) ranks->transport.fault("The search of a rank is null.");
   return guarded(handle, [&](Handle& own) {
     demand(ranks != nullptr, CELLSEARCH_BAD_ARGUMENT, "The ranks are null.");
     ranks->agreed = false;

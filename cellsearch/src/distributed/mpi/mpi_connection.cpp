@@ -133,6 +133,10 @@ void MpiConnection::report_fault(std::string_view message) noexcept {
 MpiSession::MpiSession(int& argc, char**& argv) {
   int level = MPI_THREAD_SINGLE;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &level);
+  if (level < MPI_THREAD_FUNNELED) {
+    MPI_Finalize();
+    throw std::runtime_error("This MPI cannot be used beside threads (MPI_THREAD_FUNNELED).");
+  }
 }
 
 MpiSession::~MpiSession() {
