@@ -79,7 +79,8 @@ describe("the live page", () => {
     const first = await waitForFrames(page, 0);
     expect((await settings(page)).player.atEnd).toBe(true);
     expect(await page.locator("#strip .state").textContent()).toBe("running");
-    expect(await page.locator("#strip .facts").textContent()).toMatch(/^t = \S+ of 1000 .* \d+ % .* cycle \d+ .* to go$/);
+    // The frame of the start is there before the first cycles are.
+    await expect.poll(() => page.locator("#strip .facts").textContent(), { timeout: 10000 }).toMatch(/^t = \S+ of 1000 .* \d+ % .* cycle \d+ .* to go$/);
 
     await ofReport(page, (frame) => {
       const { report } = frame.crumple!;
