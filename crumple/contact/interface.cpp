@@ -75,6 +75,16 @@ struct Interface::Implementation {
     if (!acting(domain.clock.time) || motion_step >= allowed) motion_step = unlimited;
   }
 
+  /// The same by the stiffness that the touches need so that none gets too deep.
+  void bound_step_by_depth(const domain::Domain& domain) {
+    const double allowed = std::min(step_scale * domain.clock.element_limit, motion_step);
+    depth_step = std::min(tolerances::bounded_step_growth * depth_step,
+                          std::max(forces.longest_step(), tolerances::least_step_for_depth * allowed));
+    if (depth_step >= allowed) depth_step = std::numeric_limits<double>::infinity();
+  }
+
+  double longest_step() const { return std::min(motion_step, depth_step); }
+
   /// Never more than the contact holds: where edges have taken over from nodes, both remember it.
   void book_eroded(double held, domain::ContactReport& entry) const {
     const double booked = std::min(held, std::max(0.0, entry.energy));
@@ -195,6 +205,7 @@ struct Interface::Implementation {
   Multipliers multipliers;
   double step_scale;
   double motion_step = std::numeric_limits<double>::infinity();  ///< bound by fast motion [time]
+  double depth_step = std::numeric_limits<double>::infinity();   ///< bound by deep touches [time]
   Index report;
   long verify_cycles = 0;
   double stored_energy = 0;    ///< by the penalties now [energy]
@@ -230,8 +241,18 @@ void Interface::evaluate_forces(domain::Domain& domain) {
   Implementation& own = *implementation_;
   if (own.contact.enforcement != model::Enforcement::Penalty) return;
   const StageTimer timer(domain.times.contact_forces, &domain.contacts[own.report].times.forces);
-  own.forces.bound_step(domain, own.motion_step);
+  own.forces.bound_step(domain, own.longest_step());
   own.forces.evaluate(domain, own.touches);
+  own.bound_step_by_depth(domain);
+}
+
+void Interface::evaluate_forces_again(domain::Domain& domain, double next_step) {
+  Implementation& own = *implementation_;
+  if (own.contact.enforcement != model::Enforcement::Penalty) return;
+  const StageTimer timer(domain.times.contact_forces, &domain.contacts[own.report].times.forces);
+  own.collect_touches(present(domain));
+  own.forces.bound_step(domain, next_step);
+  own.forces.evaluate(domain, own.touches, next_step);
 }
 
 void Interface::add_forces(domain::Domain& domain) {
@@ -260,7 +281,7 @@ void Interface::add_multipliers(domain::Domain& domain, double interval, double 
 }
 
 double Interface::longest_step() const {
-  return implementation_->motion_step;
+  return implementation_->longest_step();
 }
 
 void Interface::describe(domain::ContactReport& report) const {
@@ -272,11 +293,12 @@ void Interface::declare(domain::StateList& list) {
   list.add("contact_started", "-", domain::Entity::Contact, 1, std::span(&own.started, 1));
   for (const auto& detector : own.detectors) {
     detector->declare_search(list);
-    if (detector == own.detectors.front()) own.forces.sums().declare(list);
+    if (detector == own.detectors.front()) own.forces.declare(list);
     detector->declare_pairs(list);
   }
   list.keep_list("contact_penetrations", "by item", domain::Entity::Contact, 1, own.penetrations);
   list.keep("contact_motion_step", "time", domain::Entity::Contact, own.motion_step);
+  list.keep("contact_depth_step", "time", domain::Entity::Contact, own.depth_step);
   list.keep("contact_stored_energy", "energy", domain::Entity::Contact, own.stored_energy);
   list.keep("contact_statistics", "by item", domain::Entity::Contact, own.statistics);
 }

@@ -71,6 +71,10 @@ class Interface {
   /// Second stage: computes the forces of the touches.
   void evaluate_forces(domain::Domain& domain);
 
+  /// The same again where touches have asked for a next step that is much shorter than the last one, by which
+  /// their forces were computed: else a touch that begins loses or wins energy.
+  void evaluate_forces_again(domain::Domain& domain, double next_step);
+
   /// Third stage: adds the contact forces to nodes.force and domain.contact_force, each node's in the
   /// order of pairs (node, segment), so that the sums are bitwise the same for any number of threads. Updates
   /// the report's energies by the trapezoidal rule, and the stage times.
@@ -81,8 +85,9 @@ class Interface {
   /// `next_step` leads to n+1, `interval` is what velocities will be advanced by.
   void add_multipliers(domain::Domain& domain, double interval, double next_step);
 
-  /// The longest next step that leaves the surfaces time to meet (motion_limit.hpp), after find_touches();
-  /// infinite where nothing is fast [time].
+  /// The longest next step that leaves the surfaces time to meet (motion_limit.hpp), after find_touches(), and
+  /// that allows the stiffness with which none gets too deep, after evaluate_forces(); infinite where nothing
+  /// is fast or deep [time].
   double longest_step() const;
 
   /// Fills what never changes: id, method, number of segments, whether there are two sides.

@@ -141,6 +141,7 @@ class Simulation {
   void compute_forces();
   void scale_masses();
   void add_contact_forces();
+  double longest_contact_step() const;
   void choose_step();
   void close_gaps(double interval);
   void kick(double interval);

@@ -27,6 +27,9 @@ constexpr double step_growth_limit = 10.0;
 /// square of their change, and the loss of the smallest element would change it many times over.
 constexpr double growth_in_a_cycle = 1.1;
 
+/// The next step over the last one, below which the forces of contacts that ask for it are computed again.
+constexpr double much_shorter = 0.9;
+
 /// Multipliers throw nodes to and fro from step to step; steps that change with the forces would make energy
 /// of it. So the step stays as long as it uses most of what is allowed, and changes to the middle of that.
 double steady_step(double last, double allowed) {
@@ -132,7 +135,16 @@ void Simulation::add_contact_forces() {
   for (contact::Interface& contact : contacts_) contact.clear_forces(domain_);
   for (contact::Interface& contact : contacts_) contact.find_touches(domain_);
   for (contact::Interface& contact : contacts_) contact.evaluate_forces(domain_);
+  const double longest = longest_contact_step();
+  if (longest < much_shorter * domain_.clock.step)
+    for (contact::Interface& contact : contacts_) contact.evaluate_forces_again(domain_, longest);
   for (contact::Interface& contact : contacts_) contact.add_forces(domain_);
+}
+
+double Simulation::longest_contact_step() const {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const contact::Interface& contact : contacts_) longest = std::min(longest, contact.longest_step());
+  return longest;
 }
 
 void Simulation::choose_step() {
@@ -147,8 +159,7 @@ void Simulation::choose_step() {
   next_step_ = std::min({next_step_, largest_step_, curve_limit(*model_, domain_.clock.time)});
   for (const contact::TieSprings& springs : tie_springs_)
     next_step_ = std::min(next_step_, springs.longest_step());
-  for (const contact::Interface& contact : contacts_)
-    next_step_ = std::min(next_step_, contact.longest_step());
+  next_step_ = std::min(next_step_, longest_contact_step());
   next_step_ = std::min(next_step_, joint_stiffnesses_.longest_step());
   next_step_ = has_multipliers_ ? steady_step(domain_.clock.step, next_step_)
                                 : held_step_.next(domain_.clock.cycle, domain_.clock.step, next_step_);

@@ -79,6 +79,11 @@ void EdgeContact::relieve_nodes() const {
                   [&](Index edge) { pair.fade *= share_left(found, surface_->nodes[pair.node], edge); });
 }
 
+/// Of the higher one of the two solids that the edges belong to; 0 for edges of shells and beams [length].
+double EdgeContact::height_of(const EdgePair& pair) const {
+  return std::max(edges_.height[pair.key.first], edges_.height[pair.key.second]);
+}
+
 Touch EdgeContact::touch_of(const EdgePair& pair) const {
   Touch touch;
   for (int i = 0; i < 2; ++i) {
@@ -94,6 +99,9 @@ Touch EdgeContact::touch_of(const EdgePair& pair) const {
   touch.reach = edges_.contact_distance(pair.key.first, pair.key.second) > 0
                     ? pair.reach
                     : std::numeric_limits<double>::max();
+  touch.most = std::max(pair.reach, 0.0) +
+               0.5 * edges_.contact_distance(pair.key.first, pair.key.second) +
+               tolerances::deepest_in_solid * height_of(pair);
   touch.stiffness = std::min(edges_.stiffness[pair.key.first], edges_.stiffness[pair.key.second]);
   touch.area = std::min(edges_.area[pair.key.first], edges_.area[pair.key.second]);
   touch.part = {edges_.part[pair.key.first], edges_.part[pair.key.second]};
@@ -141,10 +149,9 @@ void EdgeContact::remember(const Kinematics& motion, std::span<const Touch> touc
                                  edge_shape(edges_.ends(pair.key.second), x), pair.normal)
                             .to_local(friction);
     remembered_.push_back(memory);
-    const double height = std::max(edges_.height[pair.key.first], edges_.height[pair.key.second]);
     if (pair.penetration() > 0 && pair.share > 0)
-      notes.penetrations.push_back({pair.penetration(), std::max(pair.reach, height), node_id(pair), segment,
-                                    std::max(pair.reach, 0.0) + tolerances::deepest_in_solid * height});
+      notes.penetrations.push_back({pair.penetration(), std::max(pair.reach, height_of(pair)), node_id(pair),
+                                    segment, touches[i].most});
   }
   remember_nodes();
 }

@@ -74,6 +74,7 @@ class EdgeContact final : public Detector {
 
  private:
   void relieve_nodes() const;
+  double height_of(const EdgePair& pair) const;
   Touch touch_of(const EdgePair& pair) const;
   UserId node_id(const EdgePair& pair) const;
   void remember_nodes();

@@ -29,18 +29,15 @@ void ask_after(std::size_t i, std::span<const Touch> touches, const Ask& ask) {
   for (int k = 0; k < touch.nodes; ++k) ask(touch.place[k]);
 }
 
-/// Step by which stability is judged: the larger of the last one and what the elements allow now.
-double judged_step(const domain::Domain& domain, double step_scale) {
-  return std::max(domain.clock.step, step_scale * domain.clock.element_limit);
-}
-
 /// Factor on the force because contact begins and ends within steps. `square`: omega^2 that the touch is
 /// expected to have where it begins; where it goes on, its acceleration in the last step tells.
-double factor_in_step(const PenaltyMemory& before, const PenaltyMemory& now, double step, double square) {
+double factor_in_step(const PenaltyMemory& before, const PenaltyMemory& now, const Steps& steps,
+                      double square) {
+  const double step = steps.last;
   const double travel = std::fabs(now.speed) * step;
   if (travel <= 0) return 1;
   if (before.slope_limit <= 0)
-    return now.speed < 0 ? landing_factor(now.depth / travel, square * step * step) : 1;
+    return now.speed < 0 ? landing_factor(now.depth / travel, square * step * step, steps.next / step) : 1;
   if (now.speed < 0 || before.depth <= 0) return 1;
   return leaving_factor(now.depth / travel,
                         std::clamp((now.speed - before.speed) * step / before.depth, 0.0, 1.0));
@@ -102,9 +99,22 @@ void Forces::bound_step(const domain::Domain& domain, double bound) {
   if (share != step_share_) share_step(share);
 }
 
-void Forces::evaluate(const domain::Domain& domain, std::span<Touch> touches) {
+/// Stability is judged by the larger of the last step and of what is allowed now, where it is not known that
+/// the next one is shorter.
+void Forces::set_steps(const domain::Clock& clock, double next) {
+  steps_.last_kick = last_kick_ > 0 ? last_kick_ : clock.step;
+  steps_.last = clock.step;
+  const bool known = next < clock.step;
+  steps_.next = known ? next : clock.step;
+  steps_.kick = 0.5 * (steps_.last + steps_.next);
+  steps_.judged = known ? steps_.kick : std::max(clock.step, step_share_ * clock.element_limit);
+  next_kick_ = known ? steps_.kick : 0;
+}
+
+void Forces::evaluate(const domain::Domain& domain, std::span<Touch> touches, double next_step) {
+  set_steps(domain.clock, next_step);
   const auto count = static_cast<Index>(touches.size());
-  is_limited_.resize(touches.size());
+  outcomes_.assign(static_cast<std::size_t>(pieces(count, piece)), {});
   parallel_for(pieces(count, piece), domain.execution.threads, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i) {
       ask_after(i, touches, [&](Index place) {
@@ -114,10 +124,15 @@ void Forces::evaluate(const domain::Domain& domain, std::span<Touch> touches) {
         prefetch<false>(&domain.nodes.velocity[node], 1);
         prefetch<false>(&domain.contact_weight[node], 1);
       });
-      is_limited_[i] = evaluate_touch(domain, touches[i]) ? 1 : 0;
+      evaluate_touch(domain, touches[i], outcomes_[part]);
     }
   });
-  limited_ = static_cast<Index>(std::count(is_limited_.begin(), is_limited_.end(), 1));
+  limited_ = 0;
+  longest_step_ = std::numeric_limits<double>::infinity();
+  for (const Outcome& outcome : outcomes_) {
+    limited_ += outcome.limited;
+    longest_step_ = std::min(longest_step_, outcome.step);
+  }
 }
 
 /// 1/m* of the touch, each node lending its mass in proportion to the weights of the touches that act on it:
@@ -166,41 +181,84 @@ double Forces::stiffness(const domain::NodeFields& nodes, Touch& touch, double s
   return contact_.mass_stiffness ? by_mass : std::max(touch.stiffness, by_mass);
 }
 
-/// Writes the forces of a touch; true if stability limits its stiffness.
-bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
+/// Penetration beyond the slack that a touch is heading for: where the spring that has the force `force` now
+/// will have stopped its points [length].
+double depth_ahead(double depth, double speed, double force, double inverse) {
+  return force > 0 ? std::sqrt(depth * depth + speed * speed * depth / (force * inverse)) : depth;
+}
+
+/// What is left of the slack at a penetration, by which the points parted in the last step by `apart`: none
+/// that the motion does not explain, as where the touch passes to another place with less penetration
+/// [length].
+double slack_left(const PenaltyMemory& before, double penetration, double apart) {
+  const double expected = std::max(0.0, before.depth - apart);
+  return std::clamp(penetration - expected, 0.0, std::min(before.slack, penetration));
+}
+
+/// Where a touch is heading too deep because stability limits its slope, it gets what the present step
+/// allows, though it began with less, and asks for a shorter step if that does not do either. Its spring then
+/// holds the energy that it held, with a part of the penetration as slack.
+void Forces::hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& outcome) const {
+  PenaltyMemory& now = touch.penalty;
+  const double step = steps_.judged;
+  if (step <= 0 || now.speed >= 0) return;
+  const bool has_middle = touch.reach < std::numeric_limits<double>::max();
+  const double room = has_middle ? 0.9 * touch.reach : tolerances::bounds_step * touch.most;
+  const double depth = touch.penetration - now.slack;
+  const auto ahead = [&](double from) {
+    return touch.penetration - from + depth_ahead(from, now.speed, law.force(from), inverse);
+  };
+  if (ahead(depth) <= room) return;
+  if (!law.is_limited_at(depth)) return;
+  const double limit = budget_ / (step * step * inverse);
+  if (limit > law.limit) {
+    law.limit = now.slope_limit = limit;
+    // A linear spring holds 1/2 k x(n-1) x(n) between two steps: what it would hold in the middle, less this.
+    const double half = -0.5 * now.speed * steps_.last;
+    const double more = depth > 0 ? 0.5 * half * half * law.force(depth) / depth : 0;
+    const double middle = law.penetration_of(std::max(0.0, now.energy) + more, depth);
+    now.slack = touch.penetration - std::min(depth, half + middle);
+  }
+  outcome.step = std::min(outcome.step, step * std::min(1.0, room / ahead(touch.penetration - now.slack)));
+}
+
+/// Writes the forces of a touch, and adds to what is known of all.
+void Forces::evaluate_touch(const domain::Domain& domain, Touch& touch, Outcome& outcome) const {
   if (touch.penetration <= 0) {
     touch.friction = touch.normal_force = Vec3{};
     touch.penalty = {};
-    return false;
+    return;
   }
   const domain::NodeFields& nodes = domain.nodes;
   const double inverse = inverse_mass(domain, touch);
-  const double step = judged_step(domain, step_share_);
+  const double step = steps_.judged;
   Vec3 relative;
   for (int i = 0; i < touch.nodes; ++i)
     relative += touch.weight[i] * nodes.velocity[surface_->nodes[touch.place[i]]];
   const PenaltyMemory before = touch.penalty;
   touch.penalty.slope_limit = slope_limit(before, inverse, step);
-  touch.penalty.depth = touch.penetration;
+  touch.penalty.energy = before.energy - 0.5 * steps_.last_kick * before.force * touch.last_speed;
   touch.penalty.speed = dot(relative, touch.normal);
+  touch.penalty.slack = slack_left(before, touch.penetration, touch.penalty.speed * steps_.last);
   PenaltyLaw law;
   law.stiffness = stiffness(nodes, touch, step);
   law.limit = touch.penalty.slope_limit;
   law.reach = touch.reach;
+  hold_depth(touch, law, inverse, outcome);
+  touch.penalty.depth = touch.penetration - touch.penalty.slack;
   const double stiffness = std::min(law.stiffness, law.limit);
-  const double factor = factor_in_step(before, touch.penalty, domain.clock.step, stiffness * inverse);
+  const double factor = factor_in_step(before, touch.penalty, steps_, stiffness * inverse);
   const double damping = 2 * contact_.viscous_damping * std::sqrt(stiffness / inverse);
   const double acting = touch.share * touch.fade;
-  const double wanted = acting * factor * law.force(touch.penetration);
-  const double spring =
-      passive_spring_force(nodes, before, touch, {wanted, inverse, step, domain.clock.step});
+  const double wanted = acting * factor * law.force(touch.penalty.depth);
+  const double spring = passive_spring_force(nodes, before, touch, wanted, inverse);
   // Damping may take the force down to zero, but never pulls.
   const double size = std::max(0.0, spring - acting * damping * touch.penalty.speed);
 
   touch.normal_force = size * touch.normal;
   touch.damping = size - spring;
   add_friction(domain, touch, law.stiffness, inverse);
-  return law.limit < law.stiffness;
+  if (law.limit < law.stiffness) ++outcome.limited;
 }
 
 /// Force of the contact spring, limited so that the spring never returns more energy than it has absorbed
@@ -208,10 +266,10 @@ bool Forces::evaluate_touch(const domain::Domain& domain, Touch& touch) const {
 /// without an approach (another point of the surface becomes the nearest, a share grows, a node changes
 /// sides) would create energy [force].
 double Forces::passive_spring_force(const domain::NodeFields& nodes, const PenaltyMemory& before,
-                                    Touch& touch, const Spring& spring) const {
-  const auto& [wanted, inverse, step, last_step] = spring;
+                                    Touch& touch, double wanted, double inverse) const {
   PenaltyMemory& now = touch.penalty;
-  double energy = before.energy - 0.5 * last_step * before.force * touch.last_speed;
+  const double step = steps_.judged;
+  double energy = now.energy;
   if (before.slope_limit <= 0 && touch.starts_loaded)
     energy = std::max(energy, 0.5 * wanted * touch.penetration);
   now.force = wanted;
@@ -226,7 +284,7 @@ double Forces::passive_spring_force(const domain::NodeFields& nodes, const Penal
     touch.withheld = std::max(0.0, wanted - most);
     now.force = std::min(wanted, most);
   }
-  now.energy = energy - 0.5 * last_step * now.force * now.speed;
+  now.energy = energy - 0.5 * steps_.kick * now.force * now.speed;
   now.most_energy = std::max(now.most_energy, now.energy);
   return now.force;
 }
@@ -278,7 +336,7 @@ void Forces::add_friction(const domain::Domain& domain, Touch& touch, double sti
           std::max(lightest, domain.contact_weight[node] / (lent_weight(touch.weight[i]) * nodes.mass[node]));
     }
     const double turning = couple.largest_square(arm) * lightest;
-    const double step = judged_step(domain, step_share_);
+    const double step = steps_.judged;
     if (step > 0)
       stiffness = std::min(stiffness, friction_budget(touch.penalty.slope_limit * step * step * inverse) /
                                           (step * step * (inverse + turning)));

@@ -24,7 +24,7 @@
 // for all. Multipliers (multipliers.hpp) replace count() and evaluate(): predict(), then solve() for the
 // forces that leave no penetration at the end of the next step.
 
-#include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -37,6 +37,15 @@
 #include "model/model.hpp"
 
 namespace crumple::contact {
+
+/// The steps around time n as the springs see them.
+struct Steps {
+  double judged = 0;     ///< by which stability is judged [time]
+  double last = 0;       ///< from n-1 to n [time]
+  double next = 0;       ///< from n to n+1, as far as it is known [time]
+  double last_kick = 0;  ///< from n-3/2 to n-1/2: what the forces of n-1 acted for [time]
+  double kick = 0;       ///< the same of the forces now [time]
+};
 
 /// Turns contacts into nodal forces and keeps their energy.
 class Forces {
@@ -56,7 +65,9 @@ class Forces {
   void count(domain::Domain& domain, std::span<const Touch> touches) { sums_.count(domain, touches); }
 
   /// Computes the forces of all touches by the penalty law. The touches of all contacts have been counted.
-  void evaluate(const domain::Domain& domain, std::span<Touch> touches);
+  /// `next_step`: from n to n+1 at most, where it is known to be shorter than the last one [time].
+  void evaluate(const domain::Domain& domain, std::span<Touch> touches,
+                double next_step = std::numeric_limits<double>::infinity());
 
   /// Adds the forces that the touches have to nodes.force and domain.contact_force, and the work since the
   /// last call to the report. The force on the second point is that on the first, reversed, and each is
@@ -64,13 +75,23 @@ class Forces {
   /// touches. Takes the touches out of domain.contact_weight.
   void apply(domain::Domain& domain, std::span<const Touch> touches, domain::ContactReport& report) {
     sums_.add(domain, touches, report);
+    last_kick_ = next_kick_;
   }
 
   /// Touches of the last call whose stiffness the stability limit cut.
   Index limited() const { return limited_; }
 
+  /// The longest next step with which no touch of the last call gets too deep because stability limits its
+  /// stiffness; infinite where none does [time].
+  double longest_step() const { return longest_step_; }
+
   /// Nodal forces of the last call.
   const NodalSums& sums() const { return sums_; }
+  /// Declares what the next call needs to know of this one.
+  void declare(domain::StateList& list) {
+    sums_.declare(list);
+    list.keep("contact_last_kick", "time", domain::Entity::Contact, last_kick_);
+  }
   NodalSums& sums() { return sums_; }
 
  private:
@@ -78,17 +99,17 @@ class Forces {
   double inverse_mass(const domain::Domain& domain, const Touch& touch) const;
   double stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const;
   double stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const;
-  bool evaluate_touch(const domain::Domain& domain, Touch& touch) const;
-  /// Input of passive_spring_force().
-  struct Spring {
-    double wanted = 0;     ///< force by the penalty law [force]
-    double inverse = 0;    ///< 1/m* with the shared masses [1/mass]
-    double step = 0;       ///< from n to n+1 at most [time]
-    double last_step = 0;  ///< from n-1 to n [time]
+  /// What the evaluation of touches has found.
+  struct Outcome {
+    Index limited = 0;                                            ///< by stability
+    double step = std::numeric_limits<double>::infinity();  ///< at most, for depth [time]
   };
+  void hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& outcome) const;
+  void evaluate_touch(const domain::Domain& domain, Touch& touch, Outcome& outcome) const;
   double whole_inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const;
   double passive_spring_force(const domain::NodeFields& nodes, const PenaltyMemory& before, Touch& touch,
-                              const Spring& spring) const;
+                              double wanted, double inverse) const;
+  void set_steps(const domain::Clock& clock, double next);
   double slope_limit(const PenaltyMemory& before, double inverse, double step) const;
   double friction_budget(double used) const;
   void add_friction(const domain::Domain& domain, Touch& touch, double stiffness, double inverse) const;
@@ -103,8 +124,12 @@ class Forces {
   double step_share_ = 1;      ///< of the elements' stable step that a step is at most now
   double budget_ = 0;          ///< of a touch that begins
   double largest_budget_ = 0;  ///< of one that goes on
+  Steps steps_;
+  double last_kick_ = 0;  ///< from n-3/2 to n-1/2 where it was not as long as the last step, else 0 [time]
+  double next_kick_ = 0;
   Index limited_ = 0;
-  std::vector<std::uint8_t> is_limited_;  ///< by touch
+  double longest_step_ = std::numeric_limits<double>::infinity();  ///< by depth [time]
+  std::vector<Outcome> outcomes_;                                  ///< by piece of the touches
 };
 
 }  // namespace crumple::contact

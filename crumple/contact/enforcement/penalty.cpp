@@ -8,19 +8,52 @@
 
 namespace crumple::contact {
 
+/// By how much the slope grows in a length, from half of the reach on [force/length^2].
+double PenaltyLaw::growth() const {
+  return (tolerances::stiffening - 1) * stiffness / (0.5 * reach);
+}
+
+/// Slope where it does not grow: up to half of the reach, or everywhere [force/length].
+double PenaltyLaw::even_slope() const {
+  return std::min(limit, reach > 0 ? stiffness : tolerances::stiffening * stiffness);
+}
+
+bool PenaltyLaw::grows() const {
+  return reach > 0 && limit > stiffness;
+}
+
+bool PenaltyLaw::is_limited_at(double penetration) const {
+  return grows() ? limit < stiffness + growth() * (penetration - 0.5 * reach) : limit <= even_slope();
+}
+
 double PenaltyLaw::force(double penetration) const {
   if (penetration <= 0) return 0;
-  if (limit <= stiffness) return limit * penetration;
-  const double half = 0.5 * reach;
-  if (penetration <= half) return stiffness * penetration;
-  const double growth = std::min(tolerances::stiffening * stiffness, limit) - stiffness;
-  if (half <= 0) return (stiffness + growth) * penetration;
-  // The slope grows by `rate` per length until it has grown by `growth`, which takes `ramp`.
-  const double rate = (tolerances::stiffening - 1) * stiffness / half;
-  const double ramp = growth / rate;
-  const double beyond = penetration - half;
-  const double on_ramp = std::min(beyond, ramp);
-  return stiffness * penetration + rate * on_ramp * (0.5 * on_ramp + (beyond - on_ramp));
+  const double beyond = penetration - 0.5 * reach;
+  if (!grows() || beyond <= 0) return even_slope() * penetration;
+  const double ramp = std::min(beyond, (limit - stiffness) / growth());
+  return stiffness * penetration + growth() * ramp * (0.5 * ramp + (beyond - ramp));
+}
+
+double PenaltyLaw::energy(double penetration) const {
+  if (penetration <= 0) return 0;
+  const double beyond = penetration - 0.5 * reach;
+  const double even = 0.5 * even_slope() * penetration * penetration;
+  if (!grows() || beyond <= 0) return even;
+  const double ramp = std::min(beyond, (limit - stiffness) / growth());
+  const double rest = beyond - ramp;
+  return even + growth() * ramp * (ramp * ramp / 6 + 0.5 * rest * (ramp + rest));
+}
+
+double PenaltyLaw::penetration_of(double wanted, double most) const {
+  constexpr int halvings = 50;
+  if (!grows()) return std::min(most, std::sqrt(2 * wanted / even_slope()));
+  double low = 0;
+  double high = most;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (energy(middle) < wanted ? low : high) = middle;
+  }
+  return high;
 }
 
 double stability_budget(double step_scale, double stiffness_scale) {
@@ -30,12 +63,14 @@ double stability_budget(double step_scale, double stiffness_scale) {
                             tolerances::budget_over_stiffness_scale * stiffness_scale}));
 }
 
-double landing_factor(double depth, double square) {
+double landing_factor(double depth, double square, double next) {
   if (depth >= 1) return 1;
-  // 1/2 e g^2 - (1 + 1/2 e) g + 1/2 (1 + a) = 0 with e = a (omega dt)^2, g the factor.
+  // With e = a (omega dt)^2, r the next step over this one, h = 1/2 (1 + r) and g the factor
+  // e h^2 g^2 - (2 + e r) h g + a + r = 0.
   const double e = depth * square;
-  const double half = 1 + 0.5 * e;
-  return (1 + depth) / (half + std::sqrt(half * half - e * (1 + depth)));
+  const double half = 1 + 0.5 * e * next;
+  const double root = std::sqrt(std::max(0.0, half * half - e * (next + depth)));
+  return (next + depth) / (0.5 * (1 + next) * (half + root));
 }
 
 double leaving_factor(double depth, double square) {

@@ -4,9 +4,9 @@
 namespace crumple::contact {
 
 /// Force between a node and a segment over their penetration d [length]. Linear with the penalty stiffness k
-/// until half of the reach is used up; from there to the mid-surface the slope grows linearly to 10 k, and
-/// stays there beyond. The slope never exceeds the limit that stability sets. The force has a potential as
-/// long as the limit does not change.
+/// until half of the reach is used up; from there on the slope grows linearly, to 10 k at the mid-surface and
+/// further behind it. It never exceeds the limit that stability sets. The force has a potential as long as
+/// the limit does not change.
 struct PenaltyLaw {
   double stiffness = 0;  ///< k [force/length]
   double limit = 0;      ///< largest slope [force/length]
@@ -14,13 +14,25 @@ struct PenaltyLaw {
 
   /// Repelling force [force], zero for d <= 0.
   double force(double penetration) const;
+  /// Work that it takes to get to d [energy].
+  double energy(double penetration) const;
+  /// Penetration that takes that work, `most` if that takes less [length].
+  double penetration_of(double energy, double most) const;
+  /// True if the slope at d would be larger without the limit.
+  bool is_limited_at(double penetration) const;
+
+ private:
+  double growth() const;
+  double even_slope() const;
+  bool grows() const;
 };
 
 /// What the penalty remembers of a touch from one step to the next.
 struct PenaltyMemory {
   double stiffness = 0;    ///< by masses and step; 0 if there was none [force/length]
   double slope_limit = 0;  ///< largest slope of the force by stability; 0 if there was none [force/length]
-  double depth = 0;        ///< penetration [length]
+  double slack = 0;  ///< penetration at which the force begins, where the slope grew under load [length]
+  double depth = 0;        ///< penetration beyond that [length]
   double speed = 0;        ///< at which the two points part [length/time]
   double force = 0;        ///< of the spring, without damping [force]
   double energy = 0;       ///< absorbed by the spring and not yet returned [energy]
@@ -49,8 +61,8 @@ double stability_budget(double step_scale, double stiffness_scale = 1);
 /// a part of a step, and with the full force of that depth they lose (omega dt)^2 a (1 - a) of the kinetic
 /// energy, with a the depth over the approach in the step. With this factor the first step keeps the
 /// invariant of the scheme, v(n+1/2)^2 + omega^2 x(n) x(n+1) (own derivation). `depth`: a; 1 if that is 1 or
-/// more. `square`: (omega dt)^2 of the contact, below 1.
-double landing_factor(double depth, double square);
+/// more. `square`: (omega dt)^2 of the contact, below 1. `next`: the next step over this one.
+double landing_factor(double depth, double square, double next = 1);
 
 /// The same for the last step, mirrored in time. `depth`: penetration over the movement outwards in the last
 /// step; returns 1 if the node will still be inside after the next.

@@ -10,6 +10,7 @@
 #include "contact/surface/segment_shape.hpp"
 #include "contact/surface/sides.hpp"
 #include "contact/surface/surface.hpp"
+#include "contact/tolerances.hpp"
 
 namespace crumple::contact {
 
@@ -24,6 +25,12 @@ double node_stiffness(const Surface& surface, const Configuration& x, const Cont
   return sum > 0 ? sum : surface.node_stiffness[pair.node];
 }
 
+double most_penetration(const Surface& surface, const ContactPair& pair) {
+  const double shells = std::max(pair.reach, 0.0) + surface.half_thickness[pair.segment];
+  if (!surface.is_face(pair.segment)) return shells;
+  return shells + tolerances::deepest_in_solid * surface.height[pair.segment];
+}
+
 Touch touch_of(const Surface& surface, const ContactPair& pair) {
   Touch touch;
   touch.add(pair.node, 1);
@@ -34,6 +41,7 @@ Touch touch_of(const Surface& surface, const ContactPair& pair) {
   touch.penetration = pair.acts() ? pair.penetration() : 0;
   // Behind a face there is no mid-surface that a strong squeeze would reach.
   touch.reach = surface.is_face(pair.segment) ? std::numeric_limits<double>::max() : pair.reach;
+  touch.most = most_penetration(surface, pair);
   touch.stiffness = std::min(surface.node_stiffness[pair.node], surface.stiffness[pair.segment]);
   touch.area = surface.area[pair.segment];
   touch.part = {surface.node_part[pair.node], surface.segment_part[pair.segment]};

@@ -132,10 +132,7 @@ void NodeContact::remember(const Kinematics& motion, std::span<const Touch> touc
     notes.note_force(touch, node, pair.offset);
     if (pair.penetration() <= 0 || !pair.acts()) continue;
     const double height = surface_->is_face(pair.segment) ? surface_->height[pair.segment] : pair.reach;
-    const double most =
-        std::max(pair.reach, 0.0) + surface_->half_thickness[pair.segment] +
-        (surface_->is_face(pair.segment) ? tolerances::deepest_in_solid * surface_->height[pair.segment] : 0);
-    notes.penetrations.push_back({pair.penetration(), height, node, segment, most});
+    notes.penetrations.push_back({pair.penetration(), height, node, segment, touch.most});
   }
 }
 
