@@ -85,9 +85,9 @@ class Interface {
   /// `next_step` leads to n+1, `interval` is what velocities will be advanced by.
   void add_multipliers(domain::Domain& domain, double interval, double next_step);
 
-  /// The longest next step that leaves the surfaces time to meet (motion_limit.hpp), after find_touches(), and
-  /// that allows the stiffness with which none gets too deep, after evaluate_forces(); infinite where nothing
-  /// is fast or deep [time].
+  /// The longest next step that leaves the surfaces time to meet (motion_limit.hpp), after find_touches(),
+  /// and that allows the stiffness with which none gets too deep, after evaluate_forces(); infinite where
+  /// nothing is fast or deep [time].
   double longest_step() const;
 
   /// Fills what never changes: id, method, number of segments, whether there are two sides.

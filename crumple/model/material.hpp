@@ -31,7 +31,7 @@ struct PlasticKinematic {
   double cowper_symonds_rate = 0;      ///< C [1/time]; 0 switches the rate effect off
   double cowper_symonds_exponent = 0;  ///< p [-]
   double failure_strain = 0;           ///< effective plastic strain at failure; 0 is none
-  bool viscoplastic = false;           ///< the rate is the plastic strain's, else the total one
+  bool viscoplastic = false;  ///< VP = 1; the rate is the plastic strain's in any case, but in trusses
 };
 
 /// A hardening curve at one strain rate.
@@ -50,7 +50,7 @@ struct PiecewiseLinearPlasticity {
   double cowper_symonds_rate = 0;      ///< C [1/time]; 0 switches the rate effect off
   double cowper_symonds_exponent = 0;  ///< p [-]
   double failure_strain = 0;           ///< effective plastic strain at failure; 0 is none
-  bool viscoplastic = false;           ///< the rate is the plastic strain's, else the total one
+  bool viscoplastic = false;           ///< see PlasticKinematic
   double viscoplastic_base = 0;        ///< what the Cowper-Symonds term multiplies then; 0: the yield stress
   std::vector<double> factor_rate{};   ///< a curve of factors over strain rates, ascending; or empty
   std::vector<double> rate_factor{};   ///< [-]
@@ -77,7 +77,7 @@ struct PowerLawPlasticity {
   double cowper_symonds_rate = 0;      ///< C [1/time]; 0 switches the rate effect off
   double cowper_symonds_exponent = 0;  ///< p [-]
   double failure_strain = 0;           ///< effective plastic strain at failure; 0 is none
-  bool viscoplastic = false;           ///< the rate is the plastic strain's, else the total one
+  bool viscoplastic = false;           ///< see PlasticKinematic
 };
 
 /// (A + B p^n) (1 + C ln(rate / reference)) (1 - T*^m) after Johnson & Cook, with their failure criterion
@@ -105,7 +105,7 @@ struct JohnsonCook {
   double failure_strain = 0;         ///< effective plastic strain at failure; 0 is none
   std::array<double, 5> damage{};    ///< D1 to D5 of the fracture strain [-]; all zero is none
   double least_fracture_strain = 0;  ///< lower bound of D1 + D2 exp(D3 s) [-]
-  bool viscoplastic = false;         ///< the rate is the plastic strain's, else the total one
+  bool viscoplastic = false;         ///< see PlasticKinematic
   double shear_modulus = 0;   ///< G where an equation of state gives the pressure; 0: of E and nu [stress]
   double least_pressure = 0;  ///< pressure cut-off of solids, below zero; 0 is none [stress]
   Spall spall = Spall::None;  ///< what happens to solids at the cut-off

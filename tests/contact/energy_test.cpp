@@ -29,13 +29,35 @@ TEST(Penalty, ForceIsContinuousAndItsSlopeIsLimited) {
     last_slope = slope;
   }
   test::verified("penalty: slope deep inside", "the limit").near(last_slope, 600, 1e-5);
-  law.limit = 1e9;  // unlimited: ten times the stiffness from the mid-surface on
-  EXPECT_NEAR((law.force(0.3) - law.force(0.25)) / 0.05, 1000, 1e-6);
+  EXPECT_TRUE(law.is_limited_at(0.16));
+  law.limit = 1e9;  // unlimited: ten times the stiffness at the mid-surface, and on
+  EXPECT_FALSE(law.is_limited_at(0.3));
+  EXPECT_NEAR((law.force(0.2 + h) - law.force(0.2 - h)) / (2 * h), 1000, 1e-3);
+  EXPECT_NEAR((law.force(0.3 + h) - law.force(0.3 - h)) / (2 * h), 1900, 1e-3);
   // 100 * 0.2 and the integral of the growing slope, 900 over 0.1: 1/2 * 900 * 0.1.
   test::verified("penalty: force at the mid-surface", "integral of the slope")
       .near(law.force(0.2), 20 + 45, 1e-10);
   law.limit = 30;
   EXPECT_DOUBLE_EQ(law.force(0.15), 4.5);
+  EXPECT_TRUE(law.is_limited_at(0.01));
+}
+
+// The energy is the integral of the force, whatever limits it, and its inverse gives the penetration back.
+TEST(Penalty, EnergyIsTheIntegralOfTheForce) {
+  for (const double limit : {30.0, 600.0, 1e9}) {
+    const contact::PenaltyLaw law{100.0, limit, 0.2};
+    double work = 0;
+    constexpr int parts = 4000;
+    constexpr double width = 0.4 / parts;
+    for (int i = 0; i < parts; ++i) {
+      work += width * law.force((i + 0.5) * width);
+      if (i % 1000 != 999) continue;
+      const double depth = (i + 1) * width;
+      EXPECT_NEAR(law.energy(depth), work, 1e-6 * work) << limit << ' ' << depth;
+      EXPECT_NEAR(law.penetration_of(law.energy(depth), 1), depth, 1e-9);
+    }
+    EXPECT_EQ(law.penetration_of(law.energy(0.4), 0.3), 0.3);
+  }
 }
 
 TEST(Penalty, DecayIsTheExponentialFunction) {

@@ -120,7 +120,8 @@ TEST_P(EveryIsa, CowperSymondsScalesTheYieldStress) {
     const double step = 1e-6;
     const double shear = std::sqrt(3.0) * rate * step;  // effective rate of pure shear: gamma rate / sqrt(3)
     const double steps = 0.01 / shear;
-    for (int i = 0; i < 20; ++i) point.apply({0, 0, 0.0005, 0, 0}, steps / 20 * step);
+    // In steady flow without hardening all strain is plastic.
+    for (int i = 0; i < 400; ++i) point.apply({0, 0, 0.0005, 0, 0}, steps / 20 * step);
     const double expected = initial_yield * (1 + std::pow(rate / 40.4, 0.2)) / std::sqrt(3.0);
     off.compare(point.stress()[2], expected, expected, "rate " + std::to_string(rate));
   }

@@ -193,7 +193,8 @@ TEST_P(Solid, CowperSymondsScalesTheYieldStress) {
     SolidDriver<double> point(plastic_kinematic(0, 1, 40.4, 5), GetParam());
     const double shear = 0.0005;
     // The effective rate of pure shear is the shear rate over sqrt(3).
-    for (int i = 0; i < 20; ++i) point.apply({0, 0, 0, 0, shear, 0}, shear / root3 / rate);
+    // In steady flow without hardening all strain is plastic.
+    for (int i = 0; i < 400; ++i) point.apply({0, 0, 0, 0, shear, 0}, shear / root3 / rate);
     const double expected = initial_yield * (1 + std::pow(rate / 40.4, 0.2)) / root3;
     off.compare(point.stress()[4], expected, expected, "rate " + std::to_string(rate));
   }

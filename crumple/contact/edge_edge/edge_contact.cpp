@@ -99,8 +99,7 @@ Touch EdgeContact::touch_of(const EdgePair& pair) const {
   touch.reach = edges_.contact_distance(pair.key.first, pair.key.second) > 0
                     ? pair.reach
                     : std::numeric_limits<double>::max();
-  touch.most = std::max(pair.reach, 0.0) +
-               0.5 * edges_.contact_distance(pair.key.first, pair.key.second) +
+  touch.most = std::max(pair.reach, 0.0) + 0.5 * edges_.contact_distance(pair.key.first, pair.key.second) +
                tolerances::deepest_in_solid * height_of(pair);
   touch.stiffness = std::min(edges_.stiffness[pair.key.first], edges_.stiffness[pair.key.second]);
   touch.area = std::min(edges_.area[pair.key.first], edges_.area[pair.key.second]);

@@ -101,7 +101,7 @@ class Forces {
   double stiffness_by_mass(const domain::NodeFields& nodes, const Touch& touch, double step) const;
   /// What the evaluation of touches has found.
   struct Outcome {
-    Index limited = 0;                                            ///< by stability
+    Index limited = 0;                                      ///< by stability
     double step = std::numeric_limits<double>::infinity();  ///< at most, for depth [time]
   };
   void hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& outcome) const;

@@ -31,7 +31,7 @@ struct Touch {
   std::array<double, most_nodes> weight{};
   Vec3 normal;             ///< unit vector in which the first point is pushed
   double penetration = 0;  ///< [length]
-  double reach = 0;       ///< penetration at which the mid-surfaces meet; the largest number if they never do
+  double reach = 0;  ///< penetration at which the mid-surfaces meet; the largest number if they never do
   /// Penetration that leaves no doubt that the contact has not held: through the whole thickness of a shell,
   /// to the middle of a solid behind a face; the largest number if there is none [length].
   double most = std::numeric_limits<double>::max();
@@ -61,7 +61,9 @@ struct Touch {
   /// On the first point, once the forces are known [force].
   Vec3 force() const { return normal_force + friction; }
   /// By the penalty, as a spring of its mean stiffness [energy].
-  double stored_energy() const { return 0.5 * norm(normal_force) * std::max(0.0, penetration - penalty.slack); }
+  double stored_energy() const {
+    return 0.5 * norm(normal_force) * std::max(0.0, penetration - penalty.slack);
+  }
   bool is_raised() const { return height[0] != 0 || height[1] != 0; }
 
   void add(Index node_place, double node_weight) {

@@ -13,7 +13,7 @@ namespace row {
 
 inline constexpr Check poisson = between(-1, 0.5, "Poisson's ratio of an elastic solid");
 inline constexpr Field viscoplastic_field =
-    only("VP", {0, 1}, "0 scales the yield stress by the total strain rate, 1 is viscoplastic");
+    only("VP", {0, 1}, "0 multiplies the yield stress, 1 adds to it where the law tells them apart");
 
 /// The same of laws whose rates are all on the card: take_viscoplastic() checks its value.
 inline constexpr Field viscoplastic_value = real("VP");

@@ -69,7 +69,9 @@ std::vector<double> JohnsonCookLaw::constants(const model::Material& material) {
   numbers[Saturation] = law.saturation_stress > 0 ? law.saturation_stress : never;
   numbers[RateCoefficient] = law.rate_coefficient;
   numbers[ReferenceRate] = law.reference_rate;
-  numbers[Viscoplastic] = law.viscoplastic ? 1 : 0;
+  // By the rate of the plastic strain, for which the return solves (cowper_symonds.hpp), but where bounds
+  // follow from the factor before the return.
+  numbers[Viscoplastic] = law.largest_hardened > 0 || law.saturation_stress > 0 ? 0 : 1;
   numbers[Failure] = law.failure_strain;
   numbers[ThermalExponent] = law.thermal_exponent;
   numbers[Softens] = softens(law) ? 1 : 0;

@@ -52,9 +52,9 @@ std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Materia
   numbers[Failure] = law.failure_strain;
   // The return brackets its root by the least yield stress there can be: factors may fall with the rate.
   const auto factors = std::minmax_element(law.rate_factor.begin(), law.rate_factor.end());
-  numbers[Least] = has_factors && law.viscoplastic ? least * *factors.first / *factors.second : least;
-  numbers[Viscoplastic] = law.viscoplastic ? 1 : 0;
-  numbers[Base] = law.viscoplastic_base;
+  numbers[Least] = has_factors ? least * *factors.first / *factors.second : least;
+  // VP = 0 multiplies the whole yield stress.
+  numbers[Base] = law.viscoplastic ? law.viscoplastic_base : 0;
   numbers[Logarithmic] = law.logarithmic_rates ? 1 : 0;
   numbers[Factors] = has_factors ? static_cast<double>(law.factor_rate.size()) : 0;
   numbers[Curves] = static_cast<double>(curves.size());

@@ -17,28 +17,27 @@ struct TabulatedHardening {
   const double* curves;  ///< of each curve: its rate, its number of rows, the rows
   int curve_count;
   Real least_stress;
-  bool logarithmic;   ///< rates are natural logarithms, and so is the interpolation
-  bool plastic_rate;  ///< the rate is that of the plastic strain
-  Real per_step;      ///< 1 / dt; 0 for the slowest curve alone
+  bool logarithmic;  ///< rates are natural logarithms, and so is the interpolation
+  Real per_step;     ///< 1 / dt; 0 for the slowest curve alone
 
   template <class Strain, class Pack>
-  CRUMPLE_INLINE Pack aside(const Strain& strain, const Pack& factor) const {
-    if (curve_count == 1) return factor;
-    return plastic_rate ? Pack(Real(0)) : Pack(Pack(per_step) * effective_strain(strain));
+  CRUMPLE_INLINE Pack aside(const Strain& /*strain*/, const Pack& factor) const {
+    return curve_count == 1 ? factor : Pack(Real(0));
   }
-  CRUMPLE_INLINE bool viscoplastic() const { return curve_count > 1 && plastic_rate; }
+  CRUMPLE_INLINE bool viscoplastic() const { return curve_count > 1; }
 
+  /// `increment`: of the plastic strain in the step.
   template <class Pack>
-  CRUMPLE_INLINE YieldPoint<Pack> at(const Pack& strain, const Pack& aside) const {
+  CRUMPLE_INLINE YieldPoint<Pack> at(const Pack& strain, const Pack& increment) const {
     const double* curve = curves;
     YieldPoint<Pack> found = table(curve).at(strain);
     if (curve_count == 1) return found;
-    const Pack rate = plastic_rate ? Pack(Pack(per_step) * aside) : aside;
+    const Pack rate = Pack(per_step) * increment;
     const Pack tiny(Real(1e-30));
     const Pack x =
         logarithmic ? Pack(Pack(Real(0.69314718055994531)) * math::binary_log(larger(rate, tiny))) : rate;
     // d x / d (plastic strain increment)
-    Pack x_slope(plastic_rate ? per_step : Real(0));
+    Pack x_slope(per_step);
     if (logarithmic) x_slope = x_slope / larger(rate, tiny);
     YieldPoint<Pack> lower = found;
     for (int k = 1; k < curve_count; ++k) {
@@ -78,20 +77,19 @@ struct TabulatedRate {
   CowperSymonds<Real> power;
   PointTable<Real> curve;  ///< no rows: the power
   Real per_step;           ///< 1 / dt; 0 switches the curve off
-  bool viscoplastic;
+  bool viscoplastic;       ///< the rate is that of the plastic strain, for which the return solves
 
   CRUMPLE_INLINE TabulatedRate(const CowperSymonds<Real>& cowper_symonds, const PointTable<Real>& factors,
-                               Real step, bool by_plastic_strain)
+                               Real step)
       : power(cowper_symonds),
         curve(factors),
         per_step(step > 0 ? Real(1) / step : Real(0)),
-        viscoplastic(factors.count > 0 ? by_plastic_strain : cowper_symonds.viscoplastic) {}
+        viscoplastic(factors.count > 0 || cowper_symonds.viscoplastic) {}
 
   template <template <class> class Strain, class Pack>
   CRUMPLE_INLINE Pack factor(const Strain<Pack>& strain) const {
     if (curve.count == 0) return power.factor(strain);
-    if (viscoplastic) return curve.at(Pack(Real(0))).stress;
-    return curve.at(Pack(Pack(per_step) * effective_strain(strain))).stress;
+    return curve.at(Pack(Real(0))).stress;
   }
 
   template <class Pack>
@@ -117,20 +115,7 @@ struct PiecewiseLinearPlasticityLaw {
   static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
 
   /// Places of the constants; the curve of factors follows, then the curves of hardening.
-  enum Place {
-    Youngs,
-    Poissons,
-    Rate,
-    Exponent,
-    Failure,
-    Least,
-    Viscoplastic,
-    Base,
-    Logarithmic,
-    Factors,
-    Curves,
-    Rows
-  };
+  enum Place { Youngs, Poissons, Rate, Exponent, Failure, Least, Base, Logarithmic, Factors, Curves, Rows };
 
   template <class Plasticity>
   struct UpdateOf : Plasticity {
@@ -145,18 +130,14 @@ struct PiecewiseLinearPlasticityLaw {
 
     CRUMPLE_INLINE static Hardening hardening_of(const Task& task) {
       const double* const c = task.constants;
-      return {c + Rows + 3 * static_cast<int>(c[Factors]),
-              static_cast<int>(c[Curves]),
-              static_cast<Real>(c[Least]),
-              c[Logarithmic] != 0,
-              c[Viscoplastic] != 0,
+      return {c + Rows + 3 * static_cast<int>(c[Factors]), static_cast<int>(c[Curves]),
+              static_cast<Real>(c[Least]), c[Logarithmic] != 0,
               task.step > 0 ? Real(1) / task.step : Real(0)};
     }
     CRUMPLE_INLINE static RateEffect rate_of(const Task& task) {
       const double* const c = task.constants;
-      const bool by_plastic_strain = c[Viscoplastic] != 0;
-      return {CowperSymonds<Real>(c[Rate], c[Exponent], task.step, by_plastic_strain, c[Base]),
-              PointTable<Real>{c + Rows, static_cast<int>(c[Factors])}, task.step, by_plastic_strain};
+      return {CowperSymonds<Real>(c[Rate], c[Exponent], task.step, true, c[Base]),
+              PointTable<Real>{c + Rows, static_cast<int>(c[Factors])}, task.step};
     }
   };
   template <class Pack>

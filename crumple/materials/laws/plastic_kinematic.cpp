@@ -33,8 +33,7 @@ std::vector<double> PlasticKinematicLaw::constants(const model::Material& materi
           (1 - law.isotropic_fraction) * plastic_modulus,
           law.cowper_symonds_rate,
           law.cowper_symonds_exponent,
-          law.failure_strain,
-          law.viscoplastic ? 1.0 : 0.0};
+          law.failure_strain};
 }
 
 }  // namespace crumple::materials

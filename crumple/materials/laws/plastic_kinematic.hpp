@@ -48,14 +48,13 @@ struct PlasticKinematicLaw {
   struct UpdateOf : Plasticity {
     using typename Plasticity::Real;
 
-    // constants: E, nu, sigma_0, isotropic modulus, kinematic modulus, C, p, failure strain, viscoplastic
+    // constants: E, nu, sigma_0, isotropic modulus, kinematic modulus, C, p, failure strain
     CRUMPLE_INLINE explicit UpdateOf(const typename Plasticity::Task& task)
-        : Plasticity(
-              task.constants[0], task.constants[1], task.constants[4],
-              LinearHardening<Real>{static_cast<Real>(task.constants[2]),
-                                    static_cast<Real>(task.constants[3])},
-              CowperSymonds<Real>(task.constants[5], task.constants[6], task.step, task.constants[8] != 0),
-              task.constants[7]) {}
+        : Plasticity(task.constants[0], task.constants[1], task.constants[4],
+                     LinearHardening<Real>{static_cast<Real>(task.constants[2]),
+                                           static_cast<Real>(task.constants[3])},
+                     CowperSymonds<Real>(task.constants[5], task.constants[6], task.step, true),
+                     task.constants[7]) {}
   };
   template <class Pack>
   using Update = UpdateOf<PlaneStressPlasticity<Pack, LinearHardening<RealOf<Pack>>>>;

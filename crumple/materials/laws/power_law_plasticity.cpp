@@ -31,7 +31,6 @@ std::vector<double> PowerLawPlasticityLaw::constants(const model::Material& mate
           law.strength * std::pow(law.yield_strain, law.exponent),
           law.cowper_symonds_rate,
           law.cowper_symonds_exponent,
-          law.viscoplastic ? 1.0 : 0.0,
           law.failure_strain};
 }
 

@@ -49,14 +49,13 @@ struct PowerLawPlasticityLaw {
     using typename Plasticity::Real;
     using Hardening = PowerHardening<Real>;
 
-    // constants: E, nu, k, n, e_y, initial yield stress, C, p, viscoplastic, failure strain
+    // constants: E, nu, k, n, e_y, initial yield stress, C, p, failure strain
     CRUMPLE_INLINE explicit UpdateOf(const typename Plasticity::Task& task)
-        : Plasticity(
-              task.constants[0], task.constants[1], 0,
-              Hardening{static_cast<Real>(task.constants[2]), static_cast<Real>(task.constants[3]),
-                        static_cast<Real>(task.constants[4]), static_cast<Real>(task.constants[5])},
-              CowperSymonds<Real>(task.constants[6], task.constants[7], task.step, task.constants[8] != 0),
-              task.constants[9]) {}
+        : Plasticity(task.constants[0], task.constants[1], 0,
+                     Hardening{static_cast<Real>(task.constants[2]), static_cast<Real>(task.constants[3]),
+                               static_cast<Real>(task.constants[4]), static_cast<Real>(task.constants[5])},
+                     CowperSymonds<Real>(task.constants[6], task.constants[7], task.step, true),
+                     task.constants[8]) {}
   };
   template <class Pack>
   using Update = UpdateOf<PlaneStressPlasticity<Pack, PowerHardening<RealOf<Pack>>>>;

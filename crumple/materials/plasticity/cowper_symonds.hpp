@@ -21,9 +21,10 @@ CRUMPLE_INLINE Pack effective_strain(const PlaneStrain<Pack>& strain) {
   return square_root(multiply_add(Pack(Real(4.0 / 3.0)), direct, Pack(Pack(Real(1.0 / 3.0)) * shears)));
 }
 
-/// Factor on the yield stress, 1 + (rate / C)^(1/p) (Cowper & Symonds 1957). The rate is the effective strain
-/// rate of the step, and the factor constant in the return; or, viscoplastic, the effective plastic strain
-/// rate, which the return solves for.
+/// Factor on the yield stress, 1 + (rate / C)^(1/p) (Cowper & Symonds 1957). Viscoplastic: the rate is that
+/// of the effective plastic strain, which the return solves for. Else it is the total effective strain rate
+/// of the step, and the factor constant in the return: vibrations of the mesh then raise the yield stress,
+/// and are fed by it (docs/theory/plane_stress_plasticity.md).
 template <class Real>
 struct CowperSymonds {
   Real per_rate = 0;  ///< 1 / (C dt); 0 switches the effect off

@@ -47,6 +47,7 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     Pack plastic_zz;  ///< increment of plastic strain zz
     Pack flow;        ///< increment of the effective plastic strain
     Pack aside;       ///< what the hardening wants to know in the return
+    Pack strain;      ///< effective strain increment, where the rate is that of the plastic strain
   };
   static constexpr bool can_yield = true;
   static constexpr bool may_fail = true;
@@ -115,8 +116,12 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
             yield.slope,
             Pack(Real(0)),
             Pack(Real(0)),
-            aside};
+            aside,
+            by_plastic_rate() ? effective_strain(strain) : Pack(Real(0))};
   }
+
+  /// The return then starts from the strain of the step, nearly all of which is plastic in steady flow.
+  CRUMPLE_INLINE bool by_plastic_rate() const { return rate.viscoplastic || hardening.viscoplastic(); }
 
   CRUMPLE_INLINE Mask yields(const Trial& t) const {
     return t.sum_square + t.rest_square > t.radius * t.radius;
@@ -170,11 +175,11 @@ struct PlaneStressPlasticity : PlasticPoint<Pack> {
     r.low = Pack(Real(0));
     const Pack floor_stress = r.scale * hardening.least(t.aside);
     r.high = multiply_add(Pack(size / floor_stress - one), Pack(slowest), Pack(Real(1e-6)));
-    if (rate.viscoplastic) {
-      // A power of the plastic strain rate rises without bound from zero: start beside it.
-      r.x = Pack(Real(1e-3)) * r.high;
-    } else if (hardening.viscoplastic()) {
-      r.x = r.low;
+    if (by_plastic_rate()) {
+      // The increment is strain_unit x size, with about size / (1 + x) left of the trial.
+      const Pack all = r.strain_unit * size;
+      const Pack flow = smaller(t.strain, Pack(Pack(Real(0.999)) * all));
+      r.x = within(r, larger(Pack(flow / (all - flow)), Pack(Pack(Real(1e-3)) * r.high)));
     } else {
       const Pack growth = Pack(r.scale * t.slope) * Pack(r.strain_unit * size);
       const Pack fall = multiply_add(ratio, r.sum_square, r.rest_square);

@@ -34,6 +34,9 @@ struct SolidPlasticity : PlasticPoint<Pack> {
     Pack rate_factor;
     Pack flow;   ///< increment of the effective plastic strain
     Pack aside;  ///< what the hardening wants to know in the return
+    /// Effective strain increment, where the rate is that of the plastic strain. The return then starts from
+    /// it: in steady flow nearly all of it is plastic.
+    Pack strain;
   };
   static constexpr bool can_yield = true;
   static constexpr bool may_fail = true;
@@ -87,8 +90,10 @@ struct SolidPlasticity : PlasticPoint<Pack> {
             factor * yield.slope,
             factor,
             Pack(Real(0)),
-            aside};
+            aside,
+            by_plastic_rate() ? effective_strain(strain) : Pack(Real(0))};
   }
+  CRUMPLE_INLINE bool by_plastic_rate() const { return rate.viscoplastic || hardening.viscoplastic(); }
 
   CRUMPLE_INLINE Mask yields(const Trial& t) const { return t.square > t.radius * t.radius; }
 
@@ -125,8 +130,9 @@ struct SolidPlasticity : PlasticPoint<Pack> {
     const Pack floor_stress = t.rate_factor * hardening.least(t.aside);
     Pack low = zero;
     Pack high = multiply_add(Pack(Real(1e-6)), size, Pack(size - floor_stress)) * over_stiffness;
-    // A power of the plastic strain rate rises without bound from zero: start beside it.
-    Solution found{rate.viscoplastic ? Pack(Pack(Real(1e-3)) * high) : smaller(first, high), t.radius};
+    Solution found{smaller(first, high), t.radius};
+    if (by_plastic_rate())
+      found.flow = smaller(larger(t.strain, Pack(Pack(Real(1e-3)) * high)), Pack(Pack(Real(0.999)) * high));
     Mask open = mask;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       auto yield =

@@ -188,7 +188,8 @@ bool take_viscoplastic(const Card& card, double rate, Report& report) {
   const double read = card.real("VP");
   if (!card.good("VP") || read == 0 || read == 1) return read == 1;
   FieldFault fault{"VP", std::string(card.text("VP")), "0 or 1",
-                   "0 scales the yield stress by the total strain rate, 1 is viscoplastic", "viscoplastic"};
+                   "0 multiplies the yield stress, 1 adds to it where the law tells them apart",
+                   "viscoplastic"};
   if (rate > 0) {
     report.field_unsupported(card.where(), fault);
   } else {
