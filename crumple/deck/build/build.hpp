@@ -136,10 +136,11 @@ class Build {
 
 // build_properties.cpp
 void build_properties(Build& build, const ReadOptions& options);
-/// The curve that a field refers to; no_index, with a message, if there is none, or if it is a function of
-/// time.
+/// The curve that a field refers to; no_index, with a message, if there is none, if it is a function of
+/// time, or if it has less than two points, which the reader has reported. Only such a curve may be asked for
+/// its first and last point.
 Index find_points(Build& build, const Reference& reference);
-/// The model's curve of every value of a table; no_index where it is missing, which has been reported.
+/// The model's curve of every value of a table; no_index where find_points() has none.
 std::vector<Index> curves_of(const RawTable& raw, Build& build);
 // build_failure.cpp
 /// Gives criteria of erosion and damage to materials that are there already.
