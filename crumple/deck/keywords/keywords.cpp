@@ -165,6 +165,7 @@ constexpr Keyword table[] = {
     {"DEFINE_TRANSFORMATION", read_define_transformation, title},
     {"DEFINE_COORDINATE_SYSTEM", read_define_coordinate_system, title},
     {"DEFINE_COORDINATE_NODES", read_define_coordinate_nodes, title},
+    {"DEFINE_COORDINATE_NODE", read_define_coordinate_nodes, title},
     {"DEFINE_COORDINATE_VECTOR", read_define_coordinate_vector, title},
     {"DEFINE_VECTOR", read_define_vector, title},
     {"SET_NODE", read_set<SetItem::Node, SetForm::List>, title},
@@ -224,6 +225,7 @@ constexpr Keyword table[] = {
     {"BOUNDARY_SPC_NODE_BIRTH_DEATH", read_boundary_spc_node_birth_death, identity},
     {"BOUNDARY_SPC_SET_BIRTH_DEATH", read_boundary_spc_set_birth_death, identity},
     {"BOUNDARY_PRESCRIBED_MOTION_NODE", read_boundary_prescribed_motion_node, identity},
+    {"BOUNDARY_PRESCRIBED_MOTION_NODES", read_boundary_prescribed_motion_node, identity},
     {"BOUNDARY_PRESCRIBED_MOTION_SET", read_boundary_prescribed_motion_set, identity},
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID", read_boundary_prescribed_motion_rigid, identity},
     {"CONSTRAINED_SPOTWELD", read_constrained_spotweld, identity},
@@ -396,6 +398,7 @@ constexpr Keyword table[] = {
     {"CONTROL_SOLUTION", read_control_solution, none, false},
     {"CONTROL_CONTACT", read_control_contact, none, false},
     {"CONTROL_DYNAMIC_RELAXATION", read_control_dynamic_relaxation, none, false},
+    {"CONTROL_DAMPING", read_control_dynamic_relaxation, none, false},
     {"CONTROL_IMPLICIT_GENERAL", read_control_implicit_general, none, false},
 
     {"DATABASE_GLSTAT", read_database<File::Glstat>, none, false},

@@ -114,12 +114,20 @@ void check_tangent(const Card& card, Report& report) {
                                       "it is the slope of stress over total strain behind yield", "tangent"});
 }
 
-/// EPS1-8 and ES1-8 up to the last pair that is not zero.
+/// EPS1-8 and ES1-8 up to the last pair that is not zero; none, with a warning, if all strains are zero.
 void take_points(const Card& strain, const Card& stress, model::PiecewiseLinearPlasticity& law,
                  Report& report) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < std::size(strain_card); ++i)
+  bool has_strain = false;
+  for (std::size_t i = 0; i < std::size(strain_card); ++i) {
+    has_strain = has_strain || strain.real(strain_card[i].name) != 0 || !strain.good(strain_card[i].name);
     if (strain.real(strain_card[i].name) != 0 || stress.real(stress_card[i].name) != 0) count = i + 1;
+  }
+  if (count > 0 && !has_strain) {
+    report.warning(stress.where(), "no strains",
+                   "EPS1 to EPS8 are all zero, so that ES1 to ES8 are no curve: SIGY and ETAN are taken");
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const std::string_view eps = strain_card[i].name;
     const std::string_view es = stress_card[i].name;
