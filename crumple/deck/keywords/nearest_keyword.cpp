@@ -199,6 +199,7 @@ constexpr Substitute substitutes[] = {
     {"DEFINE_HAZ_", "", "material is the same near welds as elsewhere"},
     {"DEFINE_CONNECTION_PROPERTIES", "CONSTRAINED_SPOTWELD", "welds fail by normal and shear force"},
     {"DATABASE_D3PLOT", "DATABASE_BINARY_D3PLOT", ""},
+    {"CASE", "", "the cards of all cases are read together, as of one run; make a deck for each case"},
     {"CONTROL_ADAPTIVE", "", "the mesh is not refined during the run"},
     {"CONTROL_ADAPT", "", "the mesh is not refined during the run"},
     {"INTERFACE_", "DATABASE_HISTORY_NODE_SET",
