@@ -66,6 +66,8 @@ constexpr Keyword table[] = {
     {"MAT_001", read_mat_elastic, title},
     {"MAT_PLASTIC_KINEMATIC", read_mat_plastic_kinematic, title},
     {"MAT_003", read_mat_plastic_kinematic, title},
+    {"MAT_ISOTROPIC_ELASTIC_PLASTIC", read_mat_isotropic_elastic_plastic, title},
+    {"MAT_012", read_mat_isotropic_elastic_plastic, title},
     {"MAT_PIECEWISE_LINEAR_PLASTICITY", read_mat_piecewise_linear_plasticity, title},
     {"MAT_024", read_mat_piecewise_linear_plasticity, title},
     {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", read_mat_modified_piecewise_linear_plasticity, title},

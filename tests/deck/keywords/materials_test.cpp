@@ -57,6 +57,22 @@ TEST(RateMaterial, PowerLawFindsItsYieldStrain) {
   EXPECT_NE(messages[0].find("a strain at yield below 0.02 or a yield stress below K"), std::string::npos);
 }
 
+/// G = 80000 and BULK = 520000 / 3 are E = 208000 and PR = 0.3; ETAN is over the plastic strain.
+TEST(IsotropicMaterial, IsThePlasticKinematicOneWithBetaOfOne) {
+  for (const std::string name : {"*MAT_ISOTROPIC_ELASTIC_PLASTIC", "*MAT_012", "*MAT_12"}) {
+    const auto law = law_of<model::PlasticKinematic>(name + "\n1,7.83E-9,80000,250,1000,173333.3333333333\n");
+    EXPECT_NEAR(law.youngs_modulus, 208000, 1e-6);
+    EXPECT_NEAR(law.poissons_ratio, 0.3, 1e-12);
+    EXPECT_EQ(law.yield_stress, 250);
+    EXPECT_NEAR(1 / (1 / law.tangent_modulus - 1 / law.youngs_modulus), 1000, 1e-9);
+    EXPECT_EQ(law.isotropic_fraction, 1);
+  }
+  const auto messages = messages_of("*MAT_012\n1,7.83E-9,80000,250,1000,50000\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("field BULK: read \"50000\", expected at least two thirds of G"),
+            std::string::npos);
+}
+
 /// LS-DYNA takes ES1 to ES8 for no curve where all strains are zero.
 TEST(PiecewiseMaterial, StressesWithoutStrainsAreNoCurve) {
   SmallDeck deck;
