@@ -22,6 +22,21 @@ TEST(Unsupported, LeftOutOnlyWhereTheUserAllowsIt) {
             2);
 }
 
+TEST(Unsupported, CasesAreSaidToBeReadTogether) {
+  SmallDeck deck;
+  deck.more = "*CASE\n1\n*CASE_BEGIN_1\n*CASE_END_1\n";
+  ReadOptions options;
+  options.allow_unsupported = true;
+  for (const std::string& message : messages_in(deck, options))
+    EXPECT_NE(
+        message.find("this keyword is not supported, and is left out; without it, the cards of all cases "
+                     "are read together"),
+        std::string::npos)
+        << message;
+  EXPECT_EQ(messages_in(deck, options).size(), 3U);
+  EXPECT_FALSE(read_deck_text(deck.text()).model.has_value());
+}
+
 TEST(Unsupported, PartsOfUnsupportedMaterialsAreLeftOutWithTheirShells) {
   SmallDeck deck;
   deck.part = "*PART\nfirst\n1,1,1\nsecond\n2,1,2\n";

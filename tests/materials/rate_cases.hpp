@@ -93,6 +93,11 @@ inline std::vector<Case> cases(bool viscoplastic) {
   all.push_back({"Johnson-Cook", johnson_cook(johnson_cook_law()), [](double plastic, double rate) {
                    return (792 + 510 * std::pow(plastic, 0.26)) * (1 + 0.014 * std::log(std::max(rate, 1.0)));
                  }});
+  model::JohnsonCook steepening = johnson_cook_law();
+  steepening.exponent = 1.5;
+  all.push_back({"Johnson-Cook with n = 1.5", johnson_cook(steepening), [](double plastic, double rate) {
+                   return (792 + 510 * std::pow(plastic, 1.5)) * (1 + 0.014 * std::log(std::max(rate, 1.0)));
+                 }});
   for (const bool logarithmic : {false, true})
     all.push_back({logarithmic ? "curves by log rate" : "curves by rate", by_rate(logarithmic),
                    [=](double plastic, double rate) { return yield_by_rate(plastic, rate, logarithmic); }});

@@ -69,7 +69,7 @@ TEST(RateEffects, StressLiesOnTheYieldSurfaceOfTheRate) {
 
 /// Shear at a constant rate: the plastic rate is the total less what the hardening stretches elastically.
 TEST(RateEffects, PlasticRateFollowsTheTotalOneInSteadyFlow) {
-  const std::string steady = "plane stress, eight laws in steady flow at 0.01 to 5000 per s: ";
+  const std::string steady = "plane stress, nine laws in steady flow at 0.01 to 5000 per s: ";
   test::Largest flows(steady + "plastic rate over the total one, error", "rate equation", 2e-4);
   test::Largest stresses(steady + "stress [MPa], error", "yield stress, written anew", 1e-9);
   for (const double rate : {0.01, 5.0, 300.0, 5000.0}) {

@@ -136,10 +136,11 @@ class Build {
 
 // build_properties.cpp
 void build_properties(Build& build, const ReadOptions& options);
-/// The curve that a field refers to; no_index, with a message, if there is none, or if it is a function of
-/// time.
+/// The curve that a field refers to; no_index, with a message, if there is none, if it is a function of
+/// time, or if it has less than two points, which the reader has reported. Only such a curve may be asked for
+/// its first and last point.
 Index find_points(Build& build, const Reference& reference);
-/// The model's curve of every value of a table; no_index where it is missing, which has been reported.
+/// The model's curve of every value of a table; no_index where find_points() has none.
 std::vector<Index> curves_of(const RawTable& raw, Build& build);
 // build_failure.cpp
 /// Gives criteria of erosion and damage to materials that are there already.
@@ -298,8 +299,9 @@ void enter_friction_tables(Build& build);
 void take_part_friction(Build& build, const RawContact& raw, model::Contact& contact);
 // build_contacts.cpp
 void build_contacts(Build& build, bool automatic_contact);
-/// Id of a contact that the deck gives none, from its place among all contacts; of no other one.
-UserId unnamed_contact_id(const Build& build, std::size_t place);
+/// Enters a contact by its place among all contacts, and returns its id: the one that the deck gives, or a
+/// free one if that is 0 or, with a warning, taken by an earlier contact.
+UserId enter_contact(Build& build, UserId given, const Where& where, std::size_t place);
 /// Adds what a field names to the side of a contact. False, with a message, if there is a fault.
 bool add_contact_side(Build& build, const RawContactSide& raw, const Where& where, model::ContactSide& side);
 // build_tied_contact.cpp

@@ -116,7 +116,13 @@ class Orientation {
   std::vector<Index> connected_;
 };
 
-/// The segments that the set names; nothing, with a message, if there are none.
+/// False of a segment with a node that the deck does not define, which has been reported.
+bool is_whole(const Segment& segment) {
+  return std::find(segment.begin(), segment.end(), no_index) == segment.end();
+}
+
+/// The segments that the set names; nothing, with a message, if there are none, and nothing if one of them is
+/// not whole.
 std::vector<Segment> named_segments(const RawControlVolume& raw, Build& build) {
   std::vector<Segment> segments;
   const model::Model& model = build.model;
@@ -131,6 +137,7 @@ std::vector<Segment> named_segments(const RawControlVolume& raw, Build& build) {
     for (const model::ShellElement& shell : model.shells)
       if (members.count(shell.part) != 0) segments.push_back(shell.node);
   }
+  if (!std::all_of(segments.begin(), segments.end(), is_whole)) return {};
   for (Segment& segment : segments) segment = triangle_last(segment);
   if (segments.empty())
     build.report.field_error(raw.where, {"SID", std::to_string(raw.set), "a set with segments or shells",
@@ -240,7 +247,7 @@ Segment sorted(Segment node) {
 std::map<Segment, Index> material_of_shells(const model::Model& model) {
   std::map<Segment, Index> found;
   for (const model::ShellElement& shell : model.shells) {
-    if (shell.part == no_index) continue;
+    if (shell.part == no_index || !is_whole(shell.node)) continue;
     const Index material = model.parts[static_cast<std::size_t>(shell.part)].material;
     if (material != no_index) found[sorted(triangle_last(shell.node))] = material;
   }

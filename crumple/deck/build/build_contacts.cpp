@@ -231,10 +231,34 @@ void set_thickness(const Build& build, const RawContact& raw, model::Contact& co
   contact.rigid_shell_thickness = option >= 2;
 }
 
+/// Id of a contact that the deck gives none, or one that another has, from its place among all contacts; of
+/// no other one.
+UserId free_contact_id(const Build& build, std::size_t place) {
+  const auto count = build.deck.contacts.size() + build.deck.tied_contacts.size();
+  const auto is_given = [&](UserId id) {
+    return std::any_of(build.deck.contacts.begin(), build.deck.contacts.end(),
+                       [&](const RawContact& raw) { return raw.contact.id == id; }) ||
+           std::any_of(build.deck.tied_contacts.begin(), build.deck.tied_contacts.end(),
+                       [&](const RawTiedContact& raw) { return raw.tied.id == id; });
+  };
+  // Numbers of the same remainder are nobody else's.
+  auto id = static_cast<UserId>(place) + 1;
+  while (is_given(id)) id += static_cast<UserId>(count);
+  return id;
+}
+
+/// Where the contact of an id stands that is entered first.
+const Where& place_of_contact(const RawDeck& deck, UserId id) {
+  for (const RawContact& raw : deck.contacts)
+    if (raw.contact.id == id) return raw.where;
+  return std::find_if(deck.tied_contacts.begin(), deck.tied_contacts.end(),
+                      [&](const RawTiedContact& raw) { return raw.tied.id == id; })
+      ->where;
+}
+
 void build_contact(Build& build, Sides& sides, const RawContact& raw, std::size_t number) {
   model::Contact contact = raw.contact;
-  if (contact.id == 0) contact.id = unnamed_contact_id(build, number);
-  build.enter(Item::Contact, {contact.id, "ID", raw.where}, number);
+  contact.id = enter_contact(build, contact.id, raw.where, number);
   const bool two_sided = contact.kind != model::ContactKind::SingleSurface;
   const bool has_second = two_sided && !(raw.only_measures && raw.side[1].id == 0);
   const BeamRule beams = beam_rule(raw);
@@ -260,17 +284,16 @@ void build_contact(Build& build, Sides& sides, const RawContact& raw, std::size_
 
 }  // namespace
 
-UserId unnamed_contact_id(const Build& build, std::size_t place) {
-  const auto count = build.deck.contacts.size() + build.deck.tied_contacts.size();
-  const auto is_given = [&](UserId id) {
-    return std::any_of(build.deck.contacts.begin(), build.deck.contacts.end(),
-                       [&](const RawContact& raw) { return raw.contact.id == id; }) ||
-           std::any_of(build.deck.tied_contacts.begin(), build.deck.tied_contacts.end(),
-                       [&](const RawTiedContact& raw) { return raw.tied.id == id; });
-  };
-  // Numbers of the same remainder are nobody else's.
-  auto id = static_cast<UserId>(place) + 1;
-  while (is_given(id)) id += static_cast<UserId>(count);
+UserId enter_contact(Build& build, UserId given, const Where& where, std::size_t place) {
+  const bool is_taken = given != 0 && build.find_quietly(Item::Contact, given) != no_index;
+  const UserId id = given == 0 || is_taken ? free_contact_id(build, place) : given;
+  if (is_taken)
+    build.report.field_warning(
+        where, {"ID", std::to_string(given), "an id that is not used yet",
+                fmt::format("contact {} is already defined at {}; this one acts, too, and is {} in outputs",
+                            given, build.report.place(place_of_contact(build.deck, given)), id),
+                "duplicate"});
+  build.enter(Item::Contact, {id, "ID", where}, place);
   return id;
 }
 

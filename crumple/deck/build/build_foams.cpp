@@ -194,10 +194,13 @@ void take_yields(const RawMaterial& raw, model::BilkhuDuboisFoam& law, Build& bu
   if (where_not >= 0)
     build.report.error(
         raw.curve_where, "ellipse",
-        fmt::format("at -ln V = {:.4g} the yield pressure of curve {} is not above a third of the "
-                    "uniaxial yield stress of curve {}: no ellipse goes through both; both "
-                    "curves go on with their last slopes",
-                    where_not, raw.hardening_curve, raw.more_curves[0]));
+        fmt::format(
+            "at -ln V = {:.4g} the yield pressure of curve {} is {:.4g}, and the uniaxial yield stress of "
+            "curve {} is {:.4g}: no ellipse goes through both unless the pressure is above a third of "
+            "the stress; just above a third the strength in shear has no bound, and with PR = 0 foam "
+            "has about the same of both; both curves go on with their last slopes",
+            where_not, raw.hardening_curve, model::value_at(law.pressure, where_not), raw.more_curves[0],
+            model::value_at(law.uniaxial, where_not)));
   const double least = *std::min_element(law.uniaxial.ordinate.begin(), law.uniaxial.ordinate.end());
   if (law.tension_stress > least && law.tension_stress_share == 0)
     build.report.warning(

@@ -14,7 +14,12 @@ namespace crumple::deck {
 
 Index find_points(Build& build, const Reference& reference) {
   const Index index = build.find(Item::Curve, reference);
-  if (index == no_index || build.deck.curves[static_cast<std::size_t>(index)].function.empty()) return index;
+  if (index == no_index) return no_index;
+  if (build.deck.curves[static_cast<std::size_t>(index)].function.empty()) {
+    // That it has less than two points has been reported where it stands.
+    const bool has_points = build.model.curves[static_cast<std::size_t>(index)].abscissa.size() > 1;
+    return has_points ? index : no_index;
+  }
   build.report.field_error(reference.where, {reference.field, std::to_string(reference.id),
                                              "a curve of *DEFINE_CURVE, given by points",
                                              "*DEFINE_CURVE_FUNCTION is a function of time", "function"});

@@ -80,8 +80,7 @@ void build_tied_contacts(Build& build) {
     const RawTiedContact& raw = build.deck.tied_contacts[i];
     const std::size_t place = build.deck.contacts.size() + i;
     model::TiedContact tied = raw.tied;
-    if (tied.id == 0) tied.id = unnamed_contact_id(build, place);
-    build.enter(Item::Contact, {tied.id, "ID", raw.where}, place);
+    tied.id = enter_contact(build, tied.id, raw.where, place);
     const bool first = take_side(build, raw.side[0], raw.where, true, tied.side[0]);
     const bool second = take_side(build, raw.side[1], raw.where, false, tied.side[1]);
     if (!first || !second) continue;

@@ -91,7 +91,7 @@ class Parameters {
 
   Values values_;
   std::vector<Values> locals_;  ///< of the files that are open, the deck first
-  Duplicate duplicate_ = Duplicate::Refuse;
+  Duplicate duplicate_ = Duplicate::WarnAndKeep;
   bool is_mutable_ = false;                           ///< what is being read may replace earlier values
   mutable std::set<std::string, std::less<>> names_;  ///< that the deck sets or refers to
   std::optional<Where> duplication_;  ///< the first *PARAMETER_DUPLICATION, which alone counts

@@ -40,6 +40,18 @@ bool is_moved_keyword(std::string_view line) {
          std::all_of(text.begin() + 1, text.begin() + asterisk_and_three, is_capital);
 }
 
+/// Whether a text has *END as a line; what stands behind it is not read.
+bool has_end(std::string_view text) {
+  constexpr std::string_view end = "*END";
+  for (std::size_t start = text.find('*'); start != std::string_view::npos;
+       start = text.find('*', start + 1)) {
+    if (start > 0 && text[start - 1] != '\n' && text[start - 1] != '\r') continue;
+    const std::string_view line = text.substr(start, text.find_first_of("\r\n", start) - start);
+    if (upper_case(trimmed(line)) == end) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::uint64_t fnv1a(std::uint64_t hash, std::string_view text) {
@@ -112,6 +124,7 @@ bool Scanner::is_text(std::string_view text, std::int32_t file) {
     return byte < 32 && c != '\n' && c != '\r' && c != '\t' && c != '\f' && c != 26;
   });
   if (control == text.end()) return true;
+  if (has_end(text.substr(0, static_cast<std::size_t>(control - text.begin())))) return true;
   const bool compressed = text.starts_with("\x1f\x8b") || text.starts_with("PK");
   const bool wide = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
   report_->error(where, "file",

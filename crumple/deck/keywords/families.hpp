@@ -79,6 +79,7 @@ void read_part_contact(Cards& cards, RawPart& part);
 // read_materials.cpp
 void read_mat_elastic(Cards& cards, RawDeck& deck);
 void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck);
+void read_mat_isotropic_elastic_plastic(Cards& cards, RawDeck& deck);
 void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_modified_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
 // read_rate_materials.cpp

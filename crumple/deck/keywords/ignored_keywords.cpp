@@ -9,7 +9,8 @@ namespace crumple::deck {
 namespace {
 
 constexpr std::string_view is_output = "an output that is not written";
-constexpr std::string_view is_definition = "a definition that nothing supported uses";
+constexpr std::string_view is_definition =
+    "such definitions are not supported; what refers to this one is reported";
 constexpr std::string_view is_mesh_check = "the mesh is always checked";
 constexpr std::string_view is_of_threads = "threads are chosen on the command line";
 constexpr std::string_view is_of_other_elements = "it is about elements that are not supported";
@@ -42,6 +43,7 @@ constexpr IgnoredRow ignored_rows[] = {
     {"MAT_ADD_FATIGUE", true, "lives are not computed"},
     {"MAT_ADD_PERMEABILITY", true, "there is no pore water"},
     {"MAT_ADD_THERMAL_EXPANSION", true, is_thermal},
+    {"CONTROL_ADAPSTEP", false, "the mesh is not refined; *CONTROL_ADAPTIVE would refine it"},
     {"CONTROL_SUBCYCLE", true, "all elements take the smallest step"},
     {"DEFINE_BOX_", true, is_definition},
     {"DEFINE_COORDINATE_", true, is_definition},

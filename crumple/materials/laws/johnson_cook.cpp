@@ -46,8 +46,7 @@ std::vector<double> JohnsonCookLaw::constants(const model::Material& material) {
   require_failure_strain(material, law.failure_strain);
   require(law.yield_stress > 0, material, "the yield stress A must be above zero");
   require(law.hardening >= 0, material, "the hardening coefficient B must not be negative");
-  require(law.hardening == 0 || (law.exponent > 0 && law.exponent <= 1), material,
-          "the hardening exponent n must be above 0 and not above 1");
+  require(law.hardening == 0 || law.exponent > 0, material, "the hardening exponent n must be above 0");
   require(law.rate_coefficient >= 0, material, "the rate coefficient C must not be negative");
   require(law.reference_rate > 0, material, "the reference strain rate must be above zero");
   require(law.largest_hardened == 0 || law.largest_hardened >= law.yield_stress, material,

@@ -209,6 +209,19 @@ TEST(Hash, DependsOnTheTextAlone) {
   EXPECT_EQ(hash("a"), 0xaf63dc4c8601ec8cULL);
 }
 
+/// Some programs leave padding behind the end, which is not read.
+TEST(End, BytesBehindItAreNotRead) {
+  for (const std::string line : {"\n", "\r\n", "  \n"}) {
+    SmallDeck deck;
+    deck.end = "*end" + line + std::string("\0\1*END\n\x7f", 8);
+    expect_small_deck(read_clean(deck.text()));
+  }
+  SmallDeck deck;
+  deck.end = std::string("$ *END\n\0\n*END\n", 14);
+  EXPECT_NE(listed(read_deck_text(deck.text()).diagnostics).find("this is not a text file"),
+            std::string::npos);
+}
+
 TEST(Parameter, ReplacesFieldsOfAnyKind) {
   SmallDeck deck;
   deck.keyword +=
@@ -266,14 +279,15 @@ TEST(Parameter, DuplicationSaysWhichValueHolds) {
   EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n4\n" + twice), 0.4);
   EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n1\n" + twice), 0.2);
   EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n5\n" + twice), 0.2);
-  EXPECT_FALSE(read_deck_text(with_parameters(twice)).model);
+  EXPECT_EQ(thickness_of(twice), 0.2);
   EXPECT_FALSE(read_deck_text(with_parameters("*PARAMETER_DUPLICATION\n3\n" + twice)).model);
   EXPECT_EQ(thickness_of("*PARAMETER_DUPLICATION\n2\n*PARAMETER_DUPLICATION\n5\n" + twice), 0.4);
   const auto warned = [&](const std::string& flag) {
-    const ReadResult result =
-        read_deck_text(with_parameters("*PARAMETER_DUPLICATION\n" + flag + "\n" + twice));
+    const std::string before = flag.empty() ? "" : "*PARAMETER_DUPLICATION\n" + flag + "\n";
+    const ReadResult result = read_deck_text(with_parameters(before + twice));
     return listed(result.diagnostics).find("is taken") != std::string::npos;
   };
+  EXPECT_TRUE(warned(""));
   EXPECT_TRUE(warned("1"));
   EXPECT_TRUE(warned("2"));
   EXPECT_FALSE(warned("4"));

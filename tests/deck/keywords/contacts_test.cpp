@@ -36,6 +36,34 @@ TEST(Contact, EveryValue) {
   EXPECT_EQ(contact.side[0].thickness_scale, 0.9);
 }
 
+/// The second contact of a number acts, too, with a warning and a number of its own.
+TEST(Contact, OfTheSameNumberIsRenumbered) {
+  SmallDeck deck;
+  const std::string card = "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n         2first\n0\n\n\n";
+  deck.more = card + card + "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n\n\n";
+  expect_one(deck, "warning: *CONTACT_AUTOMATIC_SINGLE_SURFACE_ID card 1 field ID: read \"2\"");
+  const ReadResult result = read_deck_text(deck.text());
+  ASSERT_TRUE(result.model.has_value());
+  ASSERT_EQ(result.model->contacts.size(), 3U);
+  EXPECT_EQ(result.model->contacts[0].id, 2);
+  // By places among three: 2 would be that of the second one, and goes on by three.
+  EXPECT_EQ(result.model->contacts[1].id, 5);
+  EXPECT_EQ(result.model->contacts[2].id, 3);
+}
+
+TEST(Contact, OfTheNumberOfATieToo) {
+  SmallDeck deck;
+  deck.more =
+      "*SET_NODE_LIST\n3\n1,4\n*SET_SEGMENT\n4\n2,5,6,3\n"
+      "*CONTACT_TIED_NODES_TO_SURFACE_OFFSET_ID\n         7tie\n3,4,4,0\n\n\n"
+      "*CONTACT_AUTOMATIC_SINGLE_SURFACE_ID\n         7self\n0\n\n\n";
+  const std::string messages = listed(read_deck_text(deck.text()).diagnostics);
+  EXPECT_NE(messages.find("warning: *CONTACT_TIED_NODES_TO_SURFACE_OFFSET_ID card 1 field ID: read \"7\""),
+            std::string::npos)
+      << messages;
+  EXPECT_NE(messages.find("this one acts, too, and is 2 in outputs"), std::string::npos) << messages;
+}
+
 TEST(Contact, WhichPartsTakePart) {
   SmallDeck deck;
   deck.part = "*PART\nfirst\n1,1,1\nsecond\n2,1,1\n";

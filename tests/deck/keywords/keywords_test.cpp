@@ -2,6 +2,7 @@
 // What each keyword puts into the model; those of the run are in control/control_test.cpp.
 #include <algorithm>
 
+#include "deck/keywords/keywords.hpp"
 #include "deck/small_deck.hpp"
 
 namespace crumple::deck::test::keywords_test {
@@ -18,6 +19,19 @@ TEST(Section, TrapezoidalRuleAndPlaceOfTheNodes) {
   EXPECT_EQ(model.shell_sections[0].thickness_points, 15);
   EXPECT_EQ(model.shell_sections[0].thickness_rule, model::ThicknessRule::Trapezoid);
   EXPECT_EQ(model.shell_sections[0].node_place, 1.0);
+}
+
+/// Names that older decks have are those of the same readers.
+TEST(Keyword, OldSpellings) {
+  const auto is_same = [](const char* old, const char* now) {
+    const auto first = find_keyword(old);
+    const auto second = find_keyword(now);
+    return first && second && first->keyword->read == second->keyword->read &&
+           first->heading == second->heading;
+  };
+  EXPECT_TRUE(is_same("DEFINE_COORDINATE_NODE_TITLE", "DEFINE_COORDINATE_NODES_TITLE"));
+  EXPECT_TRUE(is_same("BOUNDARY_PRESCRIBED_MOTION_NODES_ID", "BOUNDARY_PRESCRIBED_MOTION_NODE_ID"));
+  EXPECT_TRUE(is_same("CONTROL_DAMPING", "CONTROL_DYNAMIC_RELAXATION"));
 }
 
 TEST(Part, HourglassAndTitles) {

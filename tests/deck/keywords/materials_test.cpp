@@ -57,6 +57,37 @@ TEST(RateMaterial, PowerLawFindsItsYieldStrain) {
   EXPECT_NE(messages[0].find("a strain at yield below 0.02 or a yield stress below K"), std::string::npos);
 }
 
+/// G = 80000 and BULK = 520000 / 3 are E = 208000 and PR = 0.3; ETAN is over the plastic strain.
+TEST(IsotropicMaterial, IsThePlasticKinematicOneWithBetaOfOne) {
+  for (const std::string name : {"*MAT_ISOTROPIC_ELASTIC_PLASTIC", "*MAT_012", "*MAT_12"}) {
+    const auto law = law_of<model::PlasticKinematic>(name + "\n1,7.83E-9,80000,250,1000,173333.3333333333\n");
+    EXPECT_NEAR(law.youngs_modulus, 208000, 1e-6);
+    EXPECT_NEAR(law.poissons_ratio, 0.3, 1e-12);
+    EXPECT_EQ(law.yield_stress, 250);
+    EXPECT_NEAR(1 / (1 / law.tangent_modulus - 1 / law.youngs_modulus), 1000, 1e-9);
+    EXPECT_EQ(law.isotropic_fraction, 1);
+  }
+  const auto messages = messages_of("*MAT_012\n1,7.83E-9,80000,250,1000,50000\n");
+  ASSERT_EQ(messages.size(), 1U);
+  EXPECT_NE(messages[0].find("field BULK: read \"50000\", expected at least two thirds of G"),
+            std::string::npos);
+}
+
+/// LS-DYNA takes ES1 to ES8 for no curve where all strains are zero.
+TEST(PiecewiseMaterial, StressesWithoutStrainsAreNoCurve) {
+  SmallDeck deck;
+  deck.material = "*MAT_024\n1,7.83E-6,200,0.3,0.25,2\n\n0,0\n0.3,0.4\n";
+  expect_one(deck, "warning: *MAT_024 card 4: EPS1 to EPS8 are all zero");
+  const ReadResult result = read_deck_text(deck.text());
+  ASSERT_TRUE(result.model.has_value());
+  const auto& law = std::get<model::PiecewiseLinearPlasticity>(result.model->materials.at(0).law);
+  EXPECT_EQ(law.yield_stress.at(0), 0.25);
+  EXPECT_NEAR(law.yield_stress.at(1), 0.25 + 10 * 200.0 * 2 / 198, 1e-12);
+  deck.material = "*MAT_024\n1,7.83E-6,200,0.3\n\n0,0\n0.3,0.4\n";
+  EXPECT_NE(listed(read_deck_text(deck.text()).diagnostics).find("error: *MAT_024 card 1 field SIGY"),
+            std::string::npos);
+}
+
 TEST(RateMaterial, JohnsonCookWithEveryValue) {
   const auto law = law_of<model::JohnsonCook>(
       "*MAT_JOHNSON_COOK\n"
@@ -77,6 +108,14 @@ TEST(RateMaterial, JohnsonCookWithEveryValue) {
   EXPECT_EQ(law.heat_capacity, 477e6);
   EXPECT_EQ(law.damage, (std::array<double, 5>{0.05, 3.44, -2.12, 0.002, 0.61}));
   EXPECT_EQ(law.least_fracture_strain, 0.01);
+}
+
+/// Fits give exponents above 1, too: the curve then steepens.
+TEST(RateMaterial, JohnsonCookTakesAnyExponent) {
+  const auto law = law_of<model::JohnsonCook>("*MAT_015\n1,7.83E-9,80000,0,0.3\n792,510,1.5\n\n\n");
+  EXPECT_EQ(law.exponent, 1.5);
+  const auto simplified = law_of<model::JohnsonCook>("*MAT_098\n1,7.83E-9,2E5,0.3\n792,510,1.2\n");
+  EXPECT_EQ(simplified.exponent, 1.2);
 }
 
 TEST(RateMaterial, JohnsonCookTakesEFromG) {

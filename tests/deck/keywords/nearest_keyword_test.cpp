@@ -14,6 +14,7 @@ TEST(NearestKeyword, OfMistypedNames) {
   EXPECT_EQ(nearest_keyword("ELEMENT_SHEL").keyword, "ELEMENT_SHELL");
   EXPECT_EQ(nearest_keyword("CONTACT_AUTOMATIC_SINGEL_SURFACE").keyword, "CONTACT_AUTOMATIC_SINGLE_SURFACE");
   EXPECT_EQ(advice_on("NODEE"), "; did you mean *NODE?");
+  EXPECT_EQ(advice_on("DATABASE_D3PLOT"), "; did you mean *DATABASE_BINARY_D3PLOT?");
 }
 
 TEST(NearestKeyword, OfOtherLawsSaysWhatChanges) {

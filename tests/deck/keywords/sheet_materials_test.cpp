@@ -49,10 +49,22 @@ TEST(SheetMaterial, NormalAnisotropy) {
   EXPECT_NEAR(law.yield_stress.back(), 240 + 200 * 9.7, 1e-9);
 }
 
+/// A negative R is its amount, with a warning.
+TEST(SheetMaterial, NormalAnisotropyByItsAmount) {
+  SmallDeck deck;
+  deck.material = "*MAT_037\n1,7.85E-9,210000,0.3,180,1000,-1.6,0\n";
+  const ReadResult result = read_deck_text(deck.text());
+  only_message(messages(deck.material), "warning: *MAT_037 card 1 field R: read \"-1.6\"");
+  ASSERT_TRUE(result.model.has_value());
+  const auto& law = std::get<model::SheetPlasticity>(result.model->materials.at(0).law);
+  EXPECT_EQ(law.r00, 1.6);
+  EXPECT_EQ(law.r45, 1.6);
+  EXPECT_EQ(law.r90, 1.6);
+}
+
 TEST(SheetMaterial, NormalAnisotropyFaults) {
   const std::string card = "*MAT_037\n1,7.85E-9,210000,0.3,180,1000,1.6,0\n";
-  only_message(messages(replaced(card, "1.6", "-1.6")), "field R");
-  only_message(messages(replaced(card, "1.6", "0")), "field R");
+  only_message(messages(replaced(card, "1.6", "0")), "error: *MAT_037 card 1 field R");
   only_message(messages(replaced(card, "180", "0")), "field SIGY");
   only_message(messages(replaced(card, ",1000,", ",-1000,")), "field ETAN");
   only_message(messages(replaced(card, "1.6,0", "1.6,8")), "the deck has no curve 8");

@@ -44,6 +44,9 @@ TEST(WithoutEffect, AreAccepted) {
                             "*PARAMETER\nR a          0.010\nR a           0.01\n",
                             "*PARAMETER_MUTABLE\nR a          0.010\nR a            2.0\n",
                             "*MAT_ADD_FATIGUE\n1\n",
+                            "*CONTROL_DAMPING\n0,0.0,0.0,0.0,0.0,0,0.0,0\n",
+                            "*CONTROL_ADAPSTEP\n1.0,0.01\n",
+                            "*DEFINE_COORDINATE_NODE\n1,1,2,3\n",
                             "*CONTROL_TIMESTEP\n0.0\n0,0,0,0,0,0,0,0\n"})
     EXPECT_FALSE(has(messages_with(cards), ": error: ")) << cards << messages_with(cards)[0];
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_PIECEWISE_LINEAR_PLASTICITY and its modified form.
+// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_ISOTROPIC_ELASTIC_PLASTIC, *MAT_PIECEWISE_LINEAR_PLASTICITY and
+// its modified form.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -39,6 +40,15 @@ constexpr Field plastic_kinematic_rate_card[] = {
     real("SRP", 0, not_negative),
     real("FS", 0, not_negative),
     viscoplastic_value,
+};
+
+constexpr Field isotropic_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("G", 0, above_zero),
+    real("SIGY", 0, above_zero),
+    real("ETAN", 0, not_negative),
+    real("BULK", 0, above_zero),
 };
 
 constexpr Field piecewise_card[] = {
@@ -114,12 +124,20 @@ void check_tangent(const Card& card, Report& report) {
                                       "it is the slope of stress over total strain behind yield", "tangent"});
 }
 
-/// EPS1-8 and ES1-8 up to the last pair that is not zero.
+/// EPS1-8 and ES1-8 up to the last pair that is not zero; none, with a warning, if all strains are zero.
 void take_points(const Card& strain, const Card& stress, model::PiecewiseLinearPlasticity& law,
                  Report& report) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < std::size(strain_card); ++i)
+  bool has_strain = false;
+  for (std::size_t i = 0; i < std::size(strain_card); ++i) {
+    has_strain = has_strain || strain.real(strain_card[i].name) != 0 || !strain.good(strain_card[i].name);
     if (strain.real(strain_card[i].name) != 0 || stress.real(stress_card[i].name) != 0) count = i + 1;
+  }
+  if (count > 0 && !has_strain) {
+    report.warning(stress.where(), "no strains",
+                   "EPS1 to EPS8 are all zero, so that ES1 to ES8 are no curve: SIGY and ETAN are taken");
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const std::string_view eps = strain_card[i].name;
     const std::string_view es = stress_card[i].name;
@@ -227,6 +245,31 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck) {
     law.viscoplastic = take_viscoplastic(rate, law.cowper_symonds_rate, cards.report());
     check_tangent(card, cards.report());
     check_rate(rate, "SRC", "SRP", cards.report());
+    raw.material.law = law;
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
+  }
+}
+
+/// The law of *MAT_PLASTIC_KINEMATIC with BETA = 1. ETAN is the slope over the plastic strain, as the Keyword
+/// Manual, Volume II, calls it.
+void read_mat_isotropic_elastic_plastic(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(isotropic_card);
+    RawMaterial raw = material_of(heading, card);
+    const double shear = card.good("G") ? card.real("G") : 1;
+    const double bulk = card.good("BULK") ? card.real("BULK") : shear;
+    const double hardening = card.real("ETAN");
+    model::PlasticKinematic law;
+    law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
+    law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+    if (law.poissons_ratio < 0)
+      cards.report().field_error(
+          card.where(), {"BULK", std::string(card.text("BULK")), "at least two thirds of G",
+                         fmt::format("Poisson's ratio comes out as {:.4g}", law.poissons_ratio), "poisson"});
+    law.yield_stress = card.real("SIGY");
+    law.tangent_modulus = law.youngs_modulus * hardening / (law.youngs_modulus + hardening);
+    law.isotropic_fraction = 1;
     raw.material.law = law;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }

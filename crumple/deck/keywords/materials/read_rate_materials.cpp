@@ -47,7 +47,7 @@ constexpr Field johnson_cook_card[] = {
 constexpr Field johnson_cook_second_card[] = {
     real("A", 0, above_zero),
     real("B", 0, not_negative),
-    real("N", 0, within(0, 1, "the hardening exponent")),
+    real("N", 0, not_negative),
     real("C", 0, not_negative),
     real("M", 0, not_negative),
     real("TM", 0, not_negative),
@@ -83,7 +83,7 @@ constexpr Field simplified_card[] = {
 constexpr Field simplified_second_card[] = {
     real("A", 0, above_zero),
     real("B", 0, not_negative),
-    real("N", 0, within(0, 1, "the hardening exponent")),
+    real("N", 0, not_negative),
     real("C", 0, not_negative),
     real_or_default("PSFAIL", 1e17, above_zero),
     real_or_default("SIGMAX", 1e28, above_zero),

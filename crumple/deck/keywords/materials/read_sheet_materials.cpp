@@ -24,7 +24,7 @@ constexpr Field normal_card[] = {
     real("PR", 0, poisson),
     real("SIGY", 0, not_negative),
     real("ETAN", 0, not_negative),
-    real("R", 0, above_zero),
+    real("R"),  // below zero: its amount, with a warning
     reference("HLCID", IdKind::Function),
 };
 
@@ -138,6 +138,21 @@ void take_sheet_power(const Card& card, const Card& second, model::SheetPlastici
                     fmt::format("the strain at yield comes out as {:.4g}", law.yield_strain), report);
 }
 
+/// R; LS-DYNA takes its amount where it is negative.
+double anisotropy(const Card& card, Report& report) {
+  const double read = card.real("R");
+  if (read == 0 && card.good("R"))
+    report.field_error(card.where(),
+                       {"R", std::string(card.text("R")), "a number other than zero",
+                        "it is the strain over the width over that through the thickness", "anisotropy"});
+  if (read < 0)
+    report.field_warning(card.where(), {"R", std::string(card.text("R")), "a number above zero",
+                                        "its amount is taken, and the stress across the sheet, which "
+                                        "LS-DYNA then has, stays zero",
+                                        "sign"});
+  return std::fabs(read);
+}
+
 }  // namespace
 
 void read_mat_transversely_anisotropic(Cards& cards, RawDeck& deck) {
@@ -149,7 +164,7 @@ void read_mat_transversely_anisotropic(Cards& cards, RawDeck& deck) {
     law.is_normal = true;
     law.youngs_modulus = card.real("E");
     law.poissons_ratio = card.real("PR");
-    law.r00 = law.r45 = law.r90 = card.real("R");
+    law.r00 = law.r45 = law.r90 = anisotropy(card, cards.report());
     raw.hardening_curve = card.good("HLCID") ? card.integer("HLCID") : 0;
     raw.curve_where = card.where();
     set_sheet_line(1, 0, law);
