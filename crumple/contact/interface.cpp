@@ -159,6 +159,7 @@ struct Interface::Implementation {
     entry.id = contact.id;
     entry.method = detectors.front()->method();
     entry.segments = surface.segments();
+    entry.thickness_cut = surface.thickness_cut;
     entry.two_sided = contact.kind != model::ContactKind::SingleSurface;
   }
 
