@@ -18,7 +18,7 @@ struct PenaltyLaw {
 
 /// What the penalty remembers of a touch from one step to the next.
 struct PenaltyMemory {
-  double stiffness = 0;    ///< by masses and step; 0 if there was none [force/length]
+  double stiffness = 0;    ///< by masses and step, or of a node of solids; 0 if there was none [force/length]
   double slope_limit = 0;  ///< largest slope of the force by stability; 0 if there was none [force/length]
   double depth = 0;        ///< penetration [length]
   double speed = 0;        ///< at which the two points part [length/time]

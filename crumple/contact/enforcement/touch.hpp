@@ -30,8 +30,11 @@ struct Touch {
   std::array<double, most_nodes> weight{};
   Vec3 normal;             ///< unit vector in which the first point is pushed
   double penetration = 0;  ///< [length]
-  double reach = 0;       ///< penetration at which the mid-surfaces meet; the largest number if they never do
-  double stiffness = 0;   ///< penalty stiffness [force/length]
+  double reach = 0;      ///< penetration at which the mid-surfaces meet; the largest number if they never do
+  double stiffness = 0;  ///< penalty stiffness [force/length]
+  /// Penalty stiffness of a node of solids by how its faces look now, 0 of others: the touch keeps that with
+  /// which it began, beside `stiffness` of the segment alone [force/length].
+  double turning_stiffness = 0;
   PenaltyMemory penalty;  ///< at the last step, then at the present one
   double last_speed =
       0;            ///< at which the points of the last step part now along the normal of then [length/time]
