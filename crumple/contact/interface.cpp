@@ -144,7 +144,7 @@ struct Interface::Implementation {
     TouchNotes notes{domain.contacts[report], domain.clock.step, domain.clock.cycle, penetrations};
     for_each_detector(
         [&](Detector& detector, std::span<Touch> own) { detector.remember(motion, own, notes); });
-    stored_energy = notes.stored_energy;
+    domain.contacts[report].stored_energy = stored_energy = notes.stored_energy;
   }
 
   void measure_mass(const domain::NodeFields& nodes, domain::ContactReport& entry) const {

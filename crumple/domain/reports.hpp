@@ -123,7 +123,8 @@ struct ContactReport {
   UserId worst_node = 0;         ///< where that was
   double energy = 0;             ///< normal: stored and dissipated [energy]
   double damping_energy = 0;     ///< of that, dissipated by damping [energy]
-  double friction_energy = 0;    ///< dissipated [energy]
+  double stored_energy = 0;    ///< of that, held by the penalties now, as springs of mean stiffness [energy]
+  double friction_energy = 0;  ///< dissipated [energy]
   double eroded_energy =
       0;  ///< held by pairs when their segment or node eroded, taken from `energy` [energy]
   std::vector<InitialOverlap> initial_overlaps{};  ///< the deepest first; their contact distance is reduced
