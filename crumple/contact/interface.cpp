@@ -154,7 +154,7 @@ struct Interface::Implementation {
     TouchNotes notes{domain.contacts[report], domain.clock.step, domain.clock.cycle, penetrations};
     for_each_detector(
         [&](Detector& detector, std::span<Touch> own) { detector.remember(motion, own, notes); });
-    stored_energy = notes.stored_energy;
+    domain.contacts[report].stored_energy = stored_energy = notes.stored_energy;
   }
 
   void measure_mass(const domain::NodeFields& nodes, domain::ContactReport& entry) const {
@@ -169,6 +169,7 @@ struct Interface::Implementation {
     entry.id = contact.id;
     entry.method = detectors.front()->method();
     entry.segments = surface.segments();
+    entry.thickness_cut = surface.thickness_cut;
     entry.two_sided = contact.kind != model::ContactKind::SingleSurface;
   }
 

@@ -15,8 +15,10 @@ namespace crumple::contact::tolerances {
 
 // --- Thickness, stiffness, orientation (surface/) ---
 
-/// Contact thickness of a shell over the shortest edge of its segment, undeformed [-]. LS-DYNA's rule for
-/// single-surface contact. Thicker shells have this thickness and overlap in pictures before they touch.
+/// Contact thickness of a shell over the shortest edge of its segment, undeformed [-], at most where the
+/// shell may touch its own surface: LS-DYNA's rule for single-surface contact. Thicker shells have this
+/// thickness and overlap in pictures before they touch; the run names them. Between two surfaces the
+/// thickness is whole.
 inline constexpr double thickness_over_edge = 0.4;
 
 /// Smallest 1 - 2 nu that enters the bulk modulus [-]. Nearly incompressible laws would ask for any
@@ -73,7 +75,8 @@ inline constexpr double watch_over_height = 0.1;
 // --- Search (search/, and the searches of edge_edge/ and pinball/) ---
 
 /// Margin over the mean edge, if the user gives no expansion [-]. With a thickness below 0.4 of an edge the
-/// territory stays below one edge, so that the next ring of nodes of a flat mesh are no candidates. Two
+/// territory stays below one edge, so that the next ring of nodes of a flat mesh that touches itself are no
+/// candidates. Two
 /// nodes that have moved further relative to each other make a new search due. It changes no bit of the
 /// forces, unless a node is lost deep behind a segment.
 inline constexpr double margin_over_edge = 0.4;
@@ -210,6 +213,10 @@ inline constexpr int face_levels = 3;
 /// Slope of the force at the mid-surface of a shell over the penalty stiffness [-]. It grows from half of
 /// the reach on, and stays beyond, so that a strong squeeze does not reach the mid-surface.
 inline constexpr double stiffening = 10.0;
+
+/// Penalty stiffness that a node of solids would have by its faces now, over that with which its contact
+/// began, from which on it takes it [-]. Turning from face to corner, nodes of cubes gain 1.73 at most.
+inline constexpr double regained_stiffness = 2;
 
 /// Part that contact uses of (omega dt)^2 = 4 - 4 TSSFAC^2 that elements leave below the bound 4 of central
 /// differences [-].

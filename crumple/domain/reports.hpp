@@ -100,11 +100,21 @@ struct DeepestPenetration {
   UserId segment = 0;  ///< shell, solid or edge
 };
 
+/// Shells that touch with less than their thickness, as they are thick beside their edges.
+struct ThicknessCut {
+  Index shells = 0;
+  double from = 0;  ///< thickness of the one that is cut most [length]
+  double to = 0;    ///< contact thickness of it [length]
+  UserId shell = 0;
+  UserId part = 0;
+};
+
 /// What a contact interface did so far.
 struct ContactReport {
   UserId id = 0;
-  std::string method{};          ///< of the global search
-  Index segments = 0;            ///< shells and faces of solids that take part
+  std::string method{};  ///< of the global search
+  Index segments = 0;    ///< shells and faces of solids that take part
+  ThicknessCut thickness_cut{};
   long searches = 0;             ///< global searches
   long candidates = 0;           ///< candidate pairs of all searches together
   Index active_pairs = 0;        ///< node-segment pairs with a force, now
@@ -113,7 +123,8 @@ struct ContactReport {
   UserId worst_node = 0;         ///< where that was
   double energy = 0;             ///< normal: stored and dissipated [energy]
   double damping_energy = 0;     ///< of that, dissipated by damping [energy]
-  double friction_energy = 0;    ///< dissipated [energy]
+  double stored_energy = 0;    ///< of that, held by the penalties now, as springs of mean stiffness [energy]
+  double friction_energy = 0;  ///< dissipated [energy]
   double eroded_energy =
       0;  ///< held by pairs when their segment or node eroded, taken from `energy` [energy]
   std::vector<InitialOverlap> initial_overlaps{};  ///< the deepest first; their contact distance is reduced

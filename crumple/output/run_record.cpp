@@ -62,6 +62,12 @@ Json contacts_of(const std::vector<domain::ContactReport>& contacts) {
   for (const domain::ContactReport& contact : contacts)
     list.push_back({{"id", contact.id},
                     {"method", contact.method},
+                    {"thickness_cut",
+                     {{"shells", contact.thickness_cut.shells},
+                      {"from", contact.thickness_cut.from},
+                      {"to", contact.thickness_cut.to},
+                      {"shell", contact.thickness_cut.shell},
+                      {"part", contact.thickness_cut.part}}},
                     {"searches", contact.searches},
                     {"candidates", contact.candidates},
                     {"active_pairs", contact.active_pairs},

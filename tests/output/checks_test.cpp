@@ -156,6 +156,36 @@ TEST_F(ChecksTest, ContactThatHasJustBegunIsHeldAgainstTheEnergyAround) {
   EXPECT_FALSE(find("negative contact").pass);
 }
 
+/// A clamp holds energy in its penalties that it gives back: that is no fault.
+TEST_F(ChecksTest, WhatThePenaltiesHoldIsNoFault) {
+  domain_.energy.contact = domain_.contacts[0].energy = 30;
+  EXPECT_FALSE(find("without friction").pass);
+  domain_.contacts[0].stored_energy = 29;
+  EXPECT_NEAR(find("without friction").value, 1.0 / 57, 1e-15);
+  EXPECT_TRUE(find("without friction").pass);
+  domain_.contacts[0].stored_energy = 20;
+  EXPECT_FALSE(find("without friction").pass) << "the rest is lost";
+}
+
+/// The warning and the check have one figure.
+TEST_F(ChecksTest, NegativeContactEnergyIsWarnedOfByTheMeasureOfTheCheck) {
+  PeakValues peaks;
+  domain_.energy.internal = 1;
+  domain_.energy.hourglass = 0;
+  for (domain::ShellBlock& block : domain_.shells) block.hourglass_energy = 0;
+  domain_.energy.kinetic = 99;
+  domain_.energy.contact = domain_.contacts[0].energy = -0.05;
+  peaks.observe(view());
+  peaks_ = peaks;
+  EXPECT_NEAR(find("negative contact").value, 0.005, 1e-15);
+  EXPECT_EQ(energy_warnings(view(), peaks_).size(), 0U) << "5 % of the internal energy";
+  domain_.energy.contact = domain_.contacts[0].energy = -0.2;
+  peaks_.observe(domain_.energy);
+  EXPECT_NEAR(find("negative contact").value, 0.02, 1e-15);
+  ASSERT_EQ(energy_warnings(view(), peaks_).size(), 1U);
+  EXPECT_NE(energy_warnings(view(), peaks_)[0].find("-2.00 % of a tenth"), std::string::npos);
+}
+
 /// Damping and ties that broke take energy by their rule. It hides no springs that give some away.
 TEST_F(ChecksTest, WhatContactDissipatesIsNoFault) {
   domain_.energy.contact = 30;

@@ -182,6 +182,18 @@ void print_eroded(std::ostream& out, const output::View& view) {
   }
 }
 
+/// Thick shells of a fine mesh that may touch themselves come closer than their thickness.
+void print_thickness_cuts(std::ostream& out, const std::vector<domain::ContactReport>& contacts) {
+  for (const domain::ContactReport& contact : contacts) {
+    const domain::ThicknessCut& cut = contact.thickness_cut;
+    if (cut.shells > 0)
+      print(out,
+            "  contact {}: {} with a contact thickness of 0.4 of the shortest edge, as the surface may touch "
+            "itself; most at element {} of part {}, from {:.4g} to {:.4g}\n",
+            contact.id, counted(cut.shells, "shell"), cut.shell, cut.part, cut.from, cut.to);
+  }
+}
+
 }  // namespace
 
 void print_run_settings(std::ostream& out, const timeloop::Simulation& simulation,
@@ -197,6 +209,7 @@ void print_run_settings(std::ostream& out, const timeloop::Simulation& simulatio
         execution.precision == Precision::Mixed ? "mixed precision" : "double precision",
         isa_name(execution.isa), counted(execution.threads, "thread"));
   if (!model.contacts.empty()) print(out, "  contact search        {}\n", model.search.method);
+  print_thickness_cuts(out, simulation.domain().contacts);
   print(out, "  results in            {}\n", folder.string());
   out.flush();
 }

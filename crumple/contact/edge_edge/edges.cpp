@@ -113,6 +113,7 @@ void take_from_segments(Edges& edges, const Surface& surface) {
       if (surface.is_face(s) && edges.sharp[e] == 0) continue;
       if (surface.is_face(s)) edges.height[e] = std::max(edges.height[e], surface.height[s]);
       ++(surface.is_face(s) ? faces : shells);
+      edges.side[e] |= surface.segment_side[s];
       edges.half_thickness[e] = std::max(edges.half_thickness[e], surface.half_thickness[s]);
       edges.stiffness[e] = std::min(edges.stiffness[e], surface.stiffness[s]);
       edges.area[e] = std::min(edges.area[e], surface.area[s]);
@@ -134,6 +135,7 @@ void take_from_beams(Edges& edges, const domain::Domain& domain) {
     if (item != nullptr && block.state(beam.place.element, item->first) == 0) continue;
     const Index e = edges.edge_of_beam[i];
     edges.active[e] = 1;
+    edges.side[e] |= beam.side;
     edges.half_thickness[e] = std::max(edges.half_thickness[e], beam.radius);
     edges.stiffness[e] = std::min(edges.stiffness[e], beam.stiffness);
     edges.area[e] = std::min(edges.area[e], beam.area);
@@ -175,6 +177,7 @@ Edges build_edges(const model::Model& model, const domain::Domain& domain, const
                   const Surface& surface) {
   Edges edges;
   edges.which = contact.edges;
+  edges.kind = contact.kind;
   if (!edges_take_part(contact)) return edges;
   Builder builder(surface, edges);
   edges.beams = collect_beams(model, domain, contact);
@@ -190,6 +193,7 @@ Edges build_edges(const model::Model& model, const domain::Domain& domain, const
 
 void refresh(Edges& edges, const Surface& surface, const domain::Domain& domain) {
   const auto count = static_cast<std::size_t>(edges.count());
+  edges.side.assign(count, 0);
   edges.active.assign(count, 0);
   edges.bare.assign(count, 0);
   edges.half_thickness.assign(count, 0.0);

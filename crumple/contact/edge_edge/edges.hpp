@@ -9,6 +9,7 @@
 #include "base/index.hpp"
 #include "contact/edge_edge/edge_geometry.hpp"
 #include "contact/surface/beams.hpp"
+#include "contact/surface/sides.hpp"
 #include "contact/surface/surface.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
@@ -26,6 +27,7 @@ struct Edges {
   std::vector<std::uint8_t> sharp;  ///< 1 where two faces of solids meet in an edge that stands out
   std::vector<Index> body;          ///< rigid body that has both nodes, or no_index
 
+  std::vector<std::uint8_t> side;      ///< of its segments and beams, bits as in Surface::node_side
   std::vector<std::uint8_t> active;    ///< 1 if it takes part now
   std::vector<std::uint8_t> bare;      ///< 1 of a beam with no segment at it, whose ends no node search sees
   std::vector<double> half_thickness;  ///< the largest of its segments, or the radius of its beam [length]
@@ -56,6 +58,11 @@ struct Edges {
   }
   /// True if one rigid body has both: they never move against each other.
   bool same_body(Index one, Index other) const { return body[one] != no_index && body[one] == body[other]; }
+  /// True if they are on sides of the contact that touch each other, and not of one rigid body.
+  bool may_touch(Index one, Index other) const {
+    return !same_body(one, other) && ((touched_by(kind, side[one]) & side[other]) != 0 ||
+                                      (touched_by(kind, side[other]) & side[one]) != 0);
+  }
   double contact_distance(Index one, Index other) const {
     return half_thickness[one] + half_thickness[other];
   }
@@ -78,6 +85,7 @@ struct Edges {
   std::vector<ContactBeam> beams;
   std::vector<Index> edge_of_beam;
   model::ContactEdges which = model::ContactEdges::None;
+  model::ContactKind kind = model::ContactKind::SingleSurface;
 };
 
 /// Collects the edges of the shells of the surface and the beams of the contact, whose nodes are nodes of the

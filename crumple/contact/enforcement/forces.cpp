@@ -173,12 +173,23 @@ double Forces::stiffness_by_mass(const domain::NodeFields& nodes, const Touch& t
                                  : unit * contact_.soft_scale / whole_inverse_mass(nodes, touch);
 }
 
-/// The stiffness before stability limits it. What masses and steps give a touch keeps while it lasts.
+/// The stiffness before stability limits it. What masses and steps give a touch keeps while it lasts, and
+/// what the faces of a node of solids give: a slope that changed as the body turns would have no potential.
+/// Only where the touch began with faces that hardly met the other surface does it change.
 double Forces::stiffness(const domain::NodeFields& nodes, Touch& touch, double step) const {
-  if (!contact_.mass_stiffness && contact_.soft_scale <= 0) return touch.stiffness;
-  double& by_mass = touch.penalty.stiffness;
-  if (by_mass <= 0) by_mass = stiffness_by_mass(nodes, touch, step);
-  return contact_.mass_stiffness ? by_mass : std::max(touch.stiffness, by_mass);
+  double& kept = touch.penalty.stiffness;
+  const bool turns = touch.turning_stiffness > 0;
+  if (!contact_.mass_stiffness && contact_.soft_scale <= 0) {
+    if (!turns) return touch.stiffness;
+    if (touch.turning_stiffness > tolerances::regained_stiffness * kept) kept = touch.turning_stiffness;
+    return std::min(kept, touch.stiffness);
+  }
+  if (kept <= 0) {
+    kept = stiffness_by_mass(nodes, touch, step);
+    if (turns && !contact_.mass_stiffness)
+      kept = std::max(kept, std::min(touch.turning_stiffness, touch.stiffness));
+  }
+  return turns || contact_.mass_stiffness ? kept : std::max(touch.stiffness, kept);
 }
 
 /// Penetration beyond the slack that a touch is heading for: where the spring that has the force `force` now

@@ -29,7 +29,7 @@ struct PenaltyLaw {
 
 /// What the penalty remembers of a touch from one step to the next.
 struct PenaltyMemory {
-  double stiffness = 0;    ///< by masses and step; 0 if there was none [force/length]
+  double stiffness = 0;    ///< by masses and step, or of a node of solids; 0 if there was none [force/length]
   double slope_limit = 0;  ///< largest slope of the force by stability; 0 if there was none [force/length]
   double slack = 0;   ///< penetration at which the force begins, where the slope grew under load [length]
   double depth = 0;   ///< penetration beyond that [length]

@@ -16,6 +16,16 @@ Configuration configuration_of(const Kinematics& motion) {
   return {motion.position.data(), motion.velocity.data(), 0};
 }
 
+void set_stiffness(const Surface& surface, const Configuration& x, const ContactPair& pair, Touch& touch) {
+  const double of_node = node_stiffness(surface, x, pair);
+  const std::span<const Index> own = surface.topology.at_node(pair.node);
+  touch.stiffness = surface.stiffness[pair.segment];
+  if (!own.empty() && surface.of_solid[own.front()] != 0)
+    touch.turning_stiffness = of_node;
+  else
+    touch.stiffness = std::min(of_node, touch.stiffness);
+}
+
 }  // namespace
 
 NodeContact::NodeContact(const Surface& surface, const model::SearchSettings& settings, int threads)
@@ -74,9 +84,7 @@ void NodeContact::fill(const Kinematics& motion, std::span<Touch> touches) const
       prefetch_touch_after(*surface_, pairs_, i);
       Touch& touch = touches[i];
       touch = touch_of(*surface_, pairs_[i]);
-      if (touch.penetration > 0)
-        touch.stiffness =
-            std::min(node_stiffness(*surface_, x, pairs_[i]), surface_->stiffness[pairs_[i].segment]);
+      if (touch.penetration > 0) set_stiffness(*surface_, x, pairs_[i], touch);
     }
   });
 }

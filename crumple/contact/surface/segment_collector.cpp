@@ -83,6 +83,7 @@ SegmentCollector::SegmentCollector(const model::Model& model, const domain::Doma
       contact_(contact),
       sides_(model, contact),
       surface_(surface),
+      sides_of_node_(sides_.of_nodes()),
       solid_place_(model.solids.size()) {
   // Elements that cannot fail do not keep the energy that they would take along.
   for (const domain::ElementBlock* block : domain.blocks())
@@ -139,15 +140,26 @@ double SegmentCollector::release_depth(const NewSegment& segment) const {
 }
 
 double SegmentCollector::thickness_of(const model::ShellElement& shell, std::uint8_t sides,
-                                      double shortest_edge) const {
+                                      double shortest_edge) {
   const model::Part& part = model_.parts[shell.part];
   const bool rigid = model::is_rigid(model_, part);
   if (!(rigid ? contact_.rigid_shell_thickness : contact_.shell_thickness)) return 0;
   const model::ContactSide& side = side_of(sides);
   if (part.contact_thickness > 0) return part.contact_thickness;
   if (side.contact_thickness > 0) return side.contact_thickness;
-  return std::min(side.thickness_scale * part.contact_thickness_scale * true_thickness(model_, shell),
-                  tolerances::thickness_over_edge * shortest_edge);
+  const double whole = side.thickness_scale * part.contact_thickness_scale * true_thickness(model_, shell);
+  const double most = tolerances::thickness_over_edge * shortest_edge;
+  if (whole <= most || !meets_itself(shell, sides)) return whole;
+  domain::ThicknessCut& cut = surface_.thickness_cut;
+  ++cut.shells;
+  if (cut.shells == 1 || whole * cut.to > cut.from * most) cut = {cut.shells, whole, most, shell.id, part.id};
+  return most;
+}
+
+/// True if nodes of the shell may touch segments on the sides that it is on, and so the surface around it.
+bool SegmentCollector::meets_itself(const model::ShellElement& shell, std::uint8_t sides) const {
+  const std::uint8_t touching = touched_by(contact_.kind, sides);
+  return std::ranges::any_of(shell.node, [&](Index node) { return (sides_of_node_[node] & touching) != 0; });
 }
 
 void SegmentCollector::add_shell(Index shell, const ElementPlace& place, double modulus) {

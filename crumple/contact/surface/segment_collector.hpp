@@ -16,12 +16,13 @@ namespace crumple::contact {
 /// Appends the segments of a contact to a surface: connectivity and all that is known per segment, but for
 /// what follows from all of them together. Faces must come before all others.
 ///
-/// Contact thickness of shells: the smaller of the true thickness times SFST (SFMT) and 0.4 of the shortest
-/// edge, or SST (MST) where given (LS-DYNA's rule for single-surface contact); faces of solids have none.
-/// Penalty stiffness with bulk modulus K and area A of the reference geometry: SLSFAC SFS K A / (largest
-/// diagonal) of shells, SLSFAC SFS K A^2 / V of faces of solids with the volume V (Hallquist, LS-DYNA Theory
-/// Manual, chapter on contact). A face that a shell of the same sides covers is left to the shell, and one
-/// between two solids is none, until the shell or the other solid has eroded.
+/// Contact thickness of shells: the true thickness times SFST (SFMT), or SST (MST) where given. Where nodes
+/// of a shell may touch segments on its own sides of the contact it is at most 0.4 of the shortest edge
+/// (LS-DYNA's rule for single-surface contact); Surface::thickness_cut counts these. Faces of solids have
+/// none. Penalty stiffness with bulk modulus K and area A of the reference geometry: SLSFAC SFS K A /
+/// (largest diagonal) of shells, SLSFAC SFS K A^2 / V of faces of solids with the volume V (Hallquist,
+/// LS-DYNA Theory Manual, chapter on contact). A face that a shell of the same sides covers is left to the
+/// shell, and one between two solids is none, until the shell or the other solid has eroded.
 class SegmentCollector {
  public:
   SegmentCollector(const model::Model& model, const domain::Domain& domain, const model::Contact& contact,
@@ -53,7 +54,8 @@ class SegmentCollector {
   Measure measure(const std::array<Index, 4>& segment) const;
   void add(const NewSegment& segment, const Measure& size);
   double release_depth(const NewSegment& segment) const;
-  double thickness_of(const model::ShellElement& shell, std::uint8_t sides, double shortest_edge) const;
+  double thickness_of(const model::ShellElement& shell, std::uint8_t sides, double shortest_edge);
+  bool meets_itself(const model::ShellElement& shell, std::uint8_t sides) const;
   void add_shell(Index shell, const ElementPlace& place, double modulus);
   void add_face(const model::SolidFace& face, std::uint8_t sides, const ElementPlace& ahead);
   std::vector<Cover> covers() const;
@@ -63,8 +65,9 @@ class SegmentCollector {
   const model::Contact& contact_;
   Sides sides_;
   Surface& surface_;
-  std::vector<ElementPlace> solid_place_;  ///< by index in Model::solids
-  std::vector<std::uint8_t> erodes_;       ///< 1 if elements of that block can fail
+  std::vector<std::uint8_t> sides_of_node_;  ///< by node of the model
+  std::vector<ElementPlace> solid_place_;    ///< by index in Model::solids
+  std::vector<std::uint8_t> erodes_;         ///< 1 if elements of that block can fail
   std::vector<std::uint8_t> known_orientation_;
   double edge_sum_ = 0;
   double edges_ = 0;

@@ -8,7 +8,7 @@
 namespace crumple::contact {
 
 Sides::Sides(const model::Model& model, const model::Contact& contact)
-    : model_(&model), of_part_(model.parts.size(), 0), of_shell_(model.shells.size(), 0) {
+    : model_(&model), contact_(&contact), of_part_(model.parts.size(), 0), of_shell_(model.shells.size(), 0) {
   for (std::size_t i = 0; i < contact.side.size(); ++i) {
     const auto bit = i == 0 ? first_side : second_side;
     for (const Index part : contact.side[i].parts) of_part_[part] |= bit;
@@ -46,6 +46,21 @@ std::uint8_t Sides::of_face(Index solid, const std::array<Index, 4>& nodes) cons
   const auto [first, last] = named(model::key_of(nodes));
   for (const Named* segment = first; segment != last; ++segment) sides |= segment->side;
   return sides;
+}
+
+std::vector<std::uint8_t> Sides::of_nodes() const {
+  std::vector<std::uint8_t> found(model_->nodes.id.size(), 0);
+  for (Index shell = 0; shell < static_cast<Index>(model_->shells.size()); ++shell) {
+    const std::uint8_t sides = of_shell(shell);
+    for (const Index node : model_->shells[shell].node) found[node] |= sides;
+  }
+  for (const model::SolidElement& solid : model_->solids)
+    for (std::size_t k = 0; k < solid.node.size(); ++k) found[solid.node[k]] |= of_part_[solid.part];
+  for (const Named& segment : named_)
+    for (const Index node : segment.nodes) found[node] |= segment.side;
+  for (std::size_t i = 0; i < contact_->side.size(); ++i)
+    for (const Index node : contact_->side[i].nodes) found[node] |= i == 0 ? first_side : second_side;
+  return found;
 }
 
 const std::array<Index, 4>* Sides::given(Index shell) const {

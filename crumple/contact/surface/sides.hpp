@@ -26,6 +26,8 @@ class Sides {
   std::uint8_t of_face(Index solid, const std::array<Index, 4>& nodes) const;
   /// The order of nodes that the contact gives to a shell on its own; nullptr if it has none.
   const std::array<Index, 4>* given(Index shell) const;
+  /// By node of the model: those of its shells and solids, and those on which it is named.
+  std::vector<std::uint8_t> of_nodes() const;
   /// True if any face of a solid can be on a side.
   bool may_have_faces() const { return may_have_faces_; }
 
@@ -40,6 +42,7 @@ class Sides {
   std::pair<const Named*, const Named*> named(const Key& key) const;
 
   const model::Model* model_;
+  const model::Contact* contact_;
   std::vector<std::uint8_t> of_part_;
   std::vector<std::uint8_t> of_shell_;
   std::vector<Named> named_;  ///< by key

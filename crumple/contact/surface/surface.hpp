@@ -110,6 +110,7 @@ struct Surface {
 
   double mean_edge = 0;               ///< over all segments [length]
   double largest_half_thickness = 0;  ///< [length]
+  domain::ThicknessCut thickness_cut;
   Topology topology;
 
   Index segments() const { return static_cast<Index>(segment_id.size()); }

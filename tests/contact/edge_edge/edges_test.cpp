@@ -123,6 +123,38 @@ TEST(Edges, NothingHappensWithoutThem) {
   EXPECT_EQ(made.contacts[0].active_pairs, 0);
 }
 
+// Of two sides the edges of one touch those of the other, and never those of their own.
+TEST(Edges, OfTwoSidesTouchThoseOfTheOther) {
+  using model::ContactKind;
+  const auto force = [](ContactKind kind, const std::vector<Index>& first, const std::vector<Index>& second) {
+    Cross cross(0.2);
+    cross.bodies.part();
+    for (const double z : {3.0, 5.0})  // far away, so that both sides have segments
+      cross.bodies.sheet(1, 1, [&](double u, double v) { return Vec3{u, v, z}; });
+    cross.bodies.model.shells[1].part = cross.bodies.part();
+    cross.bodies.contact.kind = kind;
+    cross.bodies.contact.edges = ContactEdges::All;
+    cross.bodies.contact.side[0].parts = first;
+    cross.bodies.contact.side[1].parts = second;
+    domain::Domain made = cross.bodies.build();
+    contact::Interface touching = cross.bodies.attach(made);
+    touching.verify_search_every(1);
+    test::add_forces(touching, made);
+    test::move_to(touching, made, cross.moved(made, {0, 0, -0.16}), 1e-3);
+    const Vec3 sum = cross.on_upper(made);
+    if (second == std::vector<Index>{2}) {
+      EXPECT_EQ(made.contacts[0].force.z, sum.z) << "on the first side";
+    }
+    return sum.z;
+  };
+  const double one_surface = force(ContactKind::SingleSurface, {0, 2}, {});
+  EXPECT_GT(one_surface, 0);
+  EXPECT_EQ(force(ContactKind::SurfaceToSurface, {0}, {2}), one_surface);
+  EXPECT_EQ(force(ContactKind::SurfaceToSurface, {0}, {1, 2}), one_surface);
+  EXPECT_EQ(force(ContactKind::SurfaceToSurface, {0, 2}, {1}), 0) << "both on the first side";
+  EXPECT_EQ(force(ContactKind::SurfaceToSurface, {1}, {0, 2}), 0);
+}
+
 // Sliding along an edge of several elements, over their nodes: one force, whoever sees to it.
 TEST(Edges, ForceStaysTheSameOverNodes) {
   Cross cross(0.2, 4, 0.0);

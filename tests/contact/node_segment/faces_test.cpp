@@ -11,6 +11,7 @@
 
 #include "contact/bodies.hpp"
 #include "contact/surface/surface.hpp"
+#include "support/largest.hpp"
 #include "support/meshes.hpp"
 #include "support/verified.hpp"
 
@@ -291,6 +292,64 @@ TEST(Faces, AreNotEnteredByWhatPassesTheirRims) {
       }
       EXPECT_EQ(largest, 0) << (glides ? "glides" : "falls") << ", gap " << gap;
     }
+}
+
+/// Turned by an angle about the x axis.
+Vec3 turned(double angle, const Vec3& a) {
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
+  return {a.x, cosine * a.y - sine * a.z, sine * a.y + cosine * a.z};
+}
+
+// The force of a corner that a body turns about is that of its penetration: a stiffness that followed the
+// faces of the corner would make or lose energy.
+TEST(Faces, PressAsHardWhenABodyTurnsAboutItsCorner) {
+  constexpr double start = 0.9;
+  const Vec3 corner{0.1, 0.1, 1.001};
+  test::Bodies bodies;
+  bodies.take_two_parts_of_solids();
+  test::add_box(bodies.model, 0, 1, 1, 1, [&](double u, double v, double w) {
+    return test::Point{2 * u - 1, 2 * v - 1, w};
+  });
+  // The edge along x rises from the corner, which so is the lowest node at all angles.
+  const auto place = [&](double angle, const Vec3& local) {
+    return corner + turned(angle, {0.2 * local.x, 0.2 * local.y, 0.2 * local.z + 0.04 * local.x});
+  };
+  const Index small = test::add_box(bodies.model, 1, 1, 1, 1, [&](double u, double v, double w) {
+    const Vec3 x = place(start, {u, v, w});
+    return test::Point{x.x, x.y, x.z};
+  });
+  domain::Domain made = bodies.build();
+  contact::Interface touching = bodies.attach(made);
+  test::add_forces(touching, made);
+  std::array<Vec3, 8> local;
+  for (Index i = 0; i < 8; ++i) {
+    const Vec3 back = turned(-start, made.nodes.position[test::at(made, small + i)] - corner);
+    local[i] = {back.x / 0.2, back.y / 0.2, (back.z - 0.2 * back.x) / 0.2};
+  }
+  const auto put = [&](double angle, double depth) {
+    std::vector<Vec3> x(made.nodes.position.begin(), made.nodes.position.end());
+    for (Index i = 0; i < 8; ++i)
+      x[test::at(made, small + i)] = place(angle, local[i]) - Vec3{0, 0, 0.001 + depth};
+    test::move_to(touching, made, x, 0.1);
+  };
+  put(start, 0.002);
+  test::settle(touching, made);
+  ASSERT_EQ(made.contacts[0].active_pairs, 1);
+  const auto force = [&] {
+    double sum = 0;
+    for (Index i = 0; i < 8; ++i) sum += made.contact_force[test::at(made, small + i)].z;
+    return sum;
+  };
+  const double before = force();
+  ASSERT_GT(before, 0);
+  test::Largest off("cube turned about a corner pressed into a face: force, relative change", "none", 1e-12);
+  for (double angle = start; angle > 0.4; angle -= 0.02) {
+    put(angle, 0.002);
+    test::settle(touching, made);
+    ASSERT_EQ(made.contacts[0].active_pairs, 1);
+    off.compare(force(), before, before);
+  }
 }
 
 }  // namespace

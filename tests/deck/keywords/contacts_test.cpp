@@ -106,7 +106,7 @@ TEST(Contact, SoftnessAndLimitOfFriction) {
   EXPECT_EQ(read_clean(deck.text()).contacts.at(0).soft_scale, 0);
 }
 
-// SOFT = 2 has edges where DEPTH ends in 5 and the contact is with itself.
+// SOFT = 2 has edges where DEPTH ends in 5 and both sides of shells count.
 TEST(Contact, StiffnessByMassAlone) {
   SmallDeck deck;
   const auto contact = [&](const std::string& keyword, const std::string& card_1, const std::string& card_a) {
@@ -120,7 +120,23 @@ TEST(Contact, StiffnessByMassAlone) {
   EXPECT_EQ(contact("AUTOMATIC_SINGLE_SURFACE", "0", "1,,,,,5").edges, model::ContactEdges::None);
   const model::Contact two = contact("AUTOMATIC_SURFACE_TO_SURFACE", "1,1,3,3", "2,,,,,5");
   EXPECT_TRUE(two.mass_stiffness);
-  EXPECT_EQ(two.edges, model::ContactEdges::None);
+  EXPECT_EQ(two.edges, model::ContactEdges::All);
+  EXPECT_EQ(contact("AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE", "1,1,3,3", "2,,,,,5").edges,
+            model::ContactEdges::All);
+  EXPECT_EQ(contact("SURFACE_TO_SURFACE", "1,1,3,3", "2,,,,,2").edges, model::ContactEdges::None);
+}
+
+TEST(Contact, EdgesThatTakeNoPartAreWarnedOf) {
+  SmallDeck deck;
+  for (const std::string keyword : {"SURFACE_TO_SURFACE", "AUTOMATIC_NODES_TO_SURFACE"})
+    for (const std::string card_a : {"2,,,,,35", "0,,,,,5"}) {
+      deck.more = "*CONTACT_" + keyword + "\n1,1,3,3\n\n\n" + card_a + "\n";
+      const ReadResult result = read_deck_text(deck.text());
+      ASSERT_TRUE(result.model) << listed(result.diagnostics);
+      EXPECT_EQ(result.model->contacts.at(0).edges, model::ContactEdges::None);
+      const bool warned = listed(result.diagnostics).find("DEPTH 35 acts like 2") != std::string::npos;
+      EXPECT_EQ(warned, card_a.front() == '2') << keyword << listed(result.diagnostics);
+    }
 }
 
 TEST(Contact, ReleaseAndSolids) {

@@ -247,19 +247,32 @@ void read_forces(Cards& cards, const Form& form, RawContact& raw) {
   contact.side[1].thickness_scale = third.real("SFMT");
 }
 
+/// DEPTH of 5, 15, 25, ...: edges against edges, with SOFT = 2 and in contacts with edges.
+void read_depth(Cards& cards, const Card& card, RawContact& raw) {
+  constexpr int last_digit = 10;
+  constexpr int edges_to_edges = 5;
+  model::Contact& contact = raw.contact;
+  if (card.integer("DEPTH") % last_digit != edges_to_edges) return;
+  if (contact.edges == model::ContactEdges::None && !contact.mass_stiffness) return;
+  // Nodes have no edges, and an edge of shells with an outside is on neither side of another one.
+  if (!has_option(cards, "_NODES_TO_SURFACE") && !contact.oriented &&
+      contact.enforcement == model::Enforcement::Penalty) {
+    contact.edges = model::ContactEdges::All;
+    return;
+  }
+  cards.report().warning(
+      card.where(), "depth",
+      fmt::format("edges do not touch edges in this contact, DEPTH {} acts like 2: AUTOMATIC "
+                  "contacts of surfaces have such edges",
+                  card.integer("DEPTH")));
+}
+
 void read_optional_cards(Cards& cards, RawContact& raw) {
   if (!cards.has_line()) return;
   const Card soft = cards.next(contact_card_a);
   if (soft.real("SOFT") == 1) raw.contact.soft_scale = soft.real("SOFSCL");
   raw.contact.mass_stiffness = soft.real("SOFT") == 2;
-  // 5, 15, 25, ...: edges against edges, which contacts of two sides do not have.
-  constexpr int last_digit = 10;
-  constexpr int edges_to_edges = 5;
-  const bool may_have_edges =
-      raw.contact.edges != model::ContactEdges::None ||
-      (raw.contact.mass_stiffness && raw.contact.kind == model::ContactKind::SingleSurface);
-  if (may_have_edges && soft.integer("DEPTH") % last_digit == edges_to_edges)
-    raw.contact.edges = model::ContactEdges::All;
+  read_depth(cards, soft, raw);
   if (!cards.has_line()) return;
   const Card thickness = cards.next(contact_card_b);
   // Of MORTAR it is a depth that the contact keeps, not one at which it lets go.
