@@ -70,6 +70,8 @@
 
 namespace crumple::timeloop {
 
+class StartLoss;
+
 /// A model in motion. The caller owns the loop: start once, then step until the end time.
 class Simulation {
  public:
@@ -138,8 +140,9 @@ class Simulation {
   double next_step() const { return next_step_; }
 
  private:
-  void compute_forces();
+  void compute_forces(StartLoss* start = nullptr);
   void scale_masses();
+  void limit_step_without_elements();
   void add_contact_forces();
   void choose_step();
   void close_gaps(double interval);
@@ -192,6 +195,7 @@ class Simulation {
   bool guards_contact_energy_ = true;
   double initial_stress_energy_ = 0;  ///< see guards.hpp [energy]
   std::optional<elements::EnergyTrace> energy_trace_;
+  double start_loss_ = 0;    ///< see start_loss.hpp; the ledger has it from cycle 1 on [energy]
   double largest_step_ = 0;  ///< no step exceeds this [time]
   double next_step_ = 0;     ///< from n to n+1 [time]
   HeldStep held_step_;
