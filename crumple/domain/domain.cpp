@@ -56,6 +56,7 @@ void keep_contact(ContactReport& contact, StateList& list) {
   keep("worst_penetration", "length", contact.worst_penetration);
   keep("worst_node", "-", contact.worst_node);
   keep("deepest", "by item", contact.deepest);
+  keep("worst_intersections", "by item", contact.worst_intersections);
   keep("damping_energy", "energy", contact.damping_energy);
   keep("force", "force", contact.force);
   keep("mass", "mass", contact.mass);
