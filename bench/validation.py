@@ -134,8 +134,8 @@ def deck_of(model, folder):
 def histories(folder):
     with open(folder / "timestep.csv", newline="", encoding="utf-8") as stream:
         steps = [{"dt": float(row["dt"])} for row in csv.DictReader(stream)]
-    checks = json.loads((folder / "run.json").read_text(encoding="utf-8"))["checks"]
-    cuts = sum(check["value"] for check in checks if check["name"].startswith("mid-surface intersections"))
+    contacts = json.loads((folder / "run.json").read_text(encoding="utf-8"))["contact"]
+    cuts = sum(contact["intersections"] - contact["initial_intersections"] for contact in contacts)
     return Run(rows_of(folder / "glstat.csv"), rows_of(folder / "rwforc.csv"), steps, cuts)
 
 

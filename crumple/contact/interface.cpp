@@ -316,19 +316,23 @@ void Interface::verify_search_every(long cycles) {
   implementation_->verify_cycles = cycles;
 }
 
+void Interface::look_for_intersections(domain::Domain& domain) const {
+  const Implementation& own = *implementation_;
+  if (!own.acting(domain.clock.time)) return;
+  note_worst(Intersections(own.surface, domain, CutDepth::Through), own.surface, domain.clock,
+             domain.contacts[own.report].worst_intersections);
+}
+
 void Interface::inspect(domain::Domain& domain) const {
   const Implementation& own = *implementation_;
-  const int threads = domain.execution.threads;
-  const auto cut = intersecting_segments(own.surface, domain.nodes.position, threads);
-  const auto initial =
-      cut.empty() ? cut : intersecting_segments(own.surface, domain.nodes.reference, threads);
-  const auto since = cut_since(own.surface, initial, cut);
-  const auto& named = since.empty() ? cut : since;
+  const Intersections cut(own.surface, domain, CutDepth::Any);
+  note_worst(cut, own.surface, domain.clock, domain.contacts[own.report].worst_intersections);
+  const auto& named = cut.since_start.empty() ? cut.all : cut.since_start;
   const PenetrationSummary depth = summarise(own.penetrations);
   domain::ContactInspection& seen = domain.contacts[own.report].inspection;
   seen.made = true;
-  seen.intersections = static_cast<Index>(cut.size());
-  seen.initial_intersections = static_cast<Index>(cut.size() - since.size());
+  seen.intersections = static_cast<Index>(cut.all.size());
+  seen.initial_intersections = static_cast<Index>(cut.all.size() - cut.since_start.size());
   seen.first_segment = named.empty() ? 0 : own.surface.segment_id[named.front()[0]];
   seen.second_segment = named.empty() ? 0 : own.surface.segment_id[named.front()[1]];
   for (const auto& detector : own.detectors) detector->inspect(domain, seen);

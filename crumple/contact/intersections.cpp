@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
-#include <cellsearch/search.hpp>
-
+#include "base/parallel.hpp"
+#include "contact/overlapping_boxes.hpp"
 #include "contact/surface/inside_outside.hpp"
 #include "contact/surface/segment_shape.hpp"
 #include "contact/tolerances.hpp"
@@ -19,14 +18,24 @@ double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return dot(b - a, cross(c - a, d - a));
 }
 
+/// A flat part of a segment, with its normal, which is as long as twice its area.
+struct Triangle {
+  std::array<Vec3, 3> corner;
+  Vec3 normal;
+  double size = 0;  ///< of the normal
+
+  Triangle(const Vec3& a, const Vec3& b, const Vec3& c)
+      : corner{a, b, c}, normal(cross(b - a, c - a)), size(norm(normal)) {}
+};
+
 /// True if the line from a to b goes through the triangle, its rim included; not if it only touches.
-bool pierces(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t) {
-  const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
-  const double above_a = dot(a - t[0], normal);
-  const double above_b = dot(b - t[0], normal);
-  const double smallest = tolerances::in_plane * norm(normal) * norm(b - a);
-  if (std::min(std::fabs(above_a), std::fabs(above_b)) <= smallest || (above_a > 0) == (above_b > 0))
-    return false;
+bool pierces(const Vec3& a, const Vec3& b, const Triangle& triangle) {
+  const std::array<Vec3, 3>& t = triangle.corner;
+  const double above_a = dot(a - t[0], triangle.normal);
+  const double above_b = dot(b - t[0], triangle.normal);
+  if ((above_a > 0) == (above_b > 0)) return false;
+  const double smallest = tolerances::in_plane * triangle.size * norm(b - a);
+  if (std::min(std::fabs(above_a), std::fabs(above_b)) <= smallest) return false;
   const double v0 = volume(a, b, t[0], t[1]);
   const double v1 = volume(a, b, t[1], t[2]);
   const double v2 = volume(a, b, t[2], t[0]);
@@ -46,80 +55,118 @@ double depth_through(const Vec3& a, const Vec3& b, const std::array<Vec3, 3>& t,
 
 /// True if the line from a to b goes through the segment, deeper than `least`.
 bool pierces_segment(const Vec3& a, const Vec3& b, const SegmentShape& shape, double least) {
-  const auto through = [&](const std::array<Vec3, 3>& t) {
-    return pierces(a, b, t) && (least == 0 || depth_through(a, b, t, shape) > least);
+  const auto through = [&](const Vec3& c, const Vec3& d, const Vec3& e) {
+    const Triangle t(c, d, e);
+    return pierces(a, b, t) && (least == 0 || depth_through(a, b, t.corner, shape) > least);
   };
-  if (shape.triangle) return through({shape.corner[0], shape.corner[1], shape.corner[2]});
+  if (shape.triangle) return through(shape.corner[0], shape.corner[1], shape.corner[2]);
   for (int k = 0; k < 4; ++k)
-    if (through({shape.corner[k], shape.corner[(k + 1) % 4], shape.centre})) return true;
+    if (through(shape.corner[k], shape.corner[(k + 1) % 4], shape.centre)) return true;
   return false;
 }
 
-/// True if a line of segment `one` goes through segment `other`.
-bool cuts(const Surface& surface, const Configuration& x, Index one, Index other) {
-  const Index* nodes = surface.segment(one);
-  const SegmentShape shape = shape_of(surface, x, one);
-  const SegmentShape target = shape_of(surface, x, other);
-  // Faces have no thickness: where they press, they overlap by what the penalty needs.
-  const double least = surface.is_face(one) && surface.is_face(other)
-                           ? tolerances::pressed_faces * std::min(surface.height[one], surface.height[other])
-                           : 0;
+/// A pair of segments, of which lines from corners that the other owns do not count.
+struct SegmentPair {
+  SegmentPair(const Surface& surface, std::span<const SegmentShape> shapes, Index one, Index other)
+      : first(shapes[one]), second(shapes[other]) {
+    for (int k = 0; k < 4; ++k) {
+      first_counts[k] = !surface.owns(other, surface.segment(one)[k]);
+      second_counts[k] = !surface.owns(one, surface.segment(other)[k]);
+    }
+  }
+
+  const SegmentShape& first;
+  const SegmentShape& second;
+  std::array<bool, 4> first_counts{};
+  std::array<bool, 4> second_counts{};
+};
+
+/// True if a plane across the line between the centres parts all lines that count from the other segment:
+/// most neighbours.
+bool parted(const SegmentPair& pair) {
+  const Vec3 direction = pair.second.centre - pair.first.centre;
+  double first_end = dot(pair.first.centre, direction);
+  double second_end = dot(pair.second.centre, direction);
+  double first_counted = first_end;
+  double second_counted = second_end;
   for (int k = 0; k < 4; ++k) {
-    if (surface.owns(other, nodes[k])) continue;
+    const double first = dot(pair.first.corner[k], direction);
+    const double second = dot(pair.second.corner[k], direction);
+    first_end = std::max(first_end, first);
+    second_end = std::min(second_end, second);
+    if (pair.first_counts[k]) first_counted = std::max(first_counted, first);
+    if (pair.second_counts[k]) second_counted = std::min(second_counted, second);
+  }
+  return first_counted < second_end && first_end < second_counted;
+}
+
+/// True if a line of segment `one` goes through segment `other`, deeper than `least`.
+bool cuts(const Index* nodes, const SegmentShape& one, const std::array<bool, 4>& counts,
+          const SegmentShape& other, double least) {
+  for (int k = 0; k < 4; ++k) {
+    if (!counts[k]) continue;
     const int next = (k + 1) % 4;
-    if (has_edge(nodes, k) && !surface.owns(other, nodes[next]) &&
-        pierces_segment(shape.corner[k], shape.corner[next], target, least))
+    if (has_edge(nodes, k) && counts[next] && pierces_segment(one.corner[k], one.corner[next], other, least))
       return true;
-    if (!shape.triangle && pierces_segment(shape.corner[k], shape.centre, target, least)) return true;
+    if (!one.triangle && pierces_segment(one.corner[k], one.centre, other, least)) return true;
   }
   return false;
 }
 
-double radius(const SegmentShape& shape) {
-  double largest = 0;
-  for (const Vec3& corner : shape.corner) largest = std::max(largest, norm(corner - shape.centre));
-  return largest;
+bool cut_each_other(const Surface& surface, std::span<const SegmentShape> shapes, CutDepth depth, Index one,
+                    Index other) {
+  const SegmentPair pair(surface, shapes, one, other);
+  if (parted(pair)) return false;
+  // Faces have no thickness: where they press, they overlap by what the penalty needs.
+  double least = surface.is_face(one) && surface.is_face(other)
+                     ? tolerances::pressed_faces * std::min(surface.height[one], surface.height[other])
+                     : 0;
+  if (depth == CutDepth::Through)
+    least = std::max({least, surface.half_thickness[one], surface.half_thickness[other]});
+  return cuts(surface.segment(one), pair.first, pair.first_counts, pair.second, least) ||
+         cuts(surface.segment(other), pair.second, pair.second_counts, pair.first, least);
+}
+
+Box box_of(const SegmentShape& shape) {
+  Box box{shape.corner[0], shape.corner[0]};
+  for (const Vec3& corner : shape.corner)
+    for (int axis = 0; axis < 3; ++axis) {
+      box.low[axis] = std::min(box.low[axis], corner[axis]);
+      box.high[axis] = std::max(box.high[axis], corner[axis]);
+    }
+  return box;
 }
 
 }  // namespace
 
 std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
-                                                        const AlignedArray<Vec3>& position, int threads) {
+                                                        const AlignedArray<Vec3>& position, int threads,
+                                                        CutDepth depth) {
+  constexpr Index pairs_per_piece = 4096;
   const Configuration x{position.data(), nullptr, 0};
-  // Two segments can cut only where the centre of one is in the box of the other, expanded by its radius.
-  std::vector<double> points;
-  points.reserve(3 * (position.size() + surface.segment_id.size()));
-  const auto append = [&](const Vec3& a) { points.insert(points.end(), {a.x, a.y, a.z}); };
-  for (const Vec3& a : position) append(a);
-  double largest_radius = 0;
-  std::vector<Index> centres;
+  std::vector<SegmentShape> shapes(surface.segment_id.size());
+  std::vector<Index> segments;
+  std::vector<Box> boxes;
   for (Index s = 0; s < surface.segments(); ++s) {
-    const SegmentShape shape = shape_of(surface, x, s);
-    append(shape.centre);
     // Eroded ones may reach through the whole model.
     if (surface.active[s] == 0) continue;
-    largest_radius = std::max(largest_radius, radius(shape));
-    centres.push_back(static_cast<Index>(position.size()) + s);
+    shapes[s] = shape_of(surface, x, s);
+    segments.push_back(s);
+    boxes.push_back(box_of(shapes[s]));
   }
-
-  cellsearch::Scene scene;
-  scene.positions = cellsearch::Positions(points);
-  scene.segments = cellsearch::Segments(surface.connectivity);
-  scene.segment_active = surface.active;
-  scene.expansion = largest_radius;
-  scene.nodes = std::span<const cellsearch::Index>(centres);
-  cellsearch::Settings settings;
-  settings.threads = threads;
-  cellsearch::Search search(settings);
-  const cellsearch::Candidates& near = search.find(scene);
-
-  std::vector<std::array<Index, 2>> found;
-  for (Index s = 0; s < near.segments(); ++s)
-    for (const Index centre : near.of(s)) {
-      const Index other = centre - static_cast<Index>(position.size());
-      if (other > s && (cuts(surface, x, s, other) || cuts(surface, x, other, s)))
-        found.push_back({s, other});
+  const std::vector<std::array<Index, 2>> near = overlapping_boxes(boxes, threads);
+  const auto count = static_cast<Index>(near.size());
+  std::vector<std::vector<std::array<Index, 2>>> of_piece(
+      static_cast<std::size_t>(pieces(count, pairs_per_piece)));
+  parallel_for(pieces(count, pairs_per_piece), threads, [&](Index piece) {
+    for (Index i = piece * pairs_per_piece; i < std::min((piece + 1) * pairs_per_piece, count); ++i) {
+      const std::array<Index, 2> pair{segments[near[i][0]], segments[near[i][1]]};
+      if (cut_each_other(surface, shapes, depth, pair[0], pair[1])) of_piece[piece].push_back(pair);
     }
+  });
+  std::vector<std::array<Index, 2>> found;
+  for (const auto& some : of_piece) found.insert(found.end(), some.begin(), some.end());
+  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -135,6 +182,24 @@ std::vector<std::array<Index, 2>> cut_since(const Surface& surface,
     });
   });
   return found;
+}
+
+Intersections::Intersections(const Surface& surface, const domain::Domain& domain, CutDepth depth)
+    : all(intersecting_segments(surface, domain.nodes.position, domain.execution.threads, depth)) {
+  if (all.empty()) return;
+  since_start = cut_since(
+      surface, intersecting_segments(surface, domain.nodes.reference, domain.execution.threads), all);
+}
+
+void note_worst(const Intersections& found, const Surface& surface, const domain::Clock& clock,
+                domain::WorstIntersections& worst) {
+  const auto count = static_cast<Index>(found.since_start.size());
+  if (count <= worst.count) return;
+  worst.count = count;
+  worst.first_segment = surface.segment_id[found.since_start.front()[0]];
+  worst.second_segment = surface.segment_id[found.since_start.front()[1]];
+  worst.cycle = clock.cycle;
+  worst.time = clock.time;
 }
 
 PenetrationSummary summarise(std::span<const Penetration> penetrations) {

@@ -57,6 +57,7 @@ void keep_contact(ContactReport& contact, StateList& list) {
   keep("worst_node", "-", contact.worst_node);
   keep("deepest", "by item", contact.deepest);
   keep("held_energy", "energy", contact.stored_energy);
+  keep("worst_intersections", "by item", contact.worst_intersections);
   keep("damping_energy", "energy", contact.damping_energy);
   keep("force", "force", contact.force);
   keep("mass", "mass", contact.mass);

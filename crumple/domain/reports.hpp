@@ -53,6 +53,17 @@ struct ContactInspection {
   double percentile_99 = 0;   ///< the same; 99 % of the pairs are at most this deep [-]
 };
 
+/// The worst of the looks during a run at segments that cut through each other by more than their thickness,
+/// and of that at its end, where any cut counts: bodies that pass through each other and come apart again
+/// leave no other trace.
+struct WorstIntersections {
+  Index count = 0;           ///< most pairs of segments at one of them, without those of the start
+  UserId first_segment = 0;  ///< the first of these pairs
+  UserId second_segment = 0;
+  long cycle = 0;   ///< of the first look with so many
+  double time = 0;  ///< likewise [time]
+};
+
 /// A node that was nearer to a segment than the contact distance when the contact began.
 struct InitialOverlap {
   UserId node = 0;
@@ -137,6 +148,7 @@ struct ContactReport {
   LostContacts lost_edges{};
   OverlapForces overlap_forces{};
   ContactInspection inspection{};
+  WorstIntersections worst_intersections{};
   SearchReport search{};
   ContactTimes times{};
 };

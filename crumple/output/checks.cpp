@@ -231,12 +231,11 @@ std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) 
                                 static_cast<double>(contact.lost_nodes.count), 0, "crumple"));
     checks.push_back(make_check(fmt::format("edges lost by contact {}", contact.id),
                                 static_cast<double>(contact.lost_edges.count), 0, "crumple"));
-    checks.push_back(make_check(fmt::format("deepest penetration of the run, contact {}", contact.id),
+    checks.push_back(make_check(fmt::format("deepest penetration / thickness, contact {}", contact.id),
                                 contact.deepest.share, 1, "crumple"));
     if (!contact.inspection.made) continue;
-    checks.push_back(make_check(fmt::format("mid-surface intersections, contact {}", contact.id),
-                                contact.inspection.intersections - contact.inspection.initial_intersections,
-                                0, "crumple"));
+    checks.push_back(make_check(fmt::format("mid-surface intersections of the run, contact {}", contact.id),
+                                contact.worst_intersections.count, 0, "crumple"));
     checks.push_back(make_check(fmt::format("nodes in solids without contact, contact {}", contact.id),
                                 contact.inspection.nodes_in_solids, 0, "crumple"));
     checks.push_back(make_check(fmt::format("nodes on or beyond a mid-surface, contact {}", contact.id),

@@ -104,6 +104,7 @@ domain::StateList Simulation::state() {
   local_constraints_.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
   held_step_.declare(list);
+  list.keep("start_loss", "energy", domain::Entity::Run, start_loss_);
   list.keep("largest_step", "time", domain::Entity::Run, largest_step_);
   list.keep_list("previous_velocity", "length/time", domain::Entity::Node, 3, previous_velocity_);
   for (constraints::RigidWall& wall : walls_) wall.declare(list);
@@ -140,6 +141,10 @@ std::vector<domain::ContactNodeForce> Simulation::contact_node_forces() const {
   std::vector<domain::ContactNodeForce> forces;
   for (const contact::Interface& contact : contacts_) contact.append_node_forces(forces);
   return forces;
+}
+
+void Simulation::look_for_intersections() {
+  for (const contact::Interface& contact : contacts_) contact.look_for_intersections(domain_);
 }
 
 void Simulation::inspect_contacts() {

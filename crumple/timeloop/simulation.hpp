@@ -70,6 +70,8 @@
 
 namespace crumple::timeloop {
 
+class StartLoss;
+
 /// A model in motion. The caller owns the loop: start once, then step until the end time.
 class Simulation {
  public:
@@ -108,7 +110,11 @@ class Simulation {
   /// Fingerprint of every array that changes.
   std::uint64_t state_hash() { return state().hash(); }
 
-  /// Has every contact look for mid-surfaces that cut through each other, into its report.
+  /// Has every contact look for segments that cut through each other by more than their thickness, into the
+  /// worst of the run in its report.
+  void look_for_intersections();
+  /// Has every contact look for all mid-surfaces that cut through each other, as the end of a run is judged,
+  /// into the report's inspection, too.
   void inspect_contacts();
 
   /// Compares contact candidates with brute force every `cycles` cycles (a debugging aid); 0 is off.
@@ -138,8 +144,9 @@ class Simulation {
   double next_step() const { return next_step_; }
 
  private:
-  void compute_forces();
+  void compute_forces(StartLoss* start = nullptr);
   void scale_masses();
+  void limit_step_without_elements();
   void add_contact_forces();
   double longest_contact_step() const;
   void choose_step();
@@ -193,6 +200,7 @@ class Simulation {
   bool guards_contact_energy_ = true;
   double initial_stress_energy_ = 0;  ///< see guards.hpp [energy]
   std::optional<elements::EnergyTrace> energy_trace_;
+  double start_loss_ = 0;    ///< see start_loss.hpp; the ledger has it from cycle 1 on [energy]
   double largest_step_ = 0;  ///< no step exceeds this [time]
   double next_step_ = 0;     ///< from n to n+1 [time]
   HeldStep held_step_;

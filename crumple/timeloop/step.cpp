@@ -14,6 +14,7 @@
 #include "timeloop/guards.hpp"
 #include "timeloop/motion.hpp"
 #include "timeloop/simulation.hpp"
+#include "timeloop/start_loss.hpp"
 #include "timeloop/trouble.hpp"
 
 namespace crumple::timeloop {
@@ -50,7 +51,8 @@ double curve_limit(const model::Model& model, double time) {
 }  // namespace
 
 void Simulation::start() {
-  compute_forces();
+  StartLoss start_loss(domain_);
+  compute_forces(&start_loss);
   choose_step();
   const AlignedArray<math::Vec3>& velocity = domain_.nodes.velocity;
   if (keeps_previous_velocity()) previous_velocity_ = velocity;
@@ -64,10 +66,13 @@ void Simulation::start() {
   balance();
   domain_.energy.initial_total = domain_.energy.total();
   kick(0.5 * next_step_);
+  // Forces of initial stresses store what they take.
+  if (initial_stress_energy_ == 0) start_loss_ = start_loss.of_kick(domain_, 0.5 * next_step_);
 }
 
 void Simulation::step() {
   drift();
+  if (domain_.clock.cycle == 1) domain_.energy.damping += start_loss_;
   compute_forces();
   choose_step();
   close_gaps(0.5 * (domain_.clock.step + next_step_));
@@ -89,12 +94,14 @@ void Simulation::drift() {
   clock.way = clock.step * velocities.relative_speed() + 2 * placed;
 }
 
-void Simulation::compute_forces() {
+void Simulation::compute_forces(StartLoss* start) {
   {
     const StageTimer timer(domain_.times.elements);
     sections_.measure(domain_);
     elements::add_element_forces(domain_, energy_trace_ ? &*energy_trace_ : nullptr);
+    if (start != nullptr) start->keep_forces(domain_);
     scale_masses();
+    limit_step_without_elements();
   }
   add_contact_forces();
   for (std::size_t i = 0; i < transducers_.size(); ++i)
@@ -127,6 +134,14 @@ void Simulation::scale_masses() {
   if (domain_.clock.cycle > 0)  // before the first step there is nothing to balance yet
     domain_.energy.external_work +=
         (after.translational - before.translational) + (after.rotational - before.rotational);
+}
+
+/// Where the last element is gone none limits the step, but loads, contacts and joints hold on to what it
+/// would be: that of the start, then.
+void Simulation::limit_step_without_elements() {
+  const domain::Clock no_elements;
+  if (domain_.clock.cycle > 0 && domain_.clock.element_limit >= no_elements.rigid_limit)
+    domain_.clock.element_limit = largest_step_ / step_growth_limit / model_->control.step_scale;
 }
 
 /// In three stages: how stiff a contact may be depends on what the others do to its nodes.

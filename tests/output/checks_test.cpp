@@ -229,6 +229,16 @@ TEST_F(ChecksTest, TheDeepestPenetrationOfTheRunCounts) {
   EXPECT_FALSE(find("deepest penetration").pass);
 }
 
+/// Bodies that have passed through each other are apart at the end.
+TEST_F(ChecksTest, TheMostIntersectionsOfTheRunCount) {
+  domain_.contacts[0].inspection.made = true;
+  EXPECT_TRUE(find("mid-surface intersections of the run").pass);
+  domain_.contacts[0].worst_intersections = {
+      .count = 3, .first_segment = 1, .second_segment = 2, .cycle = 7, .time = 0.5};
+  EXPECT_EQ(find("mid-surface intersections of the run").value, 3);
+  EXPECT_FALSE(find("mid-surface intersections of the run").pass);
+}
+
 TEST_F(ChecksTest, AShootingNodeIsFoundAndNamed) {
   domain_.nodes.velocity[domain_.nodes.domain_node[2]] = {0, 0, 1500};
   peaks_.observe(view());

@@ -44,6 +44,12 @@ bool lies_in(const std::filesystem::path& file, const std::filesystem::path& fol
   return std::filesystem::equivalent(parent, folder, fault) && !fault;
 }
 
+Index segments_of_contacts(const domain::Domain& domain) {
+  Index sum = 0;
+  for (const domain::ContactReport& contact : domain.contacts) sum += contact.segments;
+  return sum;
+}
+
 bool positions_are_finite(const domain::NodeFields& nodes) {
   for (const math::Vec3& x : nodes.position)
     if (!std::isfinite(x.x) || !std::isfinite(x.y) || !std::isfinite(x.z)) return false;
@@ -68,7 +74,8 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
       folder_(result_folder(options)),
       simulation_(*deck.model, choose_execution(options, *deck.model)),
       signals_(around.signals == Signals::Heard ? std::make_unique<StopSignals>() : nullptr),
-      switches_({std::filesystem::path("."), folder_}) {
+      switches_({std::filesystem::path("."), folder_}),
+      contact_looks_(deck.model->control, segments_of_contacts(simulation_.domain())) {
   simulation_.verify_search_every(options.verify_search);
   if (options.d3plot || options.accelerations) simulation_.keep_accelerations();
   if (options.trace_energy > 0) simulation_.trace_energy();
@@ -153,6 +160,7 @@ void RunSession::warn(std::string text) {
 domain::StateList RunSession::own_state() {
   domain::StateList list;
   peaks_.declare(list);
+  contact_looks_.declare(list);
   list.keep("first_step", "time", domain::Entity::Run, first_step_);
   list.keep("total_mass", "mass", domain::Entity::Run, total_mass_);
   list.keep("loop_seconds", "s", domain::Entity::Run, loop_seconds_);
@@ -195,11 +203,18 @@ output::View RunSession::view() const {
   return view;
 }
 
+/// Bodies that pass through each other may be apart again at the end.
+void RunSession::look_at_contacts() {
+  if (contact_looks_.due(simulation_.domain().clock) && positions_are_finite(simulation_.domain().nodes))
+    simulation_.look_for_intersections();
+}
+
 void RunSession::observe() {
   {
     const StageTimer timer(simulation_.domain().times.output);
     peaks_.observe(simulation_.domain().energy);
     if (simulation_.domain().clock.cycle % peak_cycles == 0) peaks_.observe(view());
+    look_at_contacts();
     recorder_->write_due(view());
     if (restart_writer_->due(simulation_.domain().clock)) write_restart(RestartKind::Due);
   }

@@ -60,6 +60,14 @@ std::string_view edges_left_out(const model::Model& model, UserId contact) {
              : "\n  edges take no part: AUTOMATIC_GENERAL sees free ones, AUTOMATIC_GENERAL_INTERIOR all";
 }
 
+void print_worst_intersections(std::ostream& out, const domain::WorstIntersections& worst) {
+  if (worst.count > 0)
+    print(
+        out,
+        "\n  most of the run, without those of the start: {} in cycle {} at time {:.6g}, the first {} and {}",
+        counted(worst.count, "pair"), worst.cycle, worst.time, worst.first_segment, worst.second_segment);
+}
+
 void print_inspection(std::ostream& out, const model::Model& model, const domain::ContactReport& contact) {
   const domain::ContactInspection& seen = contact.inspection;
   if (!contact.initial_overlaps.empty())
@@ -73,8 +81,9 @@ void print_inspection(std::ostream& out, const model::Model& model, const domain
           100 * pushed.share(), pushed.largest, pushed.node);
   if (!seen.made) return;
   print(out,
-        "  depth over that of the mid-surface: largest {:.3f}, 99th percentile {:.3f}; {} beyond it\n"
-        "  mid-surfaces cut through each other: {} of segments",
+        "  depth at the end over that of the mid-surface, or of the whole solid: largest {:.3f}, 99th "
+        "percentile {:.3f}; {} beyond it\n"
+        "  mid-surfaces cut through each other at the end: {} of segments",
         seen.largest_depth, seen.percentile_99, counted(seen.nodes_beyond, "node"),
         counted(seen.intersections, "pair"));
   if (seen.initial_intersections > 0)
@@ -83,7 +92,8 @@ void print_inspection(std::ostream& out, const model::Model& model, const domain
     print(out, ", the first{} {} and {}",
           seen.initial_intersections > 0 && seen.intersections > seen.initial_intersections ? " other" : "",
           seen.first_segment, seen.second_segment);
-  if (seen.intersections > seen.initial_intersections) print(out, "{}", edges_left_out(model, contact.id));
+  print_worst_intersections(out, contact.worst_intersections);
+  if (contact.worst_intersections.count > 0) print(out, "{}", edges_left_out(model, contact.id));
   if (seen.nodes_in_solids > 0)
     print(out, "\n  in solids without contact: {}, the first {}", counted(seen.nodes_in_solids, "node"),
           seen.node_in_solid);
@@ -118,11 +128,12 @@ void print_contacts(std::ostream& out, const output::View& view) {
             "excess {:.4g} on node {} at element {} in cycle {}\n",
             contact.withheld.count, contact.withheld.largest, contact.withheld.node, contact.withheld.segment,
             contact.withheld.cycle);
-    if (contact.deepest.share > 1)
-      print(out,
-            "  deepest penetration: {:.3g} times the thickness of a shell, or half of a solid, by node {} at "
-            "element {} in cycle {}\n",
-            contact.deepest.share, contact.deepest.node, contact.deepest.segment, contact.deepest.cycle);
+    if (contact.deepest.share > 0)
+      print(
+          out,
+          "  deepest of the run over the whole thickness of the shell, or half of the solid: {:.3f}, node {} "
+          "at element {} in cycle {}\n",
+          contact.deepest.share, contact.deepest.node, contact.deepest.segment, contact.deepest.cycle);
     print_lost(out, contact.lost_nodes, "node", "lost beyond a surface");
     print_lost(out, contact.lost_edges, "edge pair", "lost after they had gone through each other");
     print_inspection(out, view.model, contact);

@@ -288,6 +288,23 @@ TEST(Intersections, ThoseOfTheStartAreKnown) {
   EXPECT_TRUE(contact::cut_since(surface, initial, {}).empty());
 }
 
+// What a penalty lets soft bodies be beyond a mid-surface is less than the thickness.
+TEST(Intersections, ThoseThroughTheThicknessAreToldApart) {
+  Bodies bodies(0.01);
+  bodies.sheet(4, 4, [](double u, double v) { return Vec3{4 * u, 4 * v, 0}; });
+  const Index across = bodies.sheet(1, 1, [](double u, double v) { return Vec3{1.5, 1.3 + 0.4 * u, 2 * v}; });
+  domain::Domain made = bodies.build();
+  const contact::Surface surface = contact::build_surface(bodies.model, made, bodies.contact);
+  const auto found_at = [&](double depth, contact::CutDepth which) {
+    for (Index n = across; n < across + 2; ++n) made.nodes.position[test::at(made, n)].z = -depth;
+    return contact::intersecting_segments(surface, made.nodes.position, 1, which).size();
+  };
+  EXPECT_EQ(found_at(0.004, contact::CutDepth::Any), 1U);
+  EXPECT_EQ(found_at(0.004, contact::CutDepth::Through), 0U);
+  EXPECT_EQ(found_at(0.006, contact::CutDepth::Through), 1U);
+  EXPECT_EQ(found_at(-0.006, contact::CutDepth::Any), 0U);
+}
+
 TEST(Intersections, PenetrationsAreSummarised) {
   std::vector<contact::Penetration> found;
   for (int i = 1; i <= 200; ++i) found.push_back({0.004 * i, 1.0, i, 2 * i});

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/session/even_looks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "domain/state_snapshot.hpp"
+
+namespace crumple::app::even_looks_test {
+namespace {
+
+/// Cycles with a look, for `cycles` steps of equal length up to the end time 1.
+std::vector<long> looks_of(EvenLooks& looks, long first, long cycles, double step) {
+  std::vector<long> found;
+  for (long cycle = first; cycle <= cycles; ++cycle) {
+    domain::Clock clock;
+    clock.cycle = cycle;
+    clock.step = step;
+    clock.time = step * static_cast<double>(cycle);
+    if (looks.due(clock)) found.push_back(cycle);
+  }
+  return found;
+}
+
+model::Control until(double time, long cycles = 0) {
+  model::Control control;
+  control.end_time = time;
+  control.end_cycle = cycles;
+  return control;
+}
+
+TEST(EvenLooks, AreFiftyOverTheEndTime) {
+  EvenLooks looks(until(1.0), 100);
+  const std::vector<long> found = looks_of(looks, 0, 1024, 1.0 / 1024);
+  ASSERT_EQ(found.size(), 50U);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(static_cast<double>(found[i]), 1024.0 / 50 * static_cast<double>(i + 1), 1.0);
+}
+
+TEST(EvenLooks, ComeInEveryCycleOfARunWithFewerAndNeverWithoutEndTime) {
+  EvenLooks few(until(1.0), 100);
+  EXPECT_EQ(looks_of(few, 0, 16, 1.0 / 16).size(), 16U);
+  EvenLooks none(until(0.0), 100);
+  EXPECT_TRUE(looks_of(none, 0, 16, 1.0 / 16).empty());
+}
+
+TEST(EvenLooks, FollowTheLastCycleWhereThatComesFirst) {
+  EvenLooks looks(until(1e6, 200), 100);
+  EXPECT_EQ(looks_of(looks, 0, 200, 1.0 / 1024).size(), 50U);
+}
+
+/// A look at a thousand segments costs a fraction of a millisecond; of more it takes a half percent at most.
+TEST(EvenLooks, AreRareInLargeModels) {
+  EvenLooks looks(until(1.0), 3000);
+  EXPECT_EQ(looks_of(looks, 0, 8192, 1.0 / 8192).size(), 7U);  // no closer than 1000 cycles
+  EvenLooks large(until(1.0), 1000000);
+  EXPECT_EQ(looks_of(large, 0, 8192, 1.0 / 8192).size(), 5U);  // than 1500
+}
+
+TEST(EvenLooks, GoOnAfterARestartAsIfThereWasNone) {
+  EvenLooks whole(until(1.0), 3000);
+  std::vector<long> expected = looks_of(whole, 0, 8192, 1.0 / 8192);
+  EvenLooks before(until(1.0), 3000);
+  std::vector<long> found = looks_of(before, 0, 2500, 1.0 / 8192);
+  EvenLooks after(until(1.0), 3000);
+  domain::StateList from;
+  before.declare(from);
+  domain::StateList to;
+  after.declare(to);
+  domain::StateSnapshot copy;
+  copy.take(from);
+  copy.put_back(to);
+  const std::vector<long> rest = looks_of(after, 2501, 8192, 1.0 / 8192);
+  found.insert(found.end(), rest.begin(), rest.end());
+  EXPECT_EQ(found, expected);
+}
+
+}  // namespace
+}  // namespace crumple::app::even_looks_test
