@@ -219,7 +219,8 @@ void GlobalSearch::search(const Kinematics& motion, bool surface_changed,
   keep_behind({surface_, {motion.position.data(), motion.velocity.data(), 0}}, remembered);
   swept_ = statistics_.searches > 0 ? swept_by(motion) : 0;
   if (!std::isfinite(swept_))
-    throw NumericalError("The relative motion of the nodes of a contact in a step is not a finite number any more.");
+    throw NumericalError(
+        "The relative motion of the nodes of a contact in a step is not a finite number any more.");
   collect(motion.position);
   // From now on what starts deep behind a segment is remembered there.
   segment_expansion_ = surface_->half_thickness;
