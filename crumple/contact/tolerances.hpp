@@ -107,10 +107,12 @@ inline constexpr double motion_over_edge = 0.2;
 /// they turn round, and a step that changed while they press on each other would make energy.
 inline constexpr double bounded_step_growth = 1.01;
 
-/// Penetration that a touch must be heading for to bound the step, over the one at which contact has not held
-/// (Touch::most) [-]: about the mid-surface and a quarter of the thickness. Beyond, the stiffness that
+/// Penetration that a touch must be heading for to bound the step, over that at the mid-surface of a shell
+/// [-], ...
+inline constexpr double bounds_step = 0.9;
+/// ... and over that at which contact with a face has not held (Touch::most) [-]. Beyond, the stiffness that
 /// stability allows is not enough, and a shorter step allows more.
-inline constexpr double bounds_step = 0.75;
+inline constexpr double bounds_step_in_solid = 0.75;
 /// Least step that depth asks for over what elements and motion allow [-]: stiffness grows with the square.
 inline constexpr double least_step_for_depth = 1.0 / 3;
 

@@ -214,12 +214,13 @@ void Forces::hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& 
   const double step = steps_.judged;
   if (step <= 0 || now.speed >= 0) return;
   const bool has_middle = touch.reach < std::numeric_limits<double>::max();
-  const double room = has_middle ? 0.9 * touch.reach : tolerances::bounds_step * touch.most;
+  const double room =
+      has_middle ? tolerances::bounds_step * touch.reach : tolerances::bounds_step_in_solid * touch.most;
   const double depth = touch.penetration - now.slack;
-  const auto ahead = [&](double from) {
+  const auto heading = [&](double from) {
     return touch.penetration - from + depth_ahead(from, now.speed, law.force(from), inverse);
   };
-  if (ahead(depth) <= room) return;
+  if (heading(depth) <= room) return;
   if (!law.is_limited_at(depth)) return;
   const double limit = budget_ / (step * step * inverse);
   if (limit > law.limit) {
@@ -230,7 +231,7 @@ void Forces::hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& 
     const double middle = law.penetration_of(std::max(0.0, now.energy) + more, depth);
     now.slack = touch.penetration - std::min(depth, half + middle);
   }
-  outcome.step = std::min(outcome.step, step * std::min(1.0, room / ahead(touch.penetration - now.slack)));
+  outcome.step = std::min(outcome.step, step * std::min(1.0, room / heading(touch.penetration - now.slack)));
 }
 
 /// Writes the forces of a touch, and adds to what is known of all.

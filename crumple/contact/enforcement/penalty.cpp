@@ -44,14 +44,14 @@ double PenaltyLaw::energy(double penetration) const {
   return even + growth() * ramp * (ramp * ramp / 6 + 0.5 * rest * (ramp + rest));
 }
 
-double PenaltyLaw::penetration_of(double wanted, double most) const {
+double PenaltyLaw::penetration_of(double work, double most) const {
   constexpr int halvings = 50;
-  if (!grows()) return std::min(most, std::sqrt(2 * wanted / even_slope()));
+  if (!grows()) return std::min(most, std::sqrt(2 * work / even_slope()));
   double low = 0;
   double high = most;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (low + high);
-    (energy(middle) < wanted ? low : high) = middle;
+    (energy(middle) < work ? low : high) = middle;
   }
   return high;
 }

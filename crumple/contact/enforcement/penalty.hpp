@@ -17,7 +17,7 @@ struct PenaltyLaw {
   /// Work that it takes to get to d [energy].
   double energy(double penetration) const;
   /// Penetration that takes that work, `most` if that takes less [length].
-  double penetration_of(double energy, double most) const;
+  double penetration_of(double work, double most) const;
   /// True if the slope at d would be larger without the limit.
   bool is_limited_at(double penetration) const;
 
