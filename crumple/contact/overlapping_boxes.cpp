@@ -33,7 +33,7 @@ struct Cell {
   bool operator==(const Cell& other) const { return x == other.x && y == other.y && z == other.z; }
 };
 
-/// A box in single precision, no smaller than it is: what most pairs are told apart by lies side by side.
+/// A box in single precision, rounded outwards: what separates most pairs is stored contiguously.
 struct RoundedBox {
   explicit RoundedBox(const Box& box) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -12,7 +12,7 @@ namespace crumple::materials::testing {
 
 inline constexpr double root3 = 1.7320508075688772;
 
-/// Yield stress over plastic strain and effective strain rate, written anew for each law.
+/// Yield stress over plastic strain and effective strain rate, formulated independently for each law.
 using YieldStress = std::function<double(double plastic, double rate)>;
 
 inline double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {

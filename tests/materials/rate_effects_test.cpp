@@ -53,11 +53,11 @@ TEST(RateEffects, StressLiesOnTheYieldSurfaceOfTheRate) {
     const std::string rate = viscoplastic ? "VP 1" : "VP 0";
     test::Largest singles(
         "plane stress, all laws, " + rate + ": stress off the yield surface, single precision",
-        "yield stress, written anew", 1e-6);
+        "yield stress, formulated independently", 1e-6);
     for (const Case& one : cases(viscoplastic)) {
       test::Largest doubles(std::string("plane stress, ") + one.name + ", " + rate +
                                 ": stress off the yield surface, double precision",
-                            "yield stress, written anew", 1e-12);
+                            "yield stress, formulated independently", 1e-12);
       for (const Isa isa : available_isas()) {
         doubles.add(worst_excess<double>(one, isa, 60), std::string(isa_name(isa)));
         // In float the increment of plastic strain can be told from the state in the first step only.
@@ -71,7 +71,7 @@ TEST(RateEffects, StressLiesOnTheYieldSurfaceOfTheRate) {
 TEST(RateEffects, PlasticRateFollowsTheTotalOneInSteadyFlow) {
   const std::string steady = "plane stress, nine laws in steady flow at 0.01 to 5000 per s: ";
   test::Largest flows(steady + "plastic rate over the total one, error", "rate equation", 2e-4);
-  test::Largest stresses(steady + "stress [MPa], error", "yield stress, written anew", 1e-9);
+  test::Largest stresses(steady + "stress [MPa], error", "yield stress, formulated independently", 1e-9);
   for (const double rate : {0.01, 5.0, 300.0, 5000.0}) {
     const double dt = 1e-4 / rate;
     for (const Case& one : cases(true)) {
@@ -100,7 +100,7 @@ TEST(RateEffects, ViscoplasticYieldStressMayFallWithTheRate) {
   law.rate_factor = {2, 1.6, 1.3, 1};
   law.viscoplastic = true;
   test::Largest off("plane stress, yield stress that falls with the plastic rate: stress [MPa], error",
-                    "yield stress, written anew", 1e-11);
+                    "yield stress, formulated independently", 1e-11);
   for (const double rate : {5.0, 300.0, 5000.0}) {
     PointDriver<double> point(material, available_isas().back());
     const double strain = 0.02;

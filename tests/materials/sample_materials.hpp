@@ -131,7 +131,7 @@ inline model::Material tabulated_by_rate(bool viscoplastic, bool logarithmic) {
   return material;
 }
 
-/// Yield stress at a plastic strain, written anew.
+/// Yield stress at a plastic strain, formulated independently.
 inline double yield_stress(const model::Material& material, double plastic) {
   if (const auto* law = std::get_if<model::PlasticKinematic>(&material.law))
     return law->yield_stress + law->isotropic_fraction * plastic_modulus(law->tangent_modulus) * plastic;

@@ -49,11 +49,11 @@ TEST(SolidRates, StressLiesOnTheYieldSurfaceOfTheRate) {
   for (const bool viscoplastic : {false, true}) {
     const std::string rate = viscoplastic ? "VP 1" : "VP 0";
     test::Largest singles("solid, all laws, " + rate + ": stress off the yield surface, single precision",
-                          "yield stress, written anew", 1e-6);
+                          "yield stress, formulated independently", 1e-6);
     for (const Case& one : cases(viscoplastic)) {
       test::Largest doubles(std::string("solid, ") + one.name + ", " + rate +
                                 ": stress off the yield surface, double precision",
-                            "yield stress, written anew", 1e-12);
+                            "yield stress, formulated independently", 1e-12);
       for (const Isa isa : available_isas()) {
         doubles.add(worst_excess<double>(one, isa, 60), std::string(isa_name(isa)));
         // In float the increment of plastic strain can be told from the state in the first step only.
@@ -113,7 +113,7 @@ TEST(SolidRates, ViscoplasticYieldStressMayFallWithTheRate) {
   law.rate_factor = {2, 1.6, 1.3, 1};
   law.viscoplastic = true;
   test::Largest off("solid, yield stress that falls with the plastic rate: stress [MPa], error",
-                    "yield stress, written anew", 1e-11);
+                    "yield stress, formulated independently", 1e-11);
   for (const double rate : {5.0, 300.0, 5000.0}) {
     SolidDriver<double> point(material, available_isas().back());
     const double strain = 0.02;

@@ -241,7 +241,7 @@ UserId free_contact_id(const Build& build, std::size_t place) {
            std::any_of(build.deck.tied_contacts.begin(), build.deck.tied_contacts.end(),
                        [&](const RawTiedContact& raw) { return raw.tied.id == id; });
   };
-  // Numbers of the same remainder are nobody else's.
+  // Stepping by the count keeps generated ids unique.
   auto id = static_cast<UserId>(place) + 1;
   while (is_given(id)) id += static_cast<UserId>(count);
   return id;
