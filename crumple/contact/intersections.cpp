@@ -5,8 +5,10 @@
 #include <cmath>
 #include <iterator>
 
+#include <cellsearch/segment_pairs.hpp>
+
 #include "base/parallel.hpp"
-#include "contact/overlapping_boxes.hpp"
+#include "contact/search/search_calls.hpp"
 #include "contact/surface/inside_outside.hpp"
 #include "contact/surface/segment_shape.hpp"
 #include "contact/tolerances.hpp"
@@ -127,14 +129,23 @@ bool cut_each_other(const Surface& surface, std::span<const SegmentShape> shapes
          cuts(surface.segment(other), pair.second, pair.second_counts, pair.first, least);
 }
 
-Box box_of(const SegmentShape& shape) {
-  Box box{shape.corner[0], shape.corner[0]};
-  for (const Vec3& corner : shape.corner)
-    for (int axis = 0; axis < 3; ++axis) {
-      box.low[axis] = std::min(box.low[axis], corner[axis]);
-      box.high[axis] = std::max(box.high[axis], corner[axis]);
-    }
-  return box;
+/// Pairs of segments whose bounding boxes have a point in common, neighbours too.
+cellsearch::Pairs near_pairs(const Surface& surface, const AlignedArray<Vec3>& position, int threads) {
+  cellsearch::SegmentPairSettings settings;
+  settings.exclude_shared_nodes = false;
+  settings.threads = threads;
+  cellsearch::Scene scene;
+  scene.positions = view(position);
+  scene.segments = cellsearch::Segments(surface.connectivity);
+  // Eroded ones may reach through the whole model.
+  scene.segment_active = surface.active;
+  cellsearch::SegmentPairSearch search(settings);
+  try {
+    search.find(scene);
+  } catch (const cellsearch::Error& error) {
+    rethrow(error, surface);
+  }
+  return search.take();
 }
 
 }  // namespace
@@ -142,31 +153,22 @@ Box box_of(const SegmentShape& shape) {
 std::vector<std::array<Index, 2>> intersecting_segments(const Surface& surface,
                                                         const AlignedArray<Vec3>& position, int threads,
                                                         CutDepth depth) {
-  constexpr Index pairs_per_piece = 4096;
+  constexpr Index rows_per_piece = 256;
   const Configuration x{position.data(), nullptr, 0};
   std::vector<SegmentShape> shapes(surface.segment_id.size());
-  std::vector<Index> segments;
-  std::vector<Box> boxes;
-  for (Index s = 0; s < surface.segments(); ++s) {
-    // Eroded ones may reach through the whole model.
-    if (surface.active[s] == 0) continue;
-    shapes[s] = shape_of(surface, x, s);
-    segments.push_back(s);
-    boxes.push_back(box_of(shapes[s]));
-  }
-  const std::vector<std::array<Index, 2>> near = overlapping_boxes(boxes, threads);
-  const auto count = static_cast<Index>(near.size());
+  for (Index s = 0; s < surface.segments(); ++s)
+    if (surface.active[s] != 0) shapes[s] = shape_of(surface, x, s);
+  const cellsearch::Pairs near = near_pairs(surface, position, threads);
+  const Index rows = near.rows();
   std::vector<std::vector<std::array<Index, 2>>> of_piece(
-      static_cast<std::size_t>(pieces(count, pairs_per_piece)));
-  parallel_for(pieces(count, pairs_per_piece), threads, [&](Index piece) {
-    for (Index i = piece * pairs_per_piece; i < std::min((piece + 1) * pairs_per_piece, count); ++i) {
-      const std::array<Index, 2> pair{segments[near[i][0]], segments[near[i][1]]};
-      if (cut_each_other(surface, shapes, depth, pair[0], pair[1])) of_piece[piece].push_back(pair);
-    }
+      static_cast<std::size_t>(pieces(rows, rows_per_piece)));
+  parallel_for(pieces(rows, rows_per_piece), threads, [&](Index piece) {
+    for (Index one = piece * rows_per_piece; one < std::min((piece + 1) * rows_per_piece, rows); ++one)
+      for (const Index other : near.of(one))
+        if (cut_each_other(surface, shapes, depth, one, other)) of_piece[piece].push_back({one, other});
   });
   std::vector<std::array<Index, 2>> found;
   for (const auto& some : of_piece) found.insert(found.end(), some.begin(), some.end());
-  std::sort(found.begin(), found.end());
   return found;
 }
 
