@@ -316,7 +316,7 @@ void Interface::verify_search_every(long cycles) {
   implementation_->verify_cycles = cycles;
 }
 
-void Interface::look_for_intersections(domain::Domain& domain) const {
+void Interface::note_intersections(domain::Domain& domain) const {
   const Implementation& own = *implementation_;
   if (!own.acting(domain.clock.time)) return;
   note_worst(Intersections(own.surface, domain, CutDepth::Through), own.surface, domain.clock,

@@ -104,11 +104,11 @@ class Interface {
   /// first pair that was missed. 0 switches it off.
   void verify_search_every(long cycles);
 
-  /// Looks for segments that cut through each other, by more than the thickness, if the contact acts; into
-  /// the report's worst of the run. For now and then: it costs as much as 4 to 8 steps.
-  void look_for_intersections(domain::Domain& domain) const;
+  /// Finds segments that cut through each other deeper than half their thickness, if the contact acts, and
+  /// keeps the largest number of the run in the report. It costs as much as 4 to 8 steps.
+  void note_intersections(domain::Domain& domain) const;
 
-  /// Looks for all mid-surfaces that cut through each other, for the state at the end of a run, and sums up
+  /// Finds all mid-surfaces that cut through each other, for the state at the end of a run, and sums up
   /// the penetrations; fills the report's inspection as well.
   void inspect(domain::Domain& domain) const;
 

@@ -44,7 +44,7 @@ struct Intersections {
   Intersections(const Surface& surface, const domain::Domain& domain, CutDepth depth);
 };
 
-/// Takes a look into the worst of the run.
+/// Keeps what is found if there is more of it than in the run so far.
 void note_worst(const Intersections& found, const Surface& surface, const domain::Clock& clock,
                 domain::WorstIntersections& worst);
 

@@ -143,8 +143,8 @@ std::vector<domain::ContactNodeForce> Simulation::contact_node_forces() const {
   return forces;
 }
 
-void Simulation::look_for_intersections() {
-  for (const contact::Interface& contact : contacts_) contact.look_for_intersections(domain_);
+void Simulation::note_intersections() {
+  for (const contact::Interface& contact : contacts_) contact.note_intersections(domain_);
 }
 
 void Simulation::inspect_contacts() {

@@ -110,11 +110,9 @@ class Simulation {
   /// Fingerprint of every array that changes.
   std::uint64_t state_hash() { return state().hash(); }
 
-  /// Has every contact look for segments that cut through each other by more than their thickness, into the
-  /// worst of the run in its report.
-  void look_for_intersections();
-  /// Has every contact look for all mid-surfaces that cut through each other, as the end of a run is judged,
-  /// into the report's inspection, too.
+  /// Has every contact find segments that cut through each other (Interface::note_intersections).
+  void note_intersections();
+  /// Has every contact fill its report's inspection (Interface::inspect).
   void inspect_contacts();
 
   /// Compares contact candidates with brute force every `cycles` cycles (a debugging aid); 0 is off.

@@ -75,7 +75,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
       simulation_(*deck.model, choose_execution(options, *deck.model)),
       signals_(around.signals == Signals::Heard ? std::make_unique<StopSignals>() : nullptr),
       switches_({std::filesystem::path("."), folder_}),
-      contact_looks_(deck.model->control, segments_of_contacts(simulation_.domain())) {
+      inspection_times_(deck.model->control, segments_of_contacts(simulation_.domain())) {
   simulation_.verify_search_every(options.verify_search);
   if (options.d3plot || options.accelerations) simulation_.keep_accelerations();
   if (options.trace_energy > 0) simulation_.trace_energy();
@@ -160,7 +160,7 @@ void RunSession::warn(std::string text) {
 domain::StateList RunSession::own_state() {
   domain::StateList list;
   peaks_.declare(list);
-  contact_looks_.declare(list);
+  inspection_times_.declare(list);
   list.keep("first_step", "time", domain::Entity::Run, first_step_);
   list.keep("total_mass", "mass", domain::Entity::Run, total_mass_);
   list.keep("loop_seconds", "s", domain::Entity::Run, loop_seconds_);
@@ -204,9 +204,9 @@ output::View RunSession::view() const {
 }
 
 /// Bodies that pass through each other may be apart again at the end.
-void RunSession::look_at_contacts() {
-  if (contact_looks_.due(simulation_.domain().clock) && positions_are_finite(simulation_.domain().nodes))
-    simulation_.look_for_intersections();
+void RunSession::inspect_during_run() {
+  if (inspection_times_.due(simulation_.domain().clock) && positions_are_finite(simulation_.domain().nodes))
+    simulation_.note_intersections();
 }
 
 void RunSession::observe() {
@@ -214,7 +214,7 @@ void RunSession::observe() {
     const StageTimer timer(simulation_.domain().times.output);
     peaks_.observe(simulation_.domain().energy);
     if (simulation_.domain().clock.cycle % peak_cycles == 0) peaks_.observe(view());
-    look_at_contacts();
+    inspect_during_run();
     recorder_->write_due(view());
     if (restart_writer_->due(simulation_.domain().clock)) write_restart(RestartKind::Due);
   }

@@ -10,8 +10,8 @@
 #include "app/arguments/command_line.hpp"
 #include "app/console/console.hpp"
 #include "app/console/exit_code.hpp"
-#include "app/session/even_looks.hpp"
 #include "app/session/good_state.hpp"
+#include "app/session/inspection_times.hpp"
 #include "app/session/monitor.hpp"
 #include "app/session/restart_settings.hpp"
 #include "app/session/restart_writer.hpp"
@@ -89,7 +89,7 @@ class RunSession {
   Ending gone_wrong(const std::string& reason);
   std::optional<Ending> follow();
   std::optional<Ending> follow_guarded();
-  void look_at_contacts();
+  void inspect_during_run();
   void observe();
   std::optional<Ending> asked_to_stop();
   std::optional<Ending> limit_passed() const;
@@ -114,7 +114,7 @@ class RunSession {
   RestartSettings restart_settings_;
   GoodState good_state_;
   output::PeakValues peaks_;
-  EvenLooks contact_looks_;
+  InspectionTimes inspection_times_;
   domain::EarlierVelocities earlier_;
   std::optional<std::filesystem::path> dynain_;  ///< once it is written
   std::vector<std::string> warnings_;

@@ -192,23 +192,23 @@ double Forces::stiffness(const domain::NodeFields& nodes, Touch& touch, double s
   return turns || contact_.mass_stiffness ? kept : std::max(touch.stiffness, kept);
 }
 
-/// Penetration beyond the slack that a touch is heading for: where the spring that has the force `force` now
-/// will have stopped its points [length].
+/// Penetration beyond the rest depth at which a spring that now has `force` will have stopped its points
+/// [length].
 double depth_ahead(double depth, double speed, double force, double inverse) {
   return force > 0 ? std::sqrt(depth * depth + speed * speed * depth / (force * inverse)) : depth;
 }
 
-/// What is left of the slack at a penetration, by which the points parted in the last step by `apart`: none
-/// that the motion does not explain, as where the touch passes to another place with less penetration
+/// The rest depth at a penetration, where the points parted by `apart` in the last step. A penetration that
+/// falls without such a motion, as where the touch passes to another place, takes the rest depth along
 /// [length].
-double slack_left(const PenaltyMemory& before, double penetration, double apart) {
+double rest_depth_left(const PenaltyMemory& before, double penetration, double apart) {
   const double expected = std::max(0.0, before.depth - apart);
-  return std::clamp(penetration - expected, 0.0, std::min(before.slack, penetration));
+  return std::clamp(penetration - expected, 0.0, std::min(before.rest_depth, penetration));
 }
 
 /// Where a touch is heading too deep because stability limits its slope, it gets what the present step
 /// allows, though it began with less, and asks for a shorter step if that does not do either. Its spring then
-/// holds the energy that it held, with a part of the penetration as slack.
+/// holds the energy that it held, from a deeper rest depth on.
 void Forces::hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& outcome) const {
   PenaltyMemory& now = touch.penalty;
   const double step = steps_.judged;
@@ -216,7 +216,7 @@ void Forces::hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& 
   const bool has_middle = touch.reach < std::numeric_limits<double>::max();
   const double room =
       has_middle ? tolerances::bounds_step * touch.reach : tolerances::bounds_step_in_solid * touch.most;
-  const double depth = touch.penetration - now.slack;
+  const double depth = touch.penetration - now.rest_depth;
   const auto heading = [&](double from) {
     return touch.penetration - from + depth_ahead(from, now.speed, law.force(from), inverse);
   };
@@ -229,9 +229,10 @@ void Forces::hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& 
     const double half = -0.5 * now.speed * steps_.last;
     const double more = depth > 0 ? 0.5 * half * half * law.force(depth) / depth : 0;
     const double middle = law.penetration_of(std::max(0.0, now.energy) + more, depth);
-    now.slack = touch.penetration - std::min(depth, half + middle);
+    now.rest_depth = touch.penetration - std::min(depth, half + middle);
   }
-  outcome.step = std::min(outcome.step, step * std::min(1.0, room / heading(touch.penetration - now.slack)));
+  outcome.step =
+      std::min(outcome.step, step * std::min(1.0, room / heading(touch.penetration - now.rest_depth)));
 }
 
 /// Writes the forces of a touch, and adds to what is known of all.
@@ -251,13 +252,13 @@ void Forces::evaluate_touch(const domain::Domain& domain, Touch& touch, Outcome&
   touch.penalty.slope_limit = slope_limit(before, inverse, step);
   touch.penalty.energy = before.energy - 0.5 * steps_.last_kick * before.force * touch.last_speed;
   touch.penalty.speed = dot(relative, touch.normal);
-  touch.penalty.slack = slack_left(before, touch.penetration, touch.penalty.speed * steps_.last);
+  touch.penalty.rest_depth = rest_depth_left(before, touch.penetration, touch.penalty.speed * steps_.last);
   PenaltyLaw law;
   law.stiffness = stiffness(nodes, touch, step);
   law.limit = touch.penalty.slope_limit;
   law.reach = touch.reach;
   hold_depth(touch, law, inverse, outcome);
-  touch.penalty.depth = touch.penetration - touch.penalty.slack;
+  touch.penalty.depth = touch.penetration - touch.penalty.rest_depth;
   const double stiffness = std::min(law.stiffness, law.limit);
   const double factor = factor_in_step(before, touch.penalty, steps_, stiffness * inverse);
   const double damping = 2 * contact_.viscous_damping * std::sqrt(stiffness / inverse);

@@ -31,11 +31,11 @@ struct PenaltyLaw {
 struct PenaltyMemory {
   double stiffness = 0;    ///< by masses and step, or of a node of solids; 0 if there was none [force/length]
   double slope_limit = 0;  ///< largest slope of the force by stability; 0 if there was none [force/length]
-  double slack = 0;   ///< penetration at which the force begins, where the slope grew under load [length]
-  double depth = 0;   ///< penetration beyond that [length]
-  double speed = 0;   ///< at which the two points part [length/time]
-  double force = 0;   ///< of the spring, without damping [force]
-  double energy = 0;  ///< absorbed by the spring and not yet returned [energy]
+  double rest_depth = 0;  ///< penetration at which the force begins, where the slope grew under load [length]
+  double depth = 0;       ///< penetration beyond that [length]
+  double speed = 0;       ///< at which the two points part [length/time]
+  double force = 0;       ///< of the spring, without damping [force]
+  double energy = 0;      ///< absorbed by the spring and not yet returned [energy]
   double most_energy = 0;  ///< largest value of that since the touch began [energy]
 };
 

@@ -65,7 +65,7 @@ struct Touch {
   Vec3 force() const { return normal_force + friction; }
   /// By the penalty, as a spring of its mean stiffness [energy].
   double stored_energy() const {
-    return 0.5 * norm(normal_force) * std::max(0.0, penetration - penalty.slack);
+    return 0.5 * norm(normal_force) * std::max(0.0, penetration - penalty.rest_depth);
   }
   bool is_raised() const { return height[0] != 0 || height[1] != 0; }
 
