@@ -76,9 +76,8 @@ inline constexpr double watch_over_height = 0.1;
 
 /// Margin over the mean edge, if the user gives no expansion [-]. With a thickness below 0.4 of an edge the
 /// territory stays below one edge, so that the next ring of nodes of a flat mesh that touches itself are no
-/// candidates. Two
-/// nodes that have moved further relative to each other make a new search due. It changes no bit of the
-/// forces, unless a node is lost deep behind a segment.
+/// candidates. Two nodes that have moved further relative to each other make a new search due. It changes no
+/// bit of the forces, unless a node is lost deep behind a segment.
 inline constexpr double margin_over_edge = 0.4;
 
 /// Stretch of the path bound over the margin, at which its displacements are measured again [-]. Shorter
@@ -213,7 +212,7 @@ inline constexpr int face_levels = 3;
 // --- Penalty, stability, friction (enforcement/) ---
 
 /// Slope of the force at the mid-surface of a shell over the penalty stiffness [-]. It grows from half of
-/// the reach on, and stays beyond, so that a strong squeeze does not reach the mid-surface.
+/// the reach on, and further behind, so that a strong squeeze does not go through.
 inline constexpr double stiffening = 10.0;
 
 /// Penalty stiffness that a node of solids would have by its faces now, over that with which its contact

@@ -53,14 +53,14 @@ struct ContactInspection {
   double percentile_99 = 0;   ///< the same; 99 % of the pairs are at most this deep [-]
 };
 
-/// The worst of the looks during a run at segments that cut through each other by more than their thickness,
-/// and of that at its end, where any cut counts: bodies that pass through each other and come apart again
+/// The largest number of segments that cut through each other at once: in the inspections during a run those
+/// deeper than half their thickness, at its end all. Bodies that pass through each other and come apart again
 /// leave no other trace.
 struct WorstIntersections {
   Index count = 0;           ///< most pairs of segments at one of them, without those of the start
   UserId first_segment = 0;  ///< the first of these pairs
   UserId second_segment = 0;
-  long cycle = 0;   ///< of the first look with so many
+  long cycle = 0;   ///< of the first inspection with so many
   double time = 0;  ///< likewise [time]
 };
 

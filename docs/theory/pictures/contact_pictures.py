@@ -136,15 +136,14 @@ def law():
 
     def force(d, limit):
         k, half = 1.0, 0.5
-        growth = min(10 * k, limit) - k
         rate = 9 * k / half
-        ramp = growth / rate
+        ramp = (limit - k) / rate
         if d <= half:
             return k * d
         on = min(d - half, ramp)
         return k * d + rate * on * (0.5 * on + (d - half - on))
 
-    for limit, name, words in ((1e9, "normal", "slope up to 10 k"), (3.0, "reach", "slope limited by stability")):
+    for limit, name, words in ((1e9, "normal", "slope grows, 10 k at h"), (3.0, "reach", "slope limited by stability")):
         points = [(x0 + unit * d / 100, y0 - 50 * force(d / 100, limit)) for d in range(0, 131)]
         picture.line([p for p in points if p[1] > 15], name)
         last = [p for p in points if p[1] > 15][-1]
