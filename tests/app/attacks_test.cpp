@@ -72,6 +72,17 @@ TEST_F(Attacks, SheetsThatMeetFastRebound) {
   }
 }
 
+/// The stable step follows the soft foam, and with it what stiffness contact may have: five nodes were lost,
+/// up to 5.8 thicknesses deep, before contact bounded the step.
+TEST_F(Attacks, FoamBetweenPlatesIsHeld) {
+  const nlohmann::json record = survive("foam_between_plates");
+  for (const auto& contact : record["contact"]) {
+    EXPECT_EQ(contact["lost_nodes"]["count"], 0) << contact["id"];
+    EXPECT_LT(contact["deepest_penetration"]["share"], 1.3) << contact["id"];
+  }
+  EXPECT_LT(value(record, "contact energy without friction"), 0.1);
+}
+
 /// AUTOMATIC_SINGLE_SURFACE sees no edges: nothing stops these, and at the end they are apart again.
 TEST_F(Attacks, BodiesThatPassThroughEachOtherFailTheirRun) {
   for (const char* name : {"crossing_sheets", "crossing_bars"}) {
