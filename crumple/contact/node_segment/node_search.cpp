@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/node_segment/rim.hpp"
 #include "contact/node_segment/solid_overlaps.hpp"
 #include "contact/surface/crossing.hpp"
 #include "contact/tolerances.hpp"
@@ -141,68 +142,19 @@ double NodeSearch::hold(Index segment, const NearestPoint& nearest, const Rememb
       is_taken_over_seam(here(), segment, candidates))
     return 0;
   if (nearest_of_all) return 1;
-  if (depth <= 0) return !near && stands_at_rim(segment, shape, nearest) ? 1 : 0;
+  if (depth <= 0) return !near && stands_at_rim(here(), segment, shape, nearest) ? 1 : 0;
   const double beyond = norm(away + depth * normal);
   const double side = std::sqrt(surface_.area[segment]);
   const bool was_in_front = memory != nullptr || depth <= on_face(segment);
   if (!inside && beyond > tolerances::beside_rim * (was_in_front ? side : depth)) return 0;
-  if (!inside && !reaches_over(segment, shape, nearest)) return 0;
+  if (!inside && !reaches_over_rim(here(), segment, shape, nearest)) return 0;
   if (nearest.feature != Feature::Face && goes_on(segment, nearest, normal)) return 0;
-  return std::max(0.0, 1 - beyond / (tolerances::lost_beyond_rim * side));
+  return share_beyond_rim(beyond, side);
 }
 
 /// Distance up to which a node lies on a face, by the round-off of coordinates [length].
 double NodeSearch::on_face(Index segment) const {
   return tolerances::on_surface * surface_.height[segment];
-}
-
-/// True if a face or shell of the node reaches in over the rim of a face, where that is nearest to the node:
-/// one that faces it, if there are such. Else the node passes beside the face, though it comes behind its
-/// plane. Nodes without any may be over the rim by round-off.
-bool NodeSearch::reaches_over(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const {
-  if (nearest.feature == Feature::Face) return true;
-  const Vec3 normal = normalised(area_normal(shape));
-  const Index* nodes = surface_.segment(segment);
-  const auto over_rim = [&](const Vec3& from_node) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const Index next = nodes[(k + 1) % 4];
-      const bool of_rim = nearest.feature == Feature::Edge
-                              ? k == static_cast<std::size_t>(nearest.local)
-                              : nodes[k] == nodes[nearest.local] || next == nodes[nearest.local];
-      const Vec3 along = shape.corner[(k + 1) % 4] - shape.corner[k];
-      if (of_rim && nodes[k] != next && dot(from_node, cross(normal, along)) <= 0) return false;
-    }
-    return true;
-  };
-  bool none_faces_it = true;
-  bool any_over_rim = false;
-  const auto around = surface_.topology.at_node(place_);
-  for (const Index own : around) {
-    const SegmentShape own_shape = view_.now.shape(own);
-    const bool over = over_rim(own_shape.centre - p_);
-    any_over_rim = any_over_rim || over;
-    if (surface_.of_solid[own] != 0 &&
-        dot(normalised(area_normal(own_shape)), normal) >= -tolerances::opposed)
-      continue;
-    none_faces_it = false;
-    if (over) return true;
-  }
-  if (!around.empty()) return none_faces_it && any_over_rim;
-  const Vec3 away = p_ - nearest.point;
-  return norm(away - dot(away, normal) * normal) <=
-         tolerances::on_surface * std::sqrt(surface_.area[segment]);
-}
-
-/// True if the node is on the plane of a face or in front of it, and right beside its rim: should it come
-/// behind that plane, it came through the face. At a rim that stands out no normal of the surface tells.
-bool NodeSearch::stands_at_rim(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const {
-  if (!surface_.is_face(segment) || nearest.feature == Feature::Face) return false;
-  const Vec3 normal = normalised(area_normal(shape));
-  const Vec3 away = p_ - nearest.point;
-  const double height = dot(away, normal);
-  return height >= -on_face(segment) &&
-         norm(away - height * normal) <= tolerances::beside_rim * std::sqrt(surface_.area[segment]) &&
-         reaches_over(segment, shape, nearest);
 }
 
 /// True if a node that has just come behind a face of a solid did not come through it, but past it through
@@ -370,7 +322,7 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   const Vec3 normal =
       over_rim ? normalised(area_normal(shape)) : side_normal(view_.now, segment, shape, nearest, away);
   const bool round = dot(normal, normal) == 0;
-  const bool at_rim = !near && stands_at_rim(segment, shape, nearest);
+  const bool at_rim = !near && stands_at_rim(here(), segment, shape, nearest);
   const int present = round ? 0 : sign_of(dot(away, normal));
   const int side = at_rim ? 1 : round ? 0 : side_of(segment, memory, nearest, present);
   if (side < 0 && face) return 0;
@@ -406,6 +358,8 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   if (pair.let_go != 0 || away_from) pair.offset = overlap;
   pair.reach = full - pair.offset;
   smooth_direction(shape, nearest, pair);
+  if (over_rim && wrong && pair.gap < -on_face(segment))
+    push_off_rim(away, normal, std::sqrt(surface_.area[segment]), pair);
   if (pair.penetration() > 0 || pair.offset > 0 || waits) found.push_back(pair);
   return 0;
 }

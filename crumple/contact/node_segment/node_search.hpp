@@ -53,8 +53,6 @@ class NodeSearch {
   double hold(Index segment, const NearestPoint& nearest, const RememberedPair* memory, bool near) const;
   bool goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const;
   double on_face(Index segment) const;
-  bool reaches_over(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const;
-  bool stands_at_rim(Index segment, const SegmentShape& shape, const NearestPoint& nearest) const;
   bool enters_once(const ContactPair& a, const ContactPair& b) const;
   bool came_through(const ContactPair& a, const ContactPair& b) const;
   NodeAt here() const { return {&view_.now, place_, view_.step}; }

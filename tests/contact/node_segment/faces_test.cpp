@@ -265,6 +265,31 @@ TEST(Faces, AreEnteredAtFlushRims) {
   }
 }
 
+// What the springs of nodes hold that slide off a face, deep in it, pushes them off: the force has a
+// potential.
+TEST(Faces, PushOffTheirRims) {
+  constexpr double depth = 0.01;
+  constexpr double move = 5e-4;
+  Blocks blocks(0.5, 0.5 + 0.1 * depth);
+  // Two of the four nodes below are 0.05 from the rim at x = 1.
+  blocks.move({0.75, 0, 0});
+  for (int i = 0; i < 11; ++i) blocks.move({0, 0, -0.1 * depth});
+  const double held = 0.5 * blocks.force().z;
+  EXPECT_NEAR(blocks.force().x, 0, 1e-12 * held);
+  double work = 0;
+  double before = 0;
+  for (double x = 0; x < 0.16; x += move) {
+    blocks.move({move, 0, 0});
+    const double now = blocks.force().x;
+    work += 0.5 * (before + now) * move;
+    before = now;
+  }
+  EXPECT_NEAR(before, 0, 1e-12 * held);
+  EXPECT_NEAR(blocks.force().z, held, 1e-9 * held);
+  test::verified("node that slides off a face of a solid: work over what its spring held", "1")
+      .near(work / (0.5 * held * depth), 1, 2e-3);
+}
+
 /// One box comes down along the side of another, or glides in over its upper face, apart by little or
 /// nothing: its nodes pass behind planes of faces that they do not meet. Steps are short: at the larger
 /// gaps no path over a step crosses those faces.
