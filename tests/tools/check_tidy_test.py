@@ -2,6 +2,7 @@
 """tools/check_tidy: files that are read together, and what is found in one of them."""
 
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -27,6 +28,54 @@ class Batches(unittest.TestCase):
             self.assertEqual(len({Path(file).parent for file in group}), 1)
             if len(group) > 1:
                 self.assertNotIn("kernels", Path(group[0]).parts)
+
+
+class Since(unittest.TestCase):
+    def setUp(self):
+        self.root = Path(tempfile.mkdtemp()).resolve()
+        self.addCleanup(shutil.rmtree, self.root)
+        self.write("crumple/deck/a.cpp", '#include "deck/a.hpp"\n')
+        self.write("crumple/deck/b.cpp", '#include "deck/a.hpp"\n#include "deck/c.hpp"\n')
+        for name in ("a", "c"):
+            self.write(f"crumple/deck/{name}.hpp", "#pragma once\n")
+        self.write(".clang-tidy", "Checks: '*'\n")
+        self.git("init", "-q")
+        self.first = self.commit()
+
+    def write(self, name, text):
+        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.root / name).write_text(text)
+
+    def git(self, *words):
+        return subprocess.run(["git", "-c", "user.name=a", "-c", "user.email=a@b", *words], cwd=self.root, check=True,
+                              capture_output=True, text=True).stdout.strip()
+
+    def commit(self):
+        self.git("add", "-A")
+        self.git("commit", "-qm", "a")
+        return self.git("rev-parse", "HEAD")
+
+    def chosen(self):
+        changed = check_tidy.changed_since(self.root, self.first)
+        entries = {str(self.root / "crumple" / "deck" / name): {} for name in ("a.cpp", "b.cpp")}
+        return changed and [Path(file).name for file in check_tidy.chosen_since(entries, changed, check_tidy.Sources(self.root))]
+
+    def test_a_source_file_by_itself(self):
+        self.write("crumple/deck/b.cpp", '#include "deck/c.hpp"\n')
+        self.commit()
+        self.assertEqual(self.chosen(), ["b.cpp"])
+
+    def test_a_header_with_the_file_of_its_name_or_another(self):
+        self.write("crumple/deck/a.hpp", "#pragma once\n#define A\n")
+        self.assertEqual(self.chosen(), ["a.cpp"])
+        self.write("crumple/deck/c.hpp", "#pragma once\n#define C\n")
+        self.assertEqual(self.chosen(), ["a.cpp", "b.cpp"])
+
+    def test_all_if_the_rules_changed_or_the_commit_is_unknown(self):
+        self.assertIsNone(check_tidy.changed_since(self.root, "0" * 40))
+        self.assertIsNone(check_tidy.changed_since(self.root, ""))
+        self.write(".clang-tidy", "Checks: '-*'\n")
+        self.assertIsNone(check_tidy.changed_since(self.root, self.first))
 
 
 @unittest.skipUnless(shutil.which("clang-tidy-14") or shutil.which("clang-tidy"), "clang-tidy is missing")
