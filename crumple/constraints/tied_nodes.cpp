@@ -73,6 +73,7 @@ void TiedNodes::add_links(const model::Model& model, const Domain& domain) {
     for (const domain::TiedNode& tied : tie.nodes) {
       Link link;
       link.tie = static_cast<Index>(t);
+      link.at = static_cast<Index>(&tied - tie.nodes.data());
       link.node = tied.node;
       link.corner = tied.corner;
       link.weight = tied.weight;
@@ -230,7 +231,7 @@ void TiedNodes::release(Domain& domain) {
       const KineticChange before = carried_energy(domain);
       first->energy += before.translational + before.rotational;
     }
-    active_[i] = 0;
+    active_[i] = domain.ties[link.tie].holds[link.at] = 0;
     ++domain.ties[link.tie].released;
   }
   if (first == nullptr) return;

@@ -70,6 +70,7 @@ class TiedNodes {
     std::array<Index, 4> corner{};   ///< in members_; of weight zero where a triangle repeats its last
     std::array<double, 4> weight{};  ///< their sum is 1
     Index tie = no_index;            ///< in domain.ties
+    Index at = no_index;             ///< in Tie::nodes
     Index level = 0;                 ///< 0: its corners are tied to nothing, else one more than theirs
     bool rotates = false;            ///< the node turns with the segment
     Index block = no_index;          ///< of the segment's element

@@ -116,7 +116,7 @@ struct Interface::Implementation {
     const bool start = started == 0;
     {
       const StageTimer timer(domain.times.contact_search, &entry.times.search);
-      const bool changed = follow_erosion(surface, domain);
+      const bool changed = follow_erosion(surface, domain, contact.id);
       for (const auto& detector : detectors)
         book_eroded(detector->update(domain, motion, changed, start), entry);
       if (verify_cycles > 0 && domain.clock.cycle % verify_cycles == 0)
@@ -308,7 +308,7 @@ void Interface::resume(const domain::Domain& domain) {
   Implementation& own = *implementation_;
   require_saved(own.started == 0 || own.started == 1, "marks of the start");
   own.forces.sums().resume();
-  follow_erosion(own.surface, domain);
+  follow_erosion(own.surface, domain, own.contact.id);
   for (const auto& detector : own.detectors) detector->resume(domain, present(domain));
 }
 

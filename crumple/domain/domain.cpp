@@ -155,6 +155,7 @@ void Domain::declare(StateList& list) {
     list.add("tie_energy", "energy", Entity::Contact, 1, std::span(&tie.energy, 1));
     list.add("tie_released", "-", Entity::Contact, 1, std::span(&tie.released, 1));
     list.add("tie_broken", "-", Entity::Contact, 1, std::span(&tie.broken, 1));
+    list.keep_list("tie_holds", "-", Entity::Contact, 1, tie.holds);
     list.keep("tie_force", "force", Entity::Contact, tie.force);
     list.keep("tie_dissipated", "energy", Entity::Contact, tie.dissipated);
     list.keep("tie_opening", "length", Entity::Contact, tie.opening);

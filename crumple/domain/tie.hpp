@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -37,12 +38,13 @@ struct UntiedNode {
 struct Tie {
   UserId id = 0;
   model::TieMethod method = model::TieMethod::Constraint;
-  std::vector<TiedNode> nodes;     ///< ascending by node
-  Index segments = 0;              ///< of the second side
-  std::vector<UntiedNode> untied;  ///< furthest first
-  Index tied_elsewhere = 0;        ///< nodes that an earlier contact has tied already
-  double largest_move = 0;         ///< by which a node was put onto its segment [length]
-  UserId moved_node = 0;           ///< where that was
+  std::vector<TiedNode> nodes;      ///< ascending by node
+  std::vector<std::int32_t> holds;  ///< by node: 1 while it is tied, 0 after that
+  Index segments = 0;               ///< of the second side
+  std::vector<UntiedNode> untied;   ///< furthest first
+  Index tied_elsewhere = 0;         ///< nodes that an earlier contact has tied already
+  double largest_move = 0;          ///< by which a node was put onto its segment [length]
+  UserId moved_node = 0;            ///< where that was
 
   Index released = 0;  ///< nodes whose tie has ended
   Index broken = 0;    ///< of these, by their load

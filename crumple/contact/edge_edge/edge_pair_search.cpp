@@ -39,7 +39,7 @@ NearestOnEdges end_points(const EdgeShape& first, const EdgeShape& second, EdgeM
 /// Of the active edges at a node the lowest that may touch `other`, or no_index.
 Index lowest_at(const Edges& edges, const Surface& surface, Index node, Index other) {
   for (const Index edge : edges.at_node(surface.place[node]))
-    if (edge != other && !edges.share_node(edge, other) && edges.may_touch(edge, other)) return edge;
+    if (edge != other && !edges.share_node(edge, other) && edges.may_touch(surface, edge, other)) return edge;
   return no_index;
 }
 
@@ -66,7 +66,7 @@ void EdgePairSearch::find(std::vector<EdgePair>& found) {
     examine_known_before(other);
     const bool remembered = known != own_.end() && known->key.second == other;
     while (known != own_.end() && known->key.second == other) ++known;
-    if (!edges_.may_touch(edge_, other)) continue;
+    if (!edges_.may_touch(*view_.surface, edge_, other)) continue;
     const double full = candidates.contact_distance(pair);
     if (remembered || view_.may_take_over(edge_, other) ||
         ((view_.tracking || candidates.slack(pair) <= candidates.consumed()) && may_meet(other, full)))

@@ -138,8 +138,8 @@ void EdgeSearch::measure(const Kinematics& motion) {
         const auto at = static_cast<std::size_t>(pair);
         const Index next = other(pair);
         distance_[at] = contact_distance(motion, e, next);
-        slack_[at] = edges_->may_touch(e, next) ? edges_->distance(e, next, now) - distance_[at]
-                                                : std::numeric_limits<double>::max();
+        slack_[at] = edges_->may_touch(*surface_, e, next) ? edges_->distance(e, next, now) - distance_[at]
+                                                           : std::numeric_limits<double>::max();
         smallest = std::min(smallest, slack_[at]);
       }
       edge_slack_[static_cast<std::size_t>(e)] = smallest;
@@ -170,7 +170,7 @@ void EdgeSearch::verify(const Kinematics& motion) const {
     for (std::size_t j = i + 1; j < taking_part.size(); ++j) {
       const Index one = taking_part[i];
       const Index other = taking_part[j];
-      if (edges_->share_node(one, other) || !edges_->may_touch(one, other)) continue;
+      if (edges_->share_node(one, other) || !edges_->may_touch(*surface_, one, other)) continue;
       // What the motion has left of the margin is covered as well.
       const double distance = edges_->contact_distance(one, other) + std::max(0.0, margin_ - consumed_);
       const EdgeShape a = edge_shape(edges_->ends(one), now);

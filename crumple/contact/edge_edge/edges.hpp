@@ -58,10 +58,20 @@ struct Edges {
   }
   /// True if one rigid body has both: they never move against each other.
   bool same_body(Index one, Index other) const { return body[one] != no_index && body[one] == body[other]; }
-  /// True if they are on sides of the contact that touch each other, and not of one rigid body.
-  bool may_touch(Index one, Index other) const {
-    return !same_body(one, other) && ((touched_by(kind, side[one]) & side[other]) != 0 ||
-                                      (touched_by(kind, side[other]) & side[one]) != 0);
+  /// True if they are on sides of the contact that touch each other, and neither of one rigid body nor tied.
+  bool may_touch(const Surface& surface, Index one, Index other) const {
+    return !same_body(one, other) && !joined(surface, one, other) &&
+           ((touched_by(kind, side[one]) & side[other]) != 0 ||
+            (touched_by(kind, side[other]) & side[one]) != 0);
+  }
+  /// True if a tied contact joins nodes of the two.
+  bool joined(const Surface& surface, Index one, Index other) const {
+    if (surface.joined.empty()) return false;
+    const EdgeNodes own = ends(one);
+    return std::any_of(own.begin(), own.end(), [&](Index node) {
+      const auto others = surface.joined.of(surface.place[node]);
+      return std::any_of(others.begin(), others.end(), [&](Index b) { return has(other, b); });
+    });
   }
   double contact_distance(Index one, Index other) const {
     return half_thickness[one] + half_thickness[other];

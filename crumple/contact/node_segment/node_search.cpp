@@ -35,14 +35,15 @@ NodeSearch::NodeSearch(const StepView& view, Index place, std::span<const Rememb
       place_(place),
       node_(surface_.nodes[place]),
       p_(view.now.x[node_]),
-      remembered_(remembered) {
+      remembered_(remembered),
+      freed_(surface_.joined.has_freed(place)) {
   for (const RememberedPair& pair : remembered_) astray_ = astray_ || pair.wrong != 0;
 }
 
 void NodeSearch::find(std::vector<ContactPair>& found) {
   GlobalSearch& candidates = *view_.candidates;
   const std::size_t before = found.size();
-  if (view_.tracking) measure_faces();
+  if (begins()) measure_faces();
   for (std::int64_t c = candidates.first(place_); c < candidates.first(place_ + 1); ++c) {
     if (!looks_at_all() && candidates.slack(c) > candidates.consumed()) continue;
     const double gap = examine(candidates.segment(c), candidates.contact_distance(c), found);
@@ -179,9 +180,9 @@ void NodeSearch::measure_faces() {
 /// Whether a node behind a face when the contact begins lies on it or is inside of that solid, and not just
 /// on the far side of a thin one: then no other face is nearer.
 bool NodeSearch::starts_inside(Index segment, double distance) const {
-  if (!view_.tracking || surface_.behind_has(segment, node_)) return false;
+  if (!begins() || surface_.behind_has(segment, node_)) return false;
   const auto deep = std::ranges::lower_bound(view_.deep, place_, {}, &DeepPair::node);
-  if (deep != view_.deep.end() && deep->node == place_) return deep->segment == segment;
+  if (view_.tracking && deep != view_.deep.end() && deep->node == place_) return deep->segment == segment;
   return distance <= on_face(segment) || (distance <= (1 + tolerances::as_near_as_nearest) * nearest_face_ &&
                                           distance < surface_.height[segment]);
 }
@@ -327,7 +328,7 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   const int side = at_rim ? 1 : round ? 0 : side_of(segment, memory, nearest, present);
   if (side < 0 && face) return 0;
   const bool wrong = present != 0 && side != 0 && present != side;
-  if (face && wrong && (memory == nullptr || memory->wrong == 0) && !view_.tracking && goes_past(segment))
+  if (face && wrong && (memory == nullptr || memory->wrong == 0) && !is_tracked(memory) && goes_past(segment))
     return 0;
   // What is in front of a face is remembered, so that it is known later which way it came.
   const bool waits = face && side > 0 && watched;
@@ -351,7 +352,7 @@ double NodeSearch::examine(Index segment, double full, std::vector<ContactPair>&
   // What has opened stays open: the allowance only shrinks.
   pair.share = share;
   pair.offset =
-      view_.tracking ? overlap : std::clamp(offset_of(segment, memory, full, pair.gap), 0.0, overlap);
+      is_tracked(memory) ? overlap : std::clamp(offset_of(segment, memory, full, pair.gap), 0.0, overlap);
   const double release_depth = surface_.release_depth[segment];
   const bool away_from = memory != nullptr && memory->let_go != 0;
   pair.let_go = overlap - (away_from ? 0 : pair.offset) > release_depth ? 1 : 0;

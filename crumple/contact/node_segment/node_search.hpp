@@ -35,7 +35,13 @@ class NodeSearch {
 
  private:
   /// A node that is astray looks at all its candidates; so does every node at the start of a contact.
-  bool looks_at_all() const { return astray_ || view_.tracking; }
+  bool looks_at_all() const { return astray_ || begins(); }
+  /// At the start of a contact and where a tie of the node has just ended.
+  bool begins() const { return view_.tracking || freed_; }
+  /// True for a pair that is allowed the penetration that it has.
+  bool is_tracked(const RememberedPair* memory) const {
+    return view_.tracking || (freed_ && memory == nullptr);
+  }
   static void measure(const Vec3& away, double distance, const Vec3& normal, ContactPair& pair);
   void smooth_direction(const SegmentShape& shape, const NearestPoint& nearest, ContactPair& pair) const;
   double examine(Index segment, double full, std::vector<ContactPair>& found);
@@ -68,7 +74,8 @@ class NodeSearch {
   std::span<const RememberedPair> remembered_;
   std::uint64_t handed_on_ = 0;  ///< bits by place in `remembered_`: another pair has taken over from it
   bool astray_ = false;          ///< the node is on the wrong side of some segment
-  double nearest_face_ = 0;      ///< of a face of another solid, at the start of a contact [length]
+  bool freed_ = false;           ///< a tie of the node has ended in this step
+  double nearest_face_ = 0;      ///< of a face of another solid, where the contact begins [length]
 };
 
 }  // namespace crumple::contact

@@ -122,7 +122,9 @@ bool PinballContact::may_touch(Index first, Index second) const {
   const bool touching = (s.segment_side[first] & s.touched_by[second]) != 0 ||
                         (s.segment_side[second] & s.touched_by[first]) != 0;
   const bool one_body = s.segment_body[first] != no_index && s.segment_body[first] == s.segment_body[second];
-  return touching && !one_body;
+  if (!touching || one_body) return false;
+  const Index* own = s.segment(first);
+  return std::none_of(own, own + 4, [&](Index node) { return s.joined_to(s.place[node], second); });
 }
 
 /// True if a third segment has nodes of both: the balls of such neighbours may overlap in the undeformed

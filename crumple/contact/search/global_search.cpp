@@ -62,10 +62,17 @@ Vec3 vector_of(const cellsearch::Point& a) {
   return {a[0], a[1], a[2]};
 }
 
-/// True if a segment shares a node with a segment of `place`: a next neighbour in the mesh.
+/// True if a tied contact joins nodes of two segments.
+bool joined(const Surface& surface, Index a, Index b) {
+  if (surface.joined.empty()) return false;
+  const Index* nodes = surface.segment(a);
+  return std::any_of(nodes, nodes + 4, [&](Index node) { return surface.joined_to(surface.place[node], b); });
+}
+
+/// True if a segment shares a node with a segment of `place`, or is tied to it: a next neighbour in the mesh.
 bool next_neighbour(const Surface& surface, Index place, Index segment) {
   for (const Index own : surface.topology.at_node(place))
-    if (connected(surface, own, segment)) return true;
+    if (connected(surface, own, segment) || joined(surface, own, segment)) return true;
   return false;
 }
 

@@ -289,6 +289,7 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
   surface.mean_edge = surface.segments() > 0 ? collector.mean_edge() : mean_length(beams, domain.nodes);
   collect_bodies(domain, surface);
   collect_welds(model, domain.nodes, surface);
+  join_nodes(domain, contact.id, surface);
   if (contact.symmetry_planes) leave_symmetry_planes_alone(domain.nodes, surface);
   measure_lone_nodes(model, domain.nodes, contact, surface);
   add_beams(beams, surface);
@@ -299,9 +300,10 @@ Surface build_surface(const model::Model& model, const domain::Domain& domain,
   return surface;
 }
 
-bool follow_erosion(Surface& surface, const domain::Domain& domain) {
+bool follow_erosion(Surface& surface, const domain::Domain& domain, UserId contact) {
   const bool released = release_broken_welds(domain, surface);
-  return follow_eroded_elements(surface, domain) || released;
+  const bool ended = follow_ended_ties(domain, contact, surface);
+  return follow_eroded_elements(surface, domain) || released || ended;
 }
 
 }  // namespace crumple::contact

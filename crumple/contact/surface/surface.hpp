@@ -36,6 +36,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "contact/surface/joined_nodes.hpp"
 #include "contact/surface/topology.hpp"
 #include "contact/tolerances.hpp"
 #include "domain/domain.hpp"
@@ -68,8 +69,8 @@ inline constexpr std::size_t most_nodes_of_solid = 10;
 
 /// What takes part in a contact: the shells and the faces of the solids as segments, their nodes and nodes
 /// without segments, and what the contact needs to know of them. Made at the start of the run; changes only
-/// when elements erode, see follow_erosion(). A face is a segment with an outside, the side of its normal:
-/// the face of a solid, or any segment of a contact with orientation.
+/// when elements erode or ties end, see follow_erosion(). A face is a segment with an outside, the side of
+/// its normal: the face of a solid, or any segment of a contact with orientation.
 struct Surface {
   std::vector<Index> nodes;                 ///< domain nodes, ascending
   std::vector<Index> place;                 ///< place in `nodes` of a domain node, or no_index
@@ -105,6 +106,7 @@ struct Surface {
   std::vector<Index>
       node_weld;           ///< spot weld that holds the node now, by place, or no_index; empty without welds
   Index broken_welds = 0;  ///< at the last look
+  JoinedNodes joined;      ///< by tied contacts
   bool some_inactive = false;  ///< there are segments or nodes that touch nothing now
   Index eroded = 0;            ///< elements of the model that had failed at the last look
 
@@ -150,11 +152,17 @@ struct Surface {
     return std::any_of(own, own + 4,
                        [&](Index node) { return node_weld[place[node]] == node_weld[node_place]; });
   }
-  /// True if, besides, they are not of one rigid body, which never moves against itself, nor welded.
+  /// True if a tied contact joins the node to one of the segment's, as if an element had both.
+  bool joined_to(Index node_place, Index s) const {
+    if (joined.empty()) return false;
+    const auto others = joined.of(node_place);
+    return std::any_of(others.begin(), others.end(), [&](Index node) { return owns(s, node); });
+  }
+  /// True if, besides, they are not of one rigid body, which never moves against itself, welded nor tied.
   bool may_touch(Index node_place, Index s) const {
     return on_touching_sides(node_place, s) &&
            (segment_body[s] == no_index || segment_body[s] != node_body[node_place]) &&
-           !welded(node_place, s);
+           !welded(node_place, s) && !joined_to(node_place, s);
   }
 };
 
@@ -162,10 +170,11 @@ struct Surface {
 Surface build_surface(const model::Model& model, const domain::Domain& domain, const model::Contact& contact);
 
 /// Takes segments out whose elements have eroded since the last call, and in those that eroded ones have
-/// hidden; nodes whose weld has broken may touch their partners' segments from then on. A segment that is out
-/// touches nothing any more, its free edges become those of its neighbours, and a node left without any
-/// segment touches nothing, either. Numbers of segments and places of nodes stay as they are. False if there
-/// was nothing to do, which costs next to nothing.
-bool follow_erosion(Surface& surface, const domain::Domain& domain);
+/// hidden; nodes whose weld has broken or whose tie has ended may touch their partners' segments from then
+/// on. `contact` is the id of the surface's contact. A segment that is out touches nothing any more, its free
+/// edges become those of its neighbours, and a node left without any segment touches nothing, either. Numbers
+/// of segments and places of nodes stay as they are. False if there was nothing to do, which costs next to
+/// nothing.
+bool follow_erosion(Surface& surface, const domain::Domain& domain, UserId contact);
 
 }  // namespace crumple::contact

@@ -229,6 +229,7 @@ Tie find_tie(const model::Model& model, domain::Domain& domain, const model::Tie
                      : std::to_string(tie.untied.back().node) + ", is " +
                            std::to_string(tie.untied.back().distance) + " away from its segment, which") +
                 " is too far. Give a larger distance by negative SST and MST.");
+  tie.holds.assign(tie.nodes.size(), 1);
   return tie;
 }
 

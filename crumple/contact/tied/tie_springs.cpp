@@ -313,7 +313,7 @@ void TieSprings::add_forces(domain::Domain& domain) {
     if (active_[i] == 0 && previous_[i].opening == 0) continue;
     const bool breaks = load.share >= 1;
     if (active_[i] != 0 && (breaks || ends_now(domain, springs_[i], look))) {
-      active_[i] = 0;
+      active_[i] = tie.holds[i] = 0;
       load = Load{};
       ++tie.released;
       if (breaks) ++tie.broken;

@@ -139,10 +139,10 @@ TEST(Eroded, NeighboursHaveFreeEdges) {
     return std::count(surface.topology.kind.begin(), surface.topology.kind.end(), contact::EdgeKind::Free);
   };
   const auto before = free_edges();
-  EXPECT_FALSE(contact::follow_erosion(surface, made));
+  EXPECT_FALSE(contact::follow_erosion(surface, made, 1));
   test::erode(made, gone());
-  EXPECT_TRUE(contact::follow_erosion(surface, made));
-  EXPECT_FALSE(contact::follow_erosion(surface, made));
+  EXPECT_TRUE(contact::follow_erosion(surface, made, 1));
+  EXPECT_FALSE(contact::follow_erosion(surface, made, 1));
   // The hole has a rim of 8; the corner shell takes two free edges along and leaves two.
   EXPECT_EQ(free_edges(), before + 8);
   EXPECT_FALSE(surface.bears(surface.place[test::at(made, lonely_node)]));
