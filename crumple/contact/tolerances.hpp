@@ -128,7 +128,9 @@ inline constexpr double two_walls = 0.5;
 /// as if it were inside of the rim [-]: rims of flush blocks swing over each other by less. For one that the
 /// contact does not know in front of the face it is over the depth. Further out it does not enter the face.
 inline constexpr double beside_rim = 1e-3;
-/// The same distance at which a node behind the face loses it [-]. Its share fades until there.
+/// The same distance from which on the share of a node behind the face fades [-] ...
+inline constexpr double fades_beyond_rim = 0.015;
+/// ... and at which the face loses it [-].
 inline constexpr double lost_beyond_rim = 0.05;
 
 /// Excess over the distance of the nearest face, within which a face is as near [-]: round-off.

@@ -44,6 +44,7 @@ class TiedNodesTest : public ::testing::Test {
     domain::Tie& found = domain_.ties.emplace_back();
     found.id = given.id;
     found.nodes.push_back({.node = node, .corner = corner, .weight = weight});
+    found.holds.push_back(1);
   }
   void tie_fourth(bool rotations = false) {
     tie(4, {0, 1, 2, 3}, {0.5625, 0.1875, 0.0625, 0.1875}, rotations);

@@ -24,6 +24,13 @@ bool points_over_rim(const Index* nodes, const SegmentShape& shape, const Vec3& 
   return true;
 }
 
+/// Where in the zone beyond the rim, in which the share fades, a point is: from 0 to 1 [-].
+double place_in_fade(double beyond, double side) {
+  constexpr double begin = tolerances::fades_beyond_rim;
+  constexpr double end = tolerances::lost_beyond_rim;
+  return std::clamp((beyond / side - begin) / (end - begin), 0.0, 1.0);
+}
+
 }  // namespace
 
 bool reaches_over_rim(const NodeAt& node, Index face, const SegmentShape& shape,
@@ -62,19 +69,19 @@ bool stands_at_rim(const NodeAt& node, Index segment, const SegmentShape& shape,
 }
 
 double share_beyond_rim(double beyond, double side) {
-  const double u = std::min(1.0, beyond / (tolerances::lost_beyond_rim * side));
+  const double u = place_in_fade(beyond, side);
   return (1 - u) * (1 - u) * (1 + 2 * u);
 }
 
 void push_off_rim(const Vec3& away, const Vec3& normal, double side, ContactPair& pair) {
   const Vec3 along = away - dot(away, normal) * normal;
   const double beyond = norm(along);
-  const double share = share_beyond_rim(beyond, side);
-  if (beyond <= 0 || share <= 0) return;
+  const double u = place_in_fade(beyond, side);
+  if (u <= 0 || u >= 1) return;
   // A linear spring pushes by s k d along the normal and by -ds/db k d^2 / 2 outwards.
-  const double width = tolerances::lost_beyond_rim * side;
-  const double u = beyond / width;
-  const double outwards = 3 * u * (1 - u) / (width * share) * std::max(0.0, pair.penetration());
+  const double width = (tolerances::lost_beyond_rim - tolerances::fades_beyond_rim) * side;
+  const double slope = 6 * u * (1 - u) / width;
+  const double outwards = 0.5 * slope / share_beyond_rim(beyond, side) * std::max(0.0, pair.penetration());
   const double size = std::sqrt(1 + outwards * outwards);
   pair.share *= size;
   pair.normal = 1 / size * (normal + outwards / beyond * along);

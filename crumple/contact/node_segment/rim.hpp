@@ -23,8 +23,8 @@ bool reaches_over_rim(const NodeAt& node, Index face, const SegmentShape& shape,
 bool stands_at_rim(const NodeAt& node, Index segment, const SegmentShape& shape, const NearestPoint& nearest);
 
 /// Share s of its contact that a node behind a face keeps at the distance `beyond` its rim, along the face
-/// [length]; `side`: root of the face's area [length]. It is 1 at the rim and 0 from
-/// tolerances::lost_beyond_rim of the side on, and level at both.
+/// [length]; `side`: root of the face's area [length]. It is 1 until tolerances::fades_beyond_rim of the side
+/// and 0 from lost_beyond_rim on, and level at both.
 double share_beyond_rim(double beyond, double side);
 
 /// Turns the force on a node that slides off a face outwards, so that it has the potential s(b) U(d), with
