@@ -105,6 +105,7 @@ domain::StateList Simulation::state() {
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
   held_step_.declare(list);
   list.keep("start_loss", "energy", domain::Entity::Run, start_loss_);
+  list.keep("start_work", "energy", domain::Entity::Run, start_work_);
   list.keep("largest_step", "time", domain::Entity::Run, largest_step_);
   list.keep_list("previous_velocity", "length/time", domain::Entity::Node, 3, previous_velocity_);
   for (constraints::RigidWall& wall : walls_) wall.declare(list);

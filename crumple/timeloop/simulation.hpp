@@ -199,6 +199,7 @@ class Simulation {
   double initial_stress_energy_ = 0;  ///< see guards.hpp [energy]
   std::optional<elements::EnergyTrace> energy_trace_;
   double start_loss_ = 0;    ///< see start_loss.hpp; the ledger has it from cycle 1 on [energy]
+  double start_work_ = 0;    ///< likewise, of loads [energy]
   double largest_step_ = 0;  ///< no step exceeds this [time]
   double next_step_ = 0;     ///< from n to n+1 [time]
   HeldStep held_step_;

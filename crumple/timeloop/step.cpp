@@ -66,13 +66,18 @@ void Simulation::start() {
   balance();
   domain_.energy.initial_total = domain_.energy.total();
   kick(0.5 * next_step_);
+  const StartLoss::Left left = start_loss.of_kick(domain_, 0.5 * next_step_);
   // Forces of initial stresses store what they take.
-  if (initial_stress_energy_ == 0) start_loss_ = start_loss.of_kick(domain_, 0.5 * next_step_);
+  if (initial_stress_energy_ == 0) start_loss_ = left.inner;
+  start_work_ = left.loads;
 }
 
 void Simulation::step() {
   drift();
-  if (domain_.clock.cycle == 1) domain_.energy.damping += start_loss_;
+  if (domain_.clock.cycle == 1) {
+    domain_.energy.damping += start_loss_;
+    domain_.energy.external_work -= start_work_;
+  }
   compute_forces();
   choose_step();
   close_gaps(0.5 * (domain_.clock.step + next_step_));
@@ -99,7 +104,6 @@ void Simulation::compute_forces(StartLoss* start) {
     const StageTimer timer(domain_.times.elements);
     sections_.measure(domain_);
     elements::add_element_forces(domain_, energy_trace_ ? &*energy_trace_ : nullptr);
-    if (start != nullptr) start->keep_forces(domain_);
     scale_masses();
     limit_step_without_elements();
   }
@@ -109,6 +113,7 @@ void Simulation::compute_forces(StartLoss* start) {
   for (contact::TieSprings& springs : tie_springs_) springs.add_forces(domain_);
   joints_.add_forces(domain_);
   joint_stiffnesses_.add_forces(domain_);
+  if (start != nullptr) start->keep_inner_forces(domain_);
   pressure_loads_.add_forces(domain_);
   air_blasts_.add_forces(domain_);
   control_volumes_.add_forces(domain_);
@@ -117,6 +122,7 @@ void Simulation::compute_forces(StartLoss* start) {
   rigid_body_loads_.add_forces(domain_);
   follower_loads_.add_forces(domain_);
   inertia_fields_.add_forces(domain_);
+  if (start != nullptr) start->keep_loads(domain_);
   mass_damping_.add_forces(domain_);
   relative_dampings_.add_forces(domain_);
 }
