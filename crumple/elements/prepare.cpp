@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,25 @@ void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) 
   for (const domain::BeamBlock& block : domain.beams) look(block);
 }
 
+/// Solids of a run with ERODE go below DTMIN times the step that the elements allow at the start: TSSFAC is
+/// in both. A shorter DTINIT is the first step.
+void limit_solids_by_run(const model::Model& model, domain::Domain& domain) {
+  if (!(model.control.minimum_step_factor < 0)) return;
+  double first = model.control.initial_step > 0 ? model.control.initial_step / model.control.step_scale
+                                                : std::numeric_limits<double>::max();
+  const auto look = [&](const auto& blocks) {
+    for (const auto& block : blocks)
+      if (!block.rigid) first = std::min(first, stable_step(domain, block));
+  };
+  look(domain.shells);
+  look(domain.solids);
+  look(domain.beams);
+  look(domain.discretes);
+  const double least = -model.control.minimum_step_factor * first;
+  for (domain::SolidBlock& block : domain.solids)
+    if (!block.rigid) block.least_step = std::max(block.least_step, least);
+}
+
 }  // namespace
 
 void prepare_elements(const model::Model& model, domain::Domain& domain) {
@@ -121,6 +141,7 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   prepare_discretes(model, domain);
   set_initial_stresses(model, domain);
   limit_by_rigid_elements(model, domain);
+  limit_solids_by_run(model, domain);
   if (domain.clock.kept_step > 0)
     for (domain::ElementBlock* block : domain.blocks())
       if (!block->rigid) block->group_step.assign(static_cast<std::size_t>(block->groups()), 0.0);

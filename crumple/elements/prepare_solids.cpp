@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,10 @@ void set_interior(const model::Part& part, SolidConstants<double>& constants) {
       constants.interior_modulus * constants.interior_volume / constants.density;
 }
 
+/// Stands for the limit that prepare_elements() sets when the steps of all elements are known: the block has
+/// its room by then.
+constexpr double unknown_least_step = std::numeric_limits<double>::min();
+
 void prepare_block(const model::Model& model, const domain::Domain& domain, SolidBlock& block) {
   const model::Part& part = model.parts[block.part];
   const model::Material& material = model.materials[part.material];
@@ -96,7 +101,8 @@ void prepare_block(const model::Model& model, const domain::Domain& domain, Soli
   constants.formulation = kind.kind;
   constants.points = kind.points;
   constants.material = law;
-  constants.can_fail = materials::solid_can_fail(material) || model::may_erode(material);
+  const bool goes_by_run = model.control.minimum_step_factor < 0 && !block.rigid;
+  constants.can_fail = materials::solid_can_fail(material) || model::may_erode(material) || goes_by_run;
   constants.density = start.density;
   constants.wave_speed = start.wave_speed;
   const double modulus = start.density * start.wave_speed * start.wave_speed;
@@ -127,6 +133,7 @@ void prepare_block(const model::Model& model, const domain::Domain& domain, Soli
   if (!block.rigid) block.damage = material.damage;
   declare_damage(block);
   if (!block.rigid) block.least_step = material.least_step;
+  if (goes_by_run) block.least_step = std::max(block.least_step, unknown_least_step);
   declare_short_steps(block);
   if (!block.rigid) block.damping = part.damping;
   declare_damping(solid_damping(elastic, kind.averages), materials::solid_components, block);

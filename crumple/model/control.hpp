@@ -15,18 +15,18 @@ struct Control {
   double end_time = 0;  ///< ENDTIM [time]
   long end_cycle = 0;   ///< ENDCYC; 0 is no limit
   double minimum_step_factor =
-      0;                         ///< DTMIN: end when the step falls below DTMIN times the first one; 0 is off
-  double end_energy_ratio = 0;   ///< ENDENG: percent change of the energy ratio that ends the run; 0 is off
-  double end_mass_increase = 0;  ///< ENDMAS: percent change of the total mass that ends the run; 0 is off
-  double initial_step = 0;       ///< DTINIT [time]; 0 lets the program choose
-  double step_scale = 0.9;       ///< TSSFAC
-  Index step_curve = no_index;   ///< LCTM, in Model::curves: no step is longer [time] at a time
-  double mass_scaling_step = 0;  ///< DT2MS [time]; negative adds mass only where needed; 0 is off
-  bool scales_mass_once = false;         ///< MS1ST: only at the start
-  HourglassControl hourglass;            ///< for parts without their own
-  double bulk_quadratic = 1.5;           ///< Q1 of *CONTROL_BULK_VISCOSITY [-]
-  double bulk_linear = 0.06;             ///< Q2 [-]
-  bool thickness_change = false;         ///< ISTUPD: shells become thinner as they stretch
+      0;  ///< DTMIN, share of the first step: below it the run ends; negative (ERODE): solids go; 0 is off
+  double end_energy_ratio = 0;    ///< ENDENG: percent change of the energy ratio that ends the run; 0 is off
+  double end_mass_increase = 0;   ///< ENDMAS: percent change of the total mass that ends the run; 0 is off
+  double initial_step = 0;        ///< DTINIT [time]; 0 lets the program choose
+  double step_scale = 0.9;        ///< TSSFAC
+  Index step_curve = no_index;    ///< LCTM, in Model::curves: no step is longer [time] at a time
+  double mass_scaling_step = 0;   ///< DT2MS [time]; negative adds mass only where needed; 0 is off
+  bool scales_mass_once = false;  ///< MS1ST: only at the start
+  HourglassControl hourglass;     ///< for parts without their own
+  double bulk_quadratic = 1.5;    ///< Q1 of *CONTROL_BULK_VISCOSITY [-]
+  double bulk_linear = 0.06;      ///< Q2 [-]
+  bool thickness_change = false;  ///< ISTUPD: shells become thinner as they stretch
   double contact_stiffness_scale = 0.1;  ///< SLSFAC
   bool report_distorted_shells = false;  ///< NFAIL1, NFAIL4: those with a negative Jacobian at the end
 };

@@ -28,7 +28,9 @@ class BareLoop : public Loop {
   bool advance() override {
     if (ending_) return false;
     if (simulation_.finished()) {
-      ending_ = {"normal", simulation_.ended_by().value_or("termination time reached"),
+      ending_ = {"normal",
+                 simulation_.ended_by().value_or(
+                     app::end_reached(simulation_.model().control, simulation_.domain().clock)),
                  app::ExitCode::Normal};
       return false;
     }

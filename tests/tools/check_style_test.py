@@ -49,6 +49,13 @@ class CheckStyle(unittest.TestCase):
         self.assert_fails(LICENCE + f"// {path}\n", "thing.cpp:2: an absolute path")
         self.assert_fails(f"see {path}\n", "page.md:1: an absolute path", "page.md")
 
+    def test_merge_conflict(self):
+        for mark in ("<" * 7 + " HEAD", "|" * 7 + " 1a2b3c", ">" * 7 + " branch", ">" * 7):
+            for name in ("page.md", "fields.txt", "record.json"):
+                self.assert_fails(f"ours\n{mark}\n", f"{name}:2: the mark of a merge conflict", name)
+            self.assert_fails(LICENCE + f"{mark}\n", "thing.cpp:2: the mark of a merge conflict")
+        self.assertEqual(self.run_on("Heading\n=======\n\n| " + ">" * 7 + " quoted |\n", "page.md")[0], 0)
+
     def test_open_end(self):
         word = "TO" + "DO"
         self.assert_fails(LICENCE + f"// {word}: more\n", "thing.cpp:2: an open end")

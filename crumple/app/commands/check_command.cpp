@@ -39,7 +39,12 @@ void print_steps(std::ostream& out, const timeloop::Simulation& simulation) {
     else if (std::isfinite(steps[part]))
       print(out, "  part {:<8} {:.4e}\n", model.parts[part].id, model.control.step_scale * steps[part]);
   const domain::ControllingElement controlling = elements::controlling_element(model, simulation.domain());
-  const double cycles = std::ceil(model.control.end_time / simulation.next_step());
+  // DTINIT is the first step alone; those behind it grow to what the elements allow.
+  const double usual = std::max(simulation.next_step(),
+                                model.control.initial_step > 0
+                                    ? model.control.step_scale * simulation.domain().clock.element_limit
+                                    : 0.0);
+  const double cycles = std::ceil(model.control.end_time / usual);
   print(out, "  first step {:.4e}, controlled by {} {} of part {}; about {:.0f} {} to the end time\n",
         simulation.next_step(), controlling.kind, controlling.element, controlling.part, cycles,
         cycles == 1 ? "cycle" : "cycles");

@@ -3,15 +3,34 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "elements/elements.hpp"
 
 namespace crumple::app {
 
+namespace {
+
+/// Whether all elements but solids, which go when they do not, allow a step.
+bool allow_step(const domain::Domain& domain, double step) {
+  const auto allow = [&](const auto& blocks) {
+    return std::all_of(blocks.begin(), blocks.end(), [&](const auto& block) {
+      return block.rigid || elements::stable_step(domain, block) >= step;
+    });
+  };
+  return allow(domain.shells) && allow(domain.beams) && allow(domain.discretes);
+}
+
+}  // namespace
+
 std::optional<std::string> passed_limit(const model::Control& control, const domain::Domain& domain,
                                         double next_step, const RunStart& start) {
-  if (control.minimum_step_factor > 0 && next_step < control.minimum_step_factor * start.first_step)
+  const double least = std::fabs(control.minimum_step_factor) * start.first_step;
+  const bool solids_go = control.minimum_step_factor < 0;
+  if (next_step < least && !(solids_go && allow_step(domain, least / control.step_scale)))
     return fmt::format("The time step {:.4g} fell below DTMIN times the first step, {:.4g}.", next_step,
-                       control.minimum_step_factor * start.first_step);
+                       least);
   const double change = 100 * std::fabs(domain.energy.ratio() - 1);
   if (control.end_energy_ratio > 0 && change > control.end_energy_ratio)
     return fmt::format("The energy ratio changed by {:.4g} %, more than ENDENG = {:.4g} %.", change,
@@ -21,6 +40,12 @@ std::optional<std::string> passed_limit(const model::Control& control, const dom
     return fmt::format("termination due to mass increase: {:.4g} % was added, more than ENDMAS = {:.4g} %.",
                        increase, control.end_mass_increase);
   return std::nullopt;
+}
+
+std::string end_reached(const model::Control& control, const domain::Clock& clock) {
+  if (control.end_cycle <= 0 || clock.cycle < control.end_cycle) return "termination time reached";
+  return fmt::format("cycle limit reached: ENDCYC = {}, at the time {:.4g} of {:.4g}", control.end_cycle,
+                     clock.time, control.end_time);
 }
 
 }  // namespace crumple::app

@@ -261,7 +261,10 @@ std::optional<Ending> RunSession::limit_passed() const {
 std::optional<Ending> RunSession::follow() {
   observe();
   if (simulation_.finished())
-    return Ending{"normal", simulation_.ended_by().value_or("termination time reached"), ExitCode::Normal};
+    return Ending{
+        "normal",
+        simulation_.ended_by().value_or(end_reached(simulation_.model().control, simulation_.domain().clock)),
+        ExitCode::Normal};
   if (auto ending = asked_to_stop()) return ending;
   if (auto ending = limit_passed()) return ending;
   if (options_.dynain) earlier_.keep(simulation_.domain().nodes);

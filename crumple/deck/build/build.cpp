@@ -165,6 +165,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   Build build(deck, report);
   build.model.title = deck.title;
   build.model.control = deck.control;
+  if (deck.solids_go_by_step) build.model.control.minimum_step_factor *= -1;
   build.model.output = deck.output;
   build.model.search = deck.search;
   build.model.run = deck.run;
@@ -206,6 +207,8 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   check_contact_of_null_shells(build);
   build_terminations(build);
   check_short_curves(build, options.end_time.value_or(build.model.control.end_time));
+  finish_time_curves(build);
+  check_idle_loads(build);
   build_output(build);
   build_cross_sections(build);
   return std::move(build.model);

@@ -271,6 +271,14 @@ void build_motions(Build& build);
 /// Warns once of each curve of a load, velocity or acceleration that ends before the run and goes on with
 /// another value than zero. `end_time`: of the run [time].
 void check_short_curves(Build& build, double end_time);
+// time_curves.cpp
+/// Delays what goes over time by curves with OFFA above zero, leaves out what is of a relaxation alone
+/// (SIDR = 1), and warns of curves that begin late or displacements that begin elsewhere than at zero. When
+/// all loads and motions are there.
+void finish_time_curves(Build& build);
+// idle_loads.cpp
+/// Warns of moments on nodes without rotations and of forces on nodes without mass.
+void check_idle_loads(Build& build);
 // build_inertia_fields.cpp
 /// Body loads, and damping.
 void build_inertia_fields(Build& build);

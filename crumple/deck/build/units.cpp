@@ -77,6 +77,20 @@ bool is_plastic(const model::ConstitutiveLaw& law) {
          !std::holds_alternative<model::SimplifiedRubber>(law);
 }
 
+/// What decks write for "elastic" where a law asks for a yield stress.
+bool never_yields(const model::ConstitutiveLaw& law) {
+  constexpr double none = 1e15;
+  return std::visit(
+      [](const auto& each) {
+        if constexpr (requires { each.yield_stress.front(); })
+          return !each.yield_stress.empty() && each.yield_stress.front() >= none;
+        else if constexpr (requires { each.yield_stress >= none; })
+          return each.yield_stress >= none;
+        return false;
+      },
+      law);
+}
+
 /// Something has this density and modulus in the system. `any` admits whatever is solid, gels included; else
 /// it must be something that yields: soft plastics and foams, or metals. Densities may be a hundred times too
 /// high, as they are made to save steps or to stand for what is not modelled.
@@ -139,7 +153,8 @@ std::vector<std::string> unit_doubts(const model::Model& model) {
       // Beside a metal that tells the system, trim of any softness may be modelled as plastic.
       const bool certain = std::any_of(model.materials.begin(), model.materials.end(),
                                        [&](const model::Material& other) { return is_metal(other, system); });
-      return is_possible(material, system, certain || !is_plastic(material.law));
+      return is_possible(material, system,
+                         certain || !is_plastic(material.law) || never_yields(material.law));
     });
     if (!fits) told = doubt(material.density, modulus);
   }

@@ -131,6 +131,8 @@ struct RawPart {
 struct RawCurve {
   model::Curve curve;
   std::string function;  ///< of TIME, instead of points
+  double delay = 0;      ///< SFA OFFA: before it what the curve drives over time is zero [abscissa]
+  bool of_relaxation_only = false;  ///< SIDR = 1
   Where where;
 };
 
@@ -481,6 +483,7 @@ struct RawDeck {
   bool warping_stiffness = false;  ///< BWC: Belytschko-Tsay shells are Belytschko-Wong-Chiang ones
   bool lobatto_points = false;     ///< CONTROL_SHELL's INTGRD
   std::optional<Where> termination;
+  bool solids_go_by_step = false;  ///< ERODE = 1
   std::optional<Where> control_shell;
   std::optional<Where> control_hourglass;
   RawDistortedShells distorted_shells;

@@ -214,6 +214,7 @@ void read_boundary_spc_set_birth_death(Cards& cards, RawDeck& deck);
 void read_initial_velocity(Cards& cards, RawDeck& deck);
 void read_initial_velocity_node(Cards& cards, RawDeck& deck);
 void read_initial_velocity_generation(Cards& cards, RawDeck& deck);
+void read_initial_velocity_generation_start_time(Cards& cards, RawDeck& deck);
 // read_initial_stress.cpp
 void read_initial_stress_shell(Cards& cards, RawDeck& deck);
 void read_initial_stress_shell_set(Cards& cards, RawDeck& deck);

@@ -19,7 +19,8 @@ using namespace row;
 
 constexpr Field curve_card[] = {
     id("LCID"),
-    harmless("SIDR", {0, 2}, "there is no dynamic relaxation; the curve holds for the run"),
+    harmless("SIDR", {0, 1},
+             "there is no dynamic relaxation before the run; the curve acts in the run alone"),
     real_or_default("SFA", 1.0),
     real_or_default("SFO", 1.0),
     real("OFFA"),
@@ -30,7 +31,8 @@ constexpr Field curve_card[] = {
 
 constexpr Field function_card[] = {
     id("LCID"),
-    harmless("SIDR", {0, 2}, "there is no dynamic relaxation; the curve holds for the run"),
+    harmless("SIDR", {0, 1},
+             "there is no dynamic relaxation before the run; the curve acts in the run alone"),
 };
 
 constexpr Field table_card[] = {id("TBID"), real_or_default("SFA", 1.0), real("OFFA")};
@@ -49,6 +51,8 @@ void read_define_curve(Cards& cards, RawDeck& deck) {
   RawCurve raw;
   raw.curve.id = card.integer("LCID");
   raw.where = card.where();
+  raw.delay = card.real("SFA") * card.real("OFFA");
+  raw.of_relaxation_only = card.real("SIDR") == 1;
   while (cards.more()) {
     const Card point = cards.next_filled(point_card);
     if (!point.good("A") || !point.good("O")) continue;
@@ -109,6 +113,7 @@ void read_define_curve_function(Cards& cards, RawDeck& deck) {
   RawCurve raw;
   raw.curve.id = card.integer("LCID");
   raw.where = card.where();
+  raw.of_relaxation_only = card.real("SIDR") == 1;
   constexpr std::size_t last_column = 80;
   do raw.function += cards.text_line("a function of TIME").substr(0, last_column);
   while (cards.more());

@@ -106,5 +106,14 @@ TEST_F(Check, NullShellsWithoutStiffnessRun) {
   }
 }
 
+/// DTINIT is the first step alone.
+TEST_F(Check, CyclesAreThoseOfTheStepsBehindTheFirst) {
+  const auto cycles = [&](const char* cards) {
+    const std::string out = run({"check", deck_with(cards)}).out;
+    return std::stod(out.substr(out.find("; about ") + 8));
+  };
+  EXPECT_EQ(cycles("*CONTROL_TIMESTEP\n1e-9,0.9\n"), cycles("*CONTROL_TIMESTEP\n0,0.9\n"));
+}
+
 }  // namespace
 }  // namespace crumple::app::check_test

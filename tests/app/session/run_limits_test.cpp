@@ -30,6 +30,22 @@ TEST_F(RunLimits, StepBelowAShareOfTheFirst) {
   EXPECT_NE(passed(0.99e-7).value().find("DTMIN"), std::string::npos);
 }
 
+TEST_F(RunLimits, TheEndIsThatOfTheTimeOrOfTheCycles) {
+  control_.end_time = 2;
+  domain_.clock.cycle = 10;
+  domain_.clock.time = 0.5;
+  EXPECT_EQ(end_reached(control_, domain_.clock), "termination time reached");
+  control_.end_cycle = 11;
+  EXPECT_EQ(end_reached(control_, domain_.clock), "termination time reached");
+  control_.end_cycle = 10;
+  EXPECT_EQ(end_reached(control_, domain_.clock), "cycle limit reached: ENDCYC = 10, at the time 0.5 of 2");
+}
+
+TEST_F(RunLimits, SolidsThatGoDoNotEndTheRun) {
+  control_.minimum_step_factor = -0.1;
+  EXPECT_FALSE(passed(0.5e-7).has_value());
+}
+
 TEST_F(RunLimits, EnergyRatioInEitherDirection) {
   control_.end_energy_ratio = 2.9;
   EXPECT_NE(passed(1e-6).value().find("ENDENG"), std::string::npos);

@@ -139,5 +139,19 @@ TEST(Units, UsualMistakesAreFound) {
         << numbers;
 }
 
+/// Rubber that is written as a plastic that never yields, in t, mm and s.
+TEST(Units, OfWhatNeverYieldsAreThoseOfElasticMaterials) {
+  model::Model model;
+  model.materials.resize(1);
+  model.materials[0].density = 1.1e-9;
+  const auto doubt = [&](double yield_stress) {
+    model.materials[0].law =
+        model::PlasticKinematic{.youngs_modulus = 1.0, .poissons_ratio = 0.49, .yield_stress = yield_stress};
+    return unit_doubts(model)[0];
+  };
+  EXPECT_NE(doubt(0.1), "");
+  EXPECT_EQ(doubt(1e20), "");
+}
+
 }  // namespace
 }  // namespace crumple::deck::test::units_test

@@ -113,5 +113,14 @@ TEST(JointStiffness, WhatIsMissingIsNamed) {
              "warning: *CONSTRAINED_JOINT_STIFFNESS_GENERALIZED card 1 field EST");
 }
 
+/// A line of text goes before each, which a number may begin, unlike the card of other joints.
+TEST(JointStiffness, MayHaveATitle) {
+  std::string titled = generalized;
+  titled.replace(titled.find('\n'), 1, "_TITLE\n     Shoulder, left\n");
+  const model::Model model = read_clean(with(titled).text());
+  ASSERT_EQ(model.joint_stiffnesses.size(), 1U);
+  EXPECT_EQ(model.joint_stiffnesses[0].id, 7);
+}
+
 }  // namespace
 }  // namespace crumple::deck::test::joint_stiffness_test

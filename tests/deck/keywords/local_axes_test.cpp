@@ -67,9 +67,9 @@ TEST(LocalMotions, AreAlongAndAboutVectors) {
 }
 
 TEST(LocalMotions, GoRoundAxesThroughTwoOffsets) {
-  const model::Model model = read_with(curve +
-                                       "*BOUNDARY_PRESCRIBED_MOTION_NODE\n2,10,0,1,2\n0.5,-0.25\n"
-                                       "3,-11,2,1\n3,4\n4,3,0,1\n");
+  const model::Model model = read_with(
+      "*DEFINE_CURVE\n1\n0,0\n3,1\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n2,10,0,1,2\n0.5,-0.25\n"
+      "3,-11,2,1\n3,4\n4,3,0,1\n");
   ASSERT_EQ(model.prescribed_motions.size(), 3U);
   const model::PrescribedMotion& about_y = model.prescribed_motions[0];
   EXPECT_EQ(about_y.axis, 1);

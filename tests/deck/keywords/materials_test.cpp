@@ -33,12 +33,31 @@ TEST(RateMaterial, PowerLawWithEveryValue) {
   EXPECT_EQ(law.yield_strain, 0.002);
 }
 
+/// Sources have either of two orders: what can be no VP is the failure strain.
+TEST(RateMaterial, PowerLawFailsInEitherOrder) {
+  const std::string head = "*MAT_018\n1,7.83E-9,207000,0.3,500,0.22,40,5\n";
+  const auto first = law_of<model::PowerLawPlasticity>(head + "0,0.05,1\n");
+  EXPECT_EQ(first.failure_strain, 0.05);
+  EXPECT_TRUE(first.viscoplastic);
+  EXPECT_FALSE(law_of<model::PowerLawPlasticity>(head + "0,0.05,0\n").viscoplastic);
+  EXPECT_EQ(law_of<model::PowerLawPlasticity>(head + "0,0.05,\n").failure_strain, 0.05);
+  const auto last = law_of<model::PowerLawPlasticity>(head + "0,1,0.05\n");
+  EXPECT_EQ(last.failure_strain, 0.05);
+  EXPECT_TRUE(last.viscoplastic);
+  EXPECT_FALSE(law_of<model::PowerLawPlasticity>(head + "0,0,0.05\n").viscoplastic);
+  for (const char* either : {"0,1,0\n", "0,0,1\n"}) {
+    const auto doubts = messages_of(head + either);
+    ASSERT_EQ(doubts.size(), 1U);
+    EXPECT_NE(doubts[0].find("sources differ"), std::string::npos) << doubts[0];
+  }
+}
+
 TEST(RateMaterial, AnyVpPassesWithoutRates) {
-  const auto without = messages_of("*MAT_018\n1,7.83E-9,207000,0.3,500,0.22\n0,0.4876\n");
+  const auto without = messages_of("*MAT_018\n1,7.83E-9,207000,0.3,500,0.22\n0,0.4876,0.3\n");
   ASSERT_EQ(without.size(), 1U);
   EXPECT_NE(without[0].find("warning: *MAT_018 card 2 field VP"), std::string::npos) << without[0];
   EXPECT_NE(without[0].find("no effect, as there is no rate effect"), std::string::npos) << without[0];
-  const auto with = messages_of("*MAT_018\n1,7.83E-9,207000,0.3,500,0.22,40,5\n0,0.4876\n");
+  const auto with = messages_of("*MAT_018\n1,7.83E-9,207000,0.3,500,0.22,40,5\n0,0.4876,0.3\n");
   ASSERT_EQ(with.size(), 1U);
   EXPECT_NE(with[0].find("error: *MAT_018 card 2 field VP"), std::string::npos) << with[0];
 }

@@ -46,13 +46,18 @@ TEST(WithoutEffect, AreAccepted) {
                             "*MAT_ADD_FATIGUE\n1\n",
                             "*CONTROL_DAMPING\n0,0.0,0.0,0.0,0.0,0,0.0,0\n",
                             "*CONTROL_ADAPSTEP\n1.0,0.01\n",
+                            "*CONTROL_ADAPTIVE\n0.1,5.0,2,3\n",
+                            "*INITIAL_VELOCITY_GENERATION_START_TIME\n0.0\n",
+                            "*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,1\n",
                             "*DEFINE_COORDINATE_NODE\n1,1,2,3\n",
                             "*CONTROL_TIMESTEP\n0.0\n0,0,0,0,0,0,0,0\n"})
     EXPECT_FALSE(has(messages_with(cards), ": error: ")) << cards << messages_with(cards)[0];
 }
 
 TEST(WithoutEffect, AreAcceptedWithAWarning) {
-  for (const char* cards : {"*INCLUDE\n", "*CONTROL_BULK_VISCOSITY\n       1.5      0.06        -2\n"}) {
+  for (const char* cards :
+       {"*INCLUDE\n", "*BOUNDARY_SPC_SET\n0,0,0,0,0,0,0,0\n", "*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,10\n",
+        "*CONTROL_BULK_VISCOSITY\n       1.5      0.06        -2\n"}) {
     const std::vector<std::string> messages = messages_with(cards);
     ASSERT_EQ(messages.size(), 1U) << cards;
     EXPECT_NE(messages[0].find(": warning: "), std::string::npos) << messages[0];
@@ -252,6 +257,22 @@ TEST(WithoutEffect, PressureCutOffOfNullShells) {
   SmallDeck deck;
   deck.material = "*MAT_NULL\n1,1.0E-6,0.1,0,0,0,200.0,0.3\n";
   EXPECT_TRUE(messages_of_deck(deck).empty());
+}
+
+TEST(WithoutEffect, IsRefusedWhereItWouldHaveOne) {
+  const auto only = [](const SmallDeck& deck, const char* words) {
+    const std::vector<std::string> messages = messages_of_deck(deck);
+    ASSERT_EQ(messages.size(), 1U);
+    EXPECT_NE(messages[0].find(words), std::string::npos) << messages[0];
+  };
+  SmallDeck deck;
+  deck.more = "*BOUNDARY_SPC_SET\n0,0,1\n";
+  only(deck, "error: *BOUNDARY_SPC_SET card 1 field NSID: read \"0\", expected the id of a set of nodes");
+  deck.more = "*INITIAL_VELOCITY_GENERATION_START_TIME\n0.5\n";
+  only(deck, "field STIME");
+  deck.more = "";
+  deck.part = "*PART\nplate\n1,1,1,0,0,0,1\n";
+  only(deck, "field ADPOPT");
 }
 
 }  // namespace

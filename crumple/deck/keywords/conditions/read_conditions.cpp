@@ -13,20 +13,28 @@ using namespace row;
 
 constexpr Check fixed_or_free = within(0, 1, "0 is free, 1 fixed");
 
+constexpr Field held_x = local(axes(integer("DOFX", 0, fixed_or_free)));
+constexpr Field held_y = local(axes(integer("DOFY", 0, fixed_or_free)));
+constexpr Field held_z = local(axes(integer("DOFZ", 0, fixed_or_free)));
+constexpr Field held_rx = local(axes(integer("DOFRX", 0, fixed_or_free)));
+constexpr Field held_ry = local(axes(integer("DOFRY", 0, fixed_or_free)));
+constexpr Field held_rz = local(axes(integer("DOFRZ", 0, fixed_or_free)));
+
 constexpr Field spc_card[] = {
-    id("NID", kind_of_target),
-    reference("CID"),
-    local(axes(integer("DOFX", 0, fixed_or_free))),
-    local(axes(integer("DOFY", 0, fixed_or_free))),
-    local(axes(integer("DOFZ", 0, fixed_or_free))),
-    local(axes(integer("DOFRX", 0, fixed_or_free))),
-    local(axes(integer("DOFRY", 0, fixed_or_free))),
-    local(axes(integer("DOFRZ", 0, fixed_or_free))),
+    id("NID", IdKind::Node), reference("CID"), held_x, held_y, held_z, held_rx, held_ry, held_rz,
+};
+
+constexpr Field spc_set_card[] = {
+    reference("NSID", IdKind::Set), reference("CID"), held_x, held_y, held_z, held_rx, held_ry, held_rz,
 };
 
 constexpr Field birth_death_card[] = {
     real("BIRTH", 0, not_negative),
     real_or_default("DEATH", 1e20, above_zero),
+};
+
+constexpr Field start_time_card[] = {
+    only("STIME", {0}, "velocities are given at time zero"),
 };
 
 constexpr Field velocity_card_1[] = {
@@ -95,12 +103,28 @@ constexpr Field local_generation_card_2[] = {
 
 enum class SupportTimes { WholeRun, Given };
 
+/// Reports a card of a set without its id; a row of zeros, as programs that write decks leave it, with a
+/// warning alone. True, as it is left out.
+bool names_no_set(const RawFixed& fixed, Report& report) {
+  const std::array<bool, 3> none{};
+  FieldFault fault{"NSID", "0", "the id of a set of nodes", "the card holds nothing, and is left out",
+                   "no set"};
+  if (fixed.translation == none && fixed.rotation == none) {
+    report.field_warning(fixed.where, fault);
+  } else {
+    fault.hint = "";
+    report.field_error(fixed.where, fault);
+  }
+  return true;
+}
+
 void read_spc(Cards& cards, RawDeck& deck, bool is_set, SupportTimes times = SupportTimes::WholeRun) {
   while (cards.more()) {
     cards.heading();
-    const Card card = cards.next_filled(spc_card);
+    const Card card = cards.next_filled(is_set ? Layout(spc_set_card) : Layout(spc_card));
+    const std::string_view target = is_set ? "NSID" : "NID";
     RawFixed fixed;
-    fixed.target = card.integer("NID");
+    fixed.target = card.integer(target);
     fixed.is_set = is_set;
     fixed.translation = {card.integer("DOFX") == 1, card.integer("DOFY") == 1, card.integer("DOFZ") == 1};
     fixed.rotation = {card.integer("DOFRX") == 1, card.integer("DOFRY") == 1, card.integer("DOFRZ") == 1};
@@ -112,7 +136,8 @@ void read_spc(Cards& cards, RawDeck& deck, bool is_set, SupportTimes times = Sup
       fixed.birth = second.real("BIRTH");
       fixed.death = second.real("DEATH");
     }
-    if (card.good("NID") && card.good("CID")) deck.fixed.push_back(fixed);
+    if (card.good(target) && fixed.target == 0 && names_no_set(fixed, cards.report())) continue;
+    if (card.good(target) && card.good("CID")) deck.fixed.push_back(fixed);
   }
 }
 
@@ -213,6 +238,10 @@ void read_initial_velocity_generation(Cards& cards, RawDeck& deck) {
     if (omega != 0) take_rotation(second, omega, velocity, cards.report());
     if (first.good("ID") && first.good("STYP") && first.good("ICID")) deck.velocities.push_back(velocity);
   } while (cards.more());
+}
+
+void read_initial_velocity_generation_start_time(Cards& cards, RawDeck& /*deck*/) {
+  cards.next_or_default(start_time_card);
 }
 
 }  // namespace crumple::deck

@@ -24,7 +24,7 @@ constexpr Field timestep_card[] = {
     only("TSLIMT", {0}, "use DT2MS for a minimum time step"),
     real("DT2MS"),
     reference("LCTM", IdKind::Function),
-    harmless("ERODE", {0}, "elements are not deleted by their time step"),
+    harmless("ERODE", {0, 1}, "elements are not deleted by their time step, except solids with 1"),
     only("MS1ST", {0, 1}, "mass is added whenever a time step needs it (0), or at the start alone (1)"),
 };
 
@@ -136,6 +136,7 @@ void read_control_timestep(Cards& cards, RawDeck& deck) {
                        "it is used, but leaves little of the stable step to contact, friction and damping",
                        "factor on the step"});
   deck.control.mass_scaling_step = card.real("DT2MS");
+  deck.solids_go_by_step = card.real("ERODE") == 1;
   deck.control.scales_mass_once = card.real("MS1ST") == 1;
   if (card.good("LCTM") && card.integer("LCTM") != 0)
     deck.step_curve = RawStepCurve{card.integer("LCTM"), card.where()};

@@ -24,6 +24,7 @@ constexpr Field power_card[] = {
     real("SRP", 0, not_negative),
 };
 
+// Some sources have VP and EPSF the other way round: see failure_comes_first().
 constexpr Field power_second_card[] = {
     real("SIGY", 0, not_negative),
     viscoplastic_value,
@@ -111,6 +112,30 @@ double yield_strain(const Card& card, const Card& second, Report& report) {
   return strain;
 }
 
+/// Whether the second field of *MAT_018's second card is EPSF and the third VP, as some sources have it. Only
+/// a value that is no VP tells; where both may be either, says how they are taken.
+bool failure_comes_first(const Card& second, Report& report) {
+  if (!second.good("VP") || !second.good("EPSF")) return false;
+  const auto is_flag = [](double value) { return value == 0 || value == 1; };
+  const double middle = second.real("VP");
+  const double last = second.real("EPSF");
+  if (!is_flag(last)) return false;
+  if (!is_flag(middle) && middle > 0) {
+    report.add(
+        Severity::Note, second.where(), "order",
+        fmt::format("the second field, {:g}, is taken as EPSF, and the third, {:g}, as VP", middle, last));
+    return true;
+  }
+  if (middle != last)
+    report.warning(
+        second.where(), "order",
+        fmt::format("sources differ on whether EPSF is behind VP or before it: the second field, "
+                    "{:g}, is taken as VP, and the third, {:g}, as EPSF; write a failure strain of 1 "
+                    "as 0.9999 if it is one, then both orders are understood",
+                    middle, last));
+  return false;
+}
+
 void check_exponent(const Card& card, Report& report) {
   if (card.real("B") > 0 && card.good("N") && !(card.real("N") > 0))
     report.field_error(card.where(), {"N", std::string(card.text("N")), "a number above zero",
@@ -170,8 +195,13 @@ void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck) {
       law.yield_strain = yield_strain(card, second, cards.report());
     law.cowper_symonds_rate = card.real("SRC");
     law.cowper_symonds_exponent = card.real("SRP");
-    law.viscoplastic = take_viscoplastic(second, law.cowper_symonds_rate, cards.report());
-    law.failure_strain = failure_strain(second.real("EPSF"));
+    if (failure_comes_first(second, cards.report())) {
+      law.viscoplastic = second.real("EPSF") == 1;
+      law.failure_strain = failure_strain(second.real("VP"));
+    } else {
+      law.viscoplastic = take_viscoplastic(second, law.cowper_symonds_rate, cards.report());
+      law.failure_strain = failure_strain(second.real("EPSF"));
+    }
     check_rate(card, "SRC", "SRP", cards.report());
     raw.material.law = law;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));

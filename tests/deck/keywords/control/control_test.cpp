@@ -50,6 +50,17 @@ TEST(Control, EveryValue) {
   EXPECT_EQ(model.shell_sections[0].shear_factor, 0.833);
 }
 
+/// ERODE with DTMIN, whichever comes first.
+TEST(Control, SolidsMayGoByTheirStep) {
+  SmallDeck deck;
+  deck.termination = "*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,1\n*CONTROL_TERMINATION\n2.5,0,0.1\n";
+  EXPECT_EQ(read_clean(deck.text()).control.minimum_step_factor, -0.1);
+  deck.termination = "*CONTROL_TERMINATION\n2.5,0,0.1\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,1\n";
+  EXPECT_EQ(read_clean(deck.text()).control.minimum_step_factor, -0.1);
+  deck.termination = "*CONTROL_TERMINATION\n2.5,0,0.1\n*CONTROL_TIMESTEP\n0,0.9\n";
+  EXPECT_EQ(read_clean(deck.text()).control.minimum_step_factor, 0.1);
+}
+
 TEST(Control, DefaultsOfLsDyna) {
   const model::Model model = read_with("$crumple defaults=ls-dyna\n");
   EXPECT_EQ(model.control.step_scale, 0.9);
