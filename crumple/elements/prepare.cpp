@@ -110,7 +110,7 @@ void limit_by_rigid_elements(const model::Model& model, domain::Domain& domain) 
 /// Solids of a run with ERODE go below DTMIN times the step that the elements allow at the start: TSSFAC is
 /// in both. A shorter DTINIT is the first step.
 void limit_solids_by_run(const model::Model& model, domain::Domain& domain) {
-  if (!(model.control.minimum_step_factor < 0)) return;
+  if (!model.control.erodes_short_solids || !(model.control.minimum_step_factor > 0)) return;
   double first = model.control.initial_step > 0 ? model.control.initial_step / model.control.step_scale
                                                 : std::numeric_limits<double>::max();
   const auto look = [&](const auto& blocks) {
@@ -121,7 +121,7 @@ void limit_solids_by_run(const model::Model& model, domain::Domain& domain) {
   look(domain.solids);
   look(domain.beams);
   look(domain.discretes);
-  const double least = -model.control.minimum_step_factor * first;
+  const double least = model.control.minimum_step_factor * first;
   for (domain::SolidBlock& block : domain.solids)
     if (!block.rigid) block.least_step = std::max(block.least_step, least);
 }

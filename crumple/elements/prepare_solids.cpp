@@ -101,7 +101,8 @@ void prepare_block(const model::Model& model, const domain::Domain& domain, Soli
   constants.formulation = kind.kind;
   constants.points = kind.points;
   constants.material = law;
-  const bool goes_by_run = model.control.minimum_step_factor < 0 && !block.rigid;
+  const bool goes_by_run =
+      model.control.erodes_short_solids && model.control.minimum_step_factor > 0 && !block.rigid;
   constants.can_fail = materials::solid_can_fail(material) || model::may_erode(material) || goes_by_run;
   constants.density = start.density;
   constants.wave_speed = start.wave_speed;

@@ -12,10 +12,10 @@ namespace crumple::model {
 
 /// How the run is done: what *CONTROL cards say. Defaults are LS-DYNA's.
 struct Control {
-  double end_time = 0;  ///< ENDTIM [time]
-  long end_cycle = 0;   ///< ENDCYC; 0 is no limit
-  double minimum_step_factor =
-      0;  ///< DTMIN, share of the first step: below it the run ends; negative (ERODE): solids go; 0 is off
+  double end_time = 0;               ///< ENDTIM [time]
+  long end_cycle = 0;                ///< ENDCYC; 0 is no limit
+  double minimum_step_factor = 0;    ///< DTMIN, share of the first step: below it the run ends; 0 is off
+  bool erodes_short_solids = false;  ///< ERODE: solids whose own step falls below that erode instead
   double end_energy_ratio = 0;    ///< ENDENG: percent change of the energy ratio that ends the run; 0 is off
   double end_mass_increase = 0;   ///< ENDMAS: percent change of the total mass that ends the run; 0 is off
   double initial_step = 0;        ///< DTINIT [time]; 0 lets the program choose

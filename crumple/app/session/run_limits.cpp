@@ -26,9 +26,8 @@ bool allow_step(const domain::Domain& domain, double step) {
 
 std::optional<std::string> passed_limit(const model::Control& control, const domain::Domain& domain,
                                         double next_step, const RunStart& start) {
-  const double least = std::fabs(control.minimum_step_factor) * start.first_step;
-  const bool solids_go = control.minimum_step_factor < 0;
-  if (next_step < least && !(solids_go && allow_step(domain, least / control.step_scale)))
+  const double least = control.minimum_step_factor * start.first_step;
+  if (next_step < least && !(control.erodes_short_solids && allow_step(domain, least / control.step_scale)))
     return fmt::format("The time step {:.4g} fell below DTMIN times the first step, {:.4g}.", next_step,
                        least);
   const double change = 100 * std::fabs(domain.energy.ratio() - 1);

@@ -165,7 +165,6 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   Build build(deck, report);
   build.model.title = deck.title;
   build.model.control = deck.control;
-  if (deck.solids_go_by_step) build.model.control.minimum_step_factor *= -1;
   build.model.output = deck.output;
   build.model.search = deck.search;
   build.model.run = deck.run;

@@ -483,7 +483,6 @@ struct RawDeck {
   bool warping_stiffness = false;  ///< BWC: Belytschko-Tsay shells are Belytschko-Wong-Chiang ones
   bool lobatto_points = false;     ///< CONTROL_SHELL's INTGRD
   std::optional<Where> termination;
-  bool solids_go_by_step = false;  ///< ERODE = 1
   std::optional<Where> control_shell;
   std::optional<Where> control_hourglass;
   RawDistortedShells distorted_shells;

@@ -42,7 +42,8 @@ TEST_F(RunLimits, TheEndIsThatOfTheTimeOrOfTheCycles) {
 }
 
 TEST_F(RunLimits, SolidsThatGoDoNotEndTheRun) {
-  control_.minimum_step_factor = -0.1;
+  control_.minimum_step_factor = 0.1;
+  control_.erodes_short_solids = true;
   EXPECT_FALSE(passed(0.5e-7).has_value());
 }
 

@@ -136,7 +136,7 @@ void read_control_timestep(Cards& cards, RawDeck& deck) {
                        "it is used, but leaves little of the stable step to contact, friction and damping",
                        "factor on the step"});
   deck.control.mass_scaling_step = card.real("DT2MS");
-  deck.solids_go_by_step = card.real("ERODE") == 1;
+  deck.control.erodes_short_solids = card.real("ERODE") == 1;
   deck.control.scales_mass_once = card.real("MS1ST") == 1;
   if (card.good("LCTM") && card.integer("LCTM") != 0)
     deck.step_curve = RawStepCurve{card.integer("LCTM"), card.where()};

@@ -54,11 +54,11 @@ TEST(Control, EveryValue) {
 TEST(Control, SolidsMayGoByTheirStep) {
   SmallDeck deck;
   deck.termination = "*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,1\n*CONTROL_TERMINATION\n2.5,0,0.1\n";
-  EXPECT_EQ(read_clean(deck.text()).control.minimum_step_factor, -0.1);
+  EXPECT_TRUE(read_clean(deck.text()).control.erodes_short_solids);
   deck.termination = "*CONTROL_TERMINATION\n2.5,0,0.1\n*CONTROL_TIMESTEP\n0,0.9,0,0,0,0,1\n";
-  EXPECT_EQ(read_clean(deck.text()).control.minimum_step_factor, -0.1);
+  EXPECT_TRUE(read_clean(deck.text()).control.erodes_short_solids);
   deck.termination = "*CONTROL_TERMINATION\n2.5,0,0.1\n*CONTROL_TIMESTEP\n0,0.9\n";
-  EXPECT_EQ(read_clean(deck.text()).control.minimum_step_factor, 0.1);
+  EXPECT_FALSE(read_clean(deck.text()).control.erodes_short_solids);
 }
 
 TEST(Control, DefaultsOfLsDyna) {
