@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "domain/local_holds.hpp"
 #include "math/to_vec3.hpp"
 
 namespace crumple::constraints {
@@ -117,6 +118,9 @@ LocalConstraints::LocalConstraints(const model::Model& model, Domain& domain) : 
     stop_initial_motion(domain, entry);
   }
   deferred_.assign(nodes_.size(), 0.0);
+  for (const model::LocalSupport& support : model.local_supports)
+    changes_.insert(changes_.end(), {support.birth, support.death});
+  std::sort(changes_.begin(), changes_.end());
 }
 
 void LocalConstraints::add_support(const model::LocalSupport& support) {
@@ -181,6 +185,13 @@ void LocalConstraints::stop_initial_motion(Domain& domain, const Node& node) con
     }
   }
   domain.nodes.publish(node.node);
+}
+
+void LocalConstraints::refresh(Domain& domain) {
+  const auto past = std::upper_bound(changes_.begin(), changes_.end(), domain.clock.time);
+  if (past - changes_.begin() == changed_) return;
+  changed_ = past - changes_.begin();
+  domain::list_local_holds(*model_, domain.clock.time, domain.nodes);
 }
 
 void LocalConstraints::remember(const Domain& domain) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,9 @@ class LocalConstraints {
   LocalConstraints(const model::Model& model, domain::Domain& domain);
 
   bool empty() const { return nodes_.empty(); }
+
+  /// Lists what supports hold at the present time, for contact and walls, which act before and after them.
+  void refresh(domain::Domain& domain);
 
   /// Keeps the velocities of n-1/2. Before the kick of the nodes.
   void remember(const domain::Domain& domain);
@@ -76,6 +80,8 @@ class LocalConstraints {
   math::Vec3 constrain(const Node& node, bool rotation, const MotionTimes& times, math::Vec3& velocity) const;
 
   const model::Model* model_;
+  std::vector<double> changes_;  ///< births and deaths of supports, ascending [time]
+  std::ptrdiff_t changed_ = -1;  ///< how many of them had been when the holds were listed; -1: not known
   std::vector<Row> rows_;
   std::vector<Node> nodes_;
   std::vector<Reaction> reactions_;  ///< of each node

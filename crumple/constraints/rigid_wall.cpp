@@ -28,24 +28,21 @@ Vec3 stopped(const Vec3& velocity, const WallLimit& limit, double friction) {
   return tangential + limit.slowest * limit.normal;
 }
 
-/// How much of a push along the normal fixed degrees of freedom let through; 0 if that is hardly anything: a
-/// normal that is almost fixed would throw the node along the wall.
-double free_part(const Vec3& normal, std::uint8_t fixed) {
-  double part = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    if ((fixed & domain::fixed_translation(axis)) == 0) part += normal[axis] * normal[axis];
+/// How much of a push along the normal supports let through; 0 if that is hardly anything: a normal that is
+/// almost fixed would throw the node along the wall. `free_normal` is the part of the normal along which they
+/// let the node move.
+double free_part(const Vec3& free_normal) {
+  const double part = dot(free_normal, free_normal);
   constexpr double least_free = 0.01;
   return part < least_free ? 0 : part;
 }
 
-/// The change of velocity without what fixed degrees of freedom do not let through; along the normal it is
-/// then made up for in the free directions.
-Vec3 let_through(const Vec3& change, const Vec3& normal, std::uint8_t fixed) {
-  Vec3 free_change = change;
-  Vec3 free_normal = normal;
-  for (int axis = 0; axis < 3; ++axis)
-    if ((fixed & domain::fixed_translation(axis)) != 0) free_change[axis] = free_normal[axis] = 0;
-  const double part = free_part(normal, fixed);
+/// The change of velocity without what supports do not let through; along the normal it is then made up for
+/// in the free directions.
+Vec3 let_through(const domain::NodeFields& nodes, Index node, const Vec3& change, const Vec3& normal) {
+  const Vec3 free_change = nodes.free_translation(node, change);
+  const Vec3 free_normal = nodes.free_translation(node, normal);
+  const double part = free_part(free_normal);
   if (part == 0) return free_change;
   const double missing = dot(change - free_change, normal);
   return missing == 0 ? free_change : free_change + (missing / part) * free_normal;
@@ -137,8 +134,8 @@ void RigidWall::stop_node(Impact& impact, Index node, const WallLimit& limit) co
   domain::NodeFields& nodes = impact.domain.nodes;
   const Vec3 velocity = nodes.velocity[node] - velocity_;
   Vec3 after = stopped(velocity, limit, friction_);
-  if (nodes.fixed[node] != 0)
-    after = velocity + let_through(after - velocity, limit.normal, nodes.fixed[node]);
+  if (nodes.fixed[node] != 0 || nodes.local_hold_of(node) != nullptr)
+    after = velocity + let_through(nodes, node, after - velocity, limit.normal);
   const Vec3 received = nodes.moving_mass(node) * (after - velocity);
   nodes.velocity[node] = after + velocity_;
   Sums& sums = impact.sums;
@@ -220,7 +217,7 @@ bool RigidWall::find_nodes_to_push(const Shape& shape, const Impact& impact) {
     if (!limit_of(shape, nodes.position[i] - displacement_, velocity, impact.step.next, limit)) continue;
     const double highest = dot(nodes.velocity[i], normal_) - limit.slowest;
     lowest_ = std::min(lowest_, highest);
-    const double free = free_part(normal_, nodes.fixed[i]);
+    const double free = free_part(nodes.free_translation(i, normal_));
     if (free > 0) {
       touched_[i] = 1;
       pushed_.push_back({i, limit.slowest, highest, nodes.moving_mass(i) / free});
@@ -309,10 +306,7 @@ void RigidWall::push_at(const Shape& shape, Impact& impact) {
     if (!(change > 0)) continue;
     stop_node(impact, pushed.node, {normal_, pushed.slowest});
     // What fixed directions take of the push comes from the wall as well.
-    Vec3 fixed_part;
-    for (int axis = 0; axis < 3; ++axis)
-      if ((impact.domain.nodes.fixed[pushed.node] & domain::fixed_translation(axis)) != 0)
-        fixed_part[axis] = normal_[axis];
+    const Vec3 fixed_part = normal_ - impact.domain.nodes.free_translation(pushed.node, normal_);
     const Vec3 taken = pushed.mass * change * fixed_part;
     impact.sums.impulse -= taken;
     impact.sums.normal_impulse += dot(taken, normal_);

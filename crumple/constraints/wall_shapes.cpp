@@ -91,8 +91,9 @@ WallSurface wall_surface(const model::RigidWall& wall) {
   switch (wall.shape) {
     case model::WallShape::Flat: {
       const double size = std::min(length, breadth);
-      return FlatShape{
-          point, normal, l, cross(normal, l), length, breadth, std::isfinite(size) ? 1e-6 * size : 0};
+      // Nothing comes past the edges of an endless rectangle, so that what is behind it has gone through.
+      if (!std::isfinite(size)) return PlaneShape{point, normal};
+      return FlatShape{point, normal, l, cross(normal, l), length, breadth, 1e-6 * size};
     }
     case model::WallShape::Prism:
       return PrismShape{

@@ -42,8 +42,8 @@ struct FlatShape {
   math::Vec3 normal;
   math::Vec3 edge;     ///< l, unit
   math::Vec3 across;   ///< m = normal x l
-  double length = 0;   ///< along l; infinite if huge [length]
-  double breadth = 0;  ///< along m; infinite if huge [length]
+  double length = 0;   ///< along l; one of the two may be infinite [length]
+  double breadth = 0;  ///< along m [length]
   double slack = 0;    ///< a node this far behind the plane is still in front of it [length]
   bool limit(const math::Vec3& position, const math::Vec3& velocity, double step, WallLimit& found) const;
 };
@@ -79,7 +79,7 @@ struct SphereShape {
 
 using WallSurface = std::variant<PlaneShape, FlatShape, PrismShape, CylinderShape, SphereShape>;
 
-/// The surface of a wall where it is at time zero.
+/// The surface of a wall where it is at time zero. A rectangle without edges is a plane.
 WallSurface wall_surface(const model::RigidWall& wall);
 
 /// The limit of a closed convex surface: the node must not end inside it, or not deeper than it began. It is

@@ -264,6 +264,9 @@ inline constexpr int most_multiplier_rounds = 1000;
 /// Weighted compliance of a node over that of the whole touch, beyond which the touch has no force [-]: its
 /// contact point is at a node that cannot move, and the others would have to go any distance for it.
 inline constexpr double most_leverage = 10;
+/// Compliance along the normal over the largest, below which supports hold all nodes of a touch along the
+/// normal but for rounding [-].
+inline constexpr double least_compliance = 1e-9;
 
 /// Overlap over the mean edge, below which meshes that are moved apart do not overlap [-].
 inline constexpr double negligible_overlap = 1e-9;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "domain/local_holds.hpp"
 #include "domain/numbering.hpp"
 #include "math/to_vec3.hpp"
 
@@ -196,6 +197,7 @@ Domain build(const model::Model& model, const Execution& execution) {
   domain.nodes.domain_node = std::move(numbering.domain_node);
   place_nodes(model, domain);
   set_conditions(model, domain.nodes);
+  list_local_holds(model, 0, domain.nodes);
   for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)
     add_blocks(model, part, std::move(numbering.shells_by_part[part]), domain);
   for (Index part = 0; part < static_cast<Index>(model.parts.size()); ++part)

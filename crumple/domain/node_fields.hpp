@@ -6,6 +6,7 @@
 
 #include "base/aligned_array.hpp"
 #include "base/index.hpp"
+#include "math/rotation.hpp"
 #include "math/vec3.hpp"
 
 namespace crumple::domain {
@@ -40,6 +41,14 @@ inline constexpr std::uint8_t moved_by_body = 64;
 /// Bit of NodeFields::fixed, set while the node follows the segment that it is tied to.
 inline constexpr std::uint8_t moved_by_tie = 128;
 
+/// What supports along axes of their own, or for a part of the run, leave of a node's translation; the global
+/// axes that are fixed are in it as well.
+struct LocalHold {
+  math::Matrix3 free = math::unit_matrix();  ///< projects on the directions that are free
+  int held = 0;                              ///< directions that are not
+  bool lasts = true;                         ///< the same during the whole run
+};
+
 /// The fields of all nodes, in the domain's own numbering. Every array has one entry per node, but `force`,
 /// which has Assembly::slots() more at its end.
 struct NodeFields {
@@ -60,6 +69,9 @@ struct NodeFields {
   AlignedArray<NodeRecord<float>> float_records;    ///< filled in mixed precision, else empty
   AlignedArray<NodeRecord<double>> double_records;  ///< filled in double precision, else empty
 
+  std::vector<Index> local_hold;       ///< place in local_holds of a node, or no_index; empty without any
+  std::vector<LocalHold> local_holds;  ///< at the present time
+
   std::vector<Index> model_node;   ///< model index of a domain node
   std::vector<Index> domain_node;  ///< domain index of a model node
 
@@ -72,6 +84,20 @@ struct NodeFields {
   }
   double moving_inertia(Index node) const {
     return carried_inertia.empty() ? inertia[node] : inertia[node] + carried_inertia[node];
+  }
+
+  /// What holds a translation along other axes than the global ones, or for a part of the run; null if
+  /// nothing does.
+  const LocalHold* local_hold_of(Index node) const {
+    const Index place = local_hold.empty() ? no_index : local_hold[static_cast<std::size_t>(node)];
+    return place == no_index ? nullptr : &local_holds[static_cast<std::size_t>(place)];
+  }
+  /// The part of a vector along which supports let the node move.
+  Vec3 free_translation(Index node, Vec3 vector) const {
+    if (const LocalHold* const hold = local_hold_of(node)) return hold->free * vector;
+    for (int axis = 0; axis < 3; ++axis)
+      if ((fixed[node] & fixed_translation(axis)) != 0) vector[axis] = 0;
+    return vector;
   }
 
   Index count() const { return static_cast<Index>(position.size()); }

@@ -25,6 +25,9 @@ struct LocalSupport {
   std::array<bool, 3> rotation{};                                                ///< about each of them
   double birth = 0;                                                              ///< free before [time]
   double death = 1e28;                                                           ///< free from then on [time]
+
+  /// Whether it acts as long as any run: DEATH is never, or its default.
+  bool lasts() const { return birth <= 0 && death >= 1e20; }
 };
 
 /// Velocity of a node at time zero. Later entries for the same node replace earlier ones.

@@ -191,6 +191,7 @@ void Simulation::choose_step() {
 
 /// The contact forces that need to know all others, and the step.
 void Simulation::close_gaps(double interval) {
+  local_constraints_.refresh(domain_);
   for (contact::Interface& contact : contacts_) contact.add_multipliers(domain_, interval, next_step_);
   for (std::size_t i = 0; i < transducers_.size(); ++i)
     domain_.transducers[i].force = transducers_[i].measure(contacts_);

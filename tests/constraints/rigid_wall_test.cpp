@@ -128,6 +128,45 @@ TEST_F(RigidWallTest, AFixedDegreeOfFreedomStaysFixedAndTheOthersMakeUpForIt) {
   EXPECT_NEAR(domain_.nodes.velocity[0].z, 0, 1e-15);
 }
 
+/// Only the direction is left to the node.
+domain::LocalHold line_along(const Vec3& direction) {
+  domain::LocalHold hold;
+  hold.held = 2;
+  for (int axis = 0; axis < 3; ++axis)
+    hold.free.column[static_cast<std::size_t>(axis)] = direction[axis] * direction;
+  return hold;
+}
+
+TEST_F(RigidWallTest, ASupportAlongAnObliqueAxisStaysOne) {
+  domain_.nodes.local_hold = {0};
+  domain_.nodes.local_holds = {line_along({std::sqrt(0.5), 0, std::sqrt(0.5)})};
+  domain_.nodes.position[0] = {0, 0, 5.5};
+  domain_.nodes.velocity[0] = {-4, 0, -4};
+  stop(0.0, 0.25, 0.5);
+  const std::string arrives = "node held across 45 degrees arrives at a rigid wall: ";
+  test::verified(arrives + "velocity along the wall", "the direction that is free")
+      .near(domain_.nodes.velocity[0].x, -1, 1e-14);
+  EXPECT_NEAR(domain_.nodes.velocity[0].z, -1, 1e-14);
+  test::verified(arrives + "impulse of the wall", "change of momentum")
+      .near(domain_.walls[0].impulse.z, -6.0, 1e-14);
+  test::verified(arrives + "energy of the wall", "kinetic energy lost")
+      .near(domain_.walls[0].energy + domain_.walls[0].deferred, 0.5 * 2 * (32 - 2), 1e-13);
+}
+
+TEST_F(RigidWallTest, AWallWithMassLosesWhatAnObliqueSupportTakes) {
+  domain_.nodes.local_hold = {0};
+  domain_.nodes.local_holds = {line_along({std::sqrt(0.5), 0, std::sqrt(0.5)})};
+  domain_.nodes.position[0] = {0, 0, 5};
+  model::RigidWall wall = wall_at_five();
+  wall.mass = 4;
+  wall.initial_velocity = 3;
+  stop(wall, 0.1, 0.1);
+  // The node resists with its mass over the cosine squared: 4 * 3 = (4 + 2 / 0.5) v.
+  EXPECT_NEAR(domain_.walls[0].velocity.z, 1.5, 1e-14);
+  EXPECT_NEAR(domain_.nodes.velocity[0].z, 1.5, 1e-14);
+  EXPECT_NEAR(domain_.nodes.velocity[0].x, 1.5, 1e-14);
+}
+
 TEST_F(RigidWallTest, ABoxOfTimeLimitsTheWall) {
   model::RigidWall wall = wall_at_five();
   wall.birth_time = 1;

@@ -86,6 +86,31 @@ TEST(WallShapes, LengthsOfZeroAreInfinite) {
   EXPECT_TRUE(move(cylinder, {3.5, 2, 1e6}, {-1, 0, 0}).stopped);
 }
 
+// The plane is oblique, so that a node that is put on it rounds to one side or the other.
+TEST(WallShapes, AnEndlessRectangleStopsWhatAPlaneDoes) {
+  model::RigidWall flat = make(WallShape::Flat);
+  model::RigidWall plane = make(WallShape::Plane);
+  flat.normal = plane.normal = {0.4, 0.2, 1};
+  flat.edge = {1 / std::sqrt(1.16), 0, -0.4 / std::sqrt(1.16)};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-10, 10);
+  int behind = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 position{number(random), number(random), 12 + number(random)};
+    const Vec3 velocity{number(random), number(random), -40};
+    const Outcome first = move(flat, position, velocity);
+    const Outcome same = move(plane, position, velocity);
+    EXPECT_EQ(first.stopped, same.stopped);
+    EXPECT_EQ(norm(first.velocity - same.velocity), 0);
+    if (!first.stopped) continue;
+    const Vec3 on_plane = position + first.velocity;
+    const double height = dot(on_plane - Vec3{1, 2, 3}, normalised(Vec3{0.4, 0.2, 1}));
+    behind += height < 0 ? 1 : 0;
+    EXPECT_TRUE(move(flat, on_plane, velocity).stopped) << height;
+  }
+  EXPECT_GT(behind, 100);
+}
+
 TEST(WallShapes, EveryFaceOfAPrismStops) {
   model::RigidWall wall = make(WallShape::Prism);
   wall.lengths = {4, 2, 6};

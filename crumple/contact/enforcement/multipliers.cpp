@@ -19,7 +19,30 @@ Multipliers::Multipliers(const Surface& surface, const model::Contact& contact)
     : surface_(&surface),
       contact_(contact),
       compliance_(surface.nodes.size()),
+      holds_(surface.nodes.size()),
       displacement_(surface.nodes.size()) {}
+
+/// Of a node of the surface.
+void Multipliers::predict_node(const domain::NodeFields& nodes, Index node, double interval) {
+  const Index place = surface_->place[node];
+  Vec3& compliance = compliance_[place];
+  compliance = Vec3{};
+  holds_[place] = nullptr;
+  if (!nodes.is_free(node) || !(nodes.mass[node] > 0)) return;
+  const double inverse = interval / nodes.mass[node];
+  const double* const force = nodes.force[node].force;
+  if (const domain::LocalHold* const hold = nodes.local_hold_of(node)) {
+    holds_[place] = hold;
+    velocity_[node] = hold->free * (velocity_[node] + inverse * Vec3{force[0], force[1], force[2]});
+    if (hold->held < 3) compliance = step_ * inverse * Vec3{1, 1, 1};
+    return;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((nodes.fixed[node] & domain::fixed_translation(axis)) != 0) continue;
+    velocity_[node][axis] += inverse * force[axis];
+    compliance[axis] = step_ * inverse;
+  }
+}
 
 Kinematics Multipliers::predict(const domain::Domain& domain, double interval, double step) {
   const domain::NodeFields& nodes = domain.nodes;
@@ -29,16 +52,7 @@ Kinematics Multipliers::predict(const domain::Domain& domain, double interval, d
   parallel_for(pieces(nodes.count(), piece), domain.execution.threads, [&](Index part) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, nodes.count()); ++i) {
       velocity_[i] = nodes.velocity[i];
-      const Index place = surface_->place[i];
-      if (place != no_index) compliance_[place] = Vec3{};
-      if (place != no_index && nodes.is_free(i) && nodes.mass[i] > 0) {
-        const double inverse = interval / nodes.mass[i];
-        for (int axis = 0; axis < 3; ++axis) {
-          if ((nodes.fixed[i] & domain::fixed_translation(axis)) != 0) continue;
-          velocity_[i][axis] += inverse * nodes.force[i].force[axis];
-          compliance_[place][axis] = step * inverse;
-        }
-      }
+      if (surface_->place[i] != no_index) predict_node(nodes, i, interval);
       position_[i] = nodes.position[i] + step * velocity_[i];
     }
   });
@@ -54,11 +68,20 @@ Kinematics Multipliers::predict(const domain::Domain& domain, double interval, d
 Multipliers::Unknown Multipliers::prepare(const Touch& touch) const {
   Unknown unknown;
   Vec3 sum;
-  for (int i = 0; i < touch.nodes; ++i)
-    sum += touch.weight[i] * touch.weight[i] * compliance_[touch.place[i]];
+  double local = 0;  // what supports along axes of their own take from the compliance along the normal
+  for (int i = 0; i < touch.nodes; ++i) {
+    const Index place = touch.place[i];
+    const Vec3 own = touch.weight[i] * touch.weight[i] * compliance_[place];
+    sum += own;
+    if (holds_[place] != nullptr)
+      local += own.x * (1 - dot(touch.normal, holds_[place]->free * touch.normal));
+  }
   for (int axis = 0; axis < 3; ++axis)
     unknown.compliance += touch.normal[axis] * touch.normal[axis] * sum[axis];
   unknown.tangential_compliance = std::max({sum.x, sum.y, sum.z});
+  unknown.compliance -= local;
+  if (local > 0 && unknown.compliance < tolerances::least_compliance * unknown.tangential_compliance)
+    unknown.compliance = 0;
   // Where the contact point is at a node that cannot move, the others would have to go any distance for it.
   double largest = 0;
   for (int i = 0; i < touch.nodes; ++i) {
@@ -78,10 +101,11 @@ Multipliers::Unknown Multipliers::prepare(const Touch& touch) const {
 /// Adds what a force on the first point of a touch, and its reverse on the second, does to the nodes.
 void Multipliers::move(const Touch& touch, const Vec3& force) {
   for (int i = 0; i < touch.nodes; ++i) {
-    const Vec3& compliance = compliance_[touch.place[i]];
-    Vec3& displacement = displacement_[touch.place[i]];
+    const Index place = touch.place[i];
+    const Vec3& compliance = compliance_[place];
+    const Vec3 felt = holds_[place] != nullptr ? holds_[place]->free * force : force;
     for (int axis = 0; axis < 3; ++axis)
-      displacement[axis] += touch.weight[i] * compliance[axis] * force[axis];
+      displacement_[place][axis] += touch.weight[i] * compliance[axis] * felt[axis];
   }
 }
 

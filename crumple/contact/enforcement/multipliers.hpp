@@ -17,8 +17,8 @@ namespace crumple::contact {
 /// J. Numer. Meth. Engng 32 (1991) 103-128). The step stays that of the elements. The equations are solved
 /// touch by touch in a fixed order until nothing changes any more (projected Gauss-Seidel).
 ///
-/// What is held does not yield: fixed degrees of freedom, and the nodes of rigid bodies, whose motion in the
-/// step counts as given.
+/// What is held does not yield: what supports hold along whatever axes, and the nodes of rigid bodies, whose
+/// motion in the step counts as given.
 class Multipliers {
  public:
   Multipliers(const Surface& surface, const model::Contact& contact);
@@ -44,6 +44,7 @@ class Multipliers {
     Vec3 friction_force;               ///< on the first point [force]
   };
 
+  void predict_node(const domain::NodeFields& nodes, Index node, double interval);
   Unknown prepare(const Touch& touch) const;
   double correct_normal(const Touch& touch, Unknown& unknown);
   double correct_friction(const Touch& touch, Unknown& unknown);
@@ -56,6 +57,7 @@ class Multipliers {
   std::vector<Vec3> position_;    ///< predicted, by domain node
   std::vector<Vec3> velocity_;    ///< likewise
   std::vector<Vec3> compliance_;  ///< displacement at n+1 per force, along each axis, by place [length/force]
+  std::vector<const domain::LocalHold*> holds_;  ///< what else holds the node, by place; null where nothing
   std::vector<Vec3> displacement_;  ///< by the forces so far, by place; zero between calls [length]
   std::vector<Unknown> unknowns_;
   int rounds_ = 0;

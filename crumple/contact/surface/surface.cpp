@@ -213,6 +213,22 @@ class Alive {
   std::vector<Index> active_;  ///< component of the state, by block
 };
 
+/// The same where supports along axes of their own hold some of the nodes, during the whole run.
+bool hold_as_symmetry_plane(const domain::NodeFields& nodes, const Index* corners, const Vec3& across) {
+  const auto local = [&](Index node) { return nodes.local_hold_of(node) != nullptr; };
+  if (std::none_of(corners, corners + 4, local) || !(norm(across) > 0)) return false;
+  const Vec3 normal = normalised(across);
+  const double most_free = std::sqrt(1 - tolerances::along_axis * tolerances::along_axis);
+  bool all_fixed = true;
+  for (int k = 0; k < 4; ++k) {
+    const domain::LocalHold* const hold = nodes.local_hold_of(corners[k]);
+    if (hold != nullptr && !hold->lasts) return false;
+    if (norm(nodes.free_translation(corners[k], normal)) > most_free) return false;
+    all_fixed = all_fixed && (hold != nullptr ? hold->held == 3 : (nodes.fixed[corners[k]] & 7U) == 7U);
+  }
+  return !all_fixed;
+}
+
 /// Faces of solids in a plane whose nodes are all held along its normal, but not altogether, are on a plane
 /// of symmetry: nothing comes from beyond it. They stay in the mesh, as the rims of their neighbours would
 /// become free edges without them.
@@ -227,6 +243,7 @@ void leave_symmetry_planes_alone(const domain::NodeFields& nodes, Surface& surfa
     };
     const bool all_fixed = std::all_of(
         own, own + 4, [&](Index node) { return held(node, 0) && held(node, 1) && held(node, 2); });
+    if (hold_as_symmetry_plane(nodes, own, across)) surface.touched_by[s] = 0;
     for (int axis = 0; axis < 3 && !all_fixed; ++axis)
       if (std::fabs(across[axis]) > tolerances::along_axis * norm(across) &&
           std::all_of(own, own + 4, [&](Index node) { return held(node, axis); }))

@@ -218,9 +218,11 @@ void build_fixed_nodes(Build& build) {
     hold.translation = raw.translation;
     hold.rotation = raw.rotation;
     hold.where = raw.where;
-    hold.is_timed = raw.is_timed;
-    hold.birth = raw.birth;
-    hold.death = raw.death;
+    hold.is_timed = raw.is_timed && !model::LocalSupport{.birth = raw.birth, .death = raw.death}.lasts();
+    if (hold.is_timed) {
+      hold.birth = raw.birth;
+      hold.death = raw.death;
+    }
     if (raw.system != 0) {
       const auto axes = find_axes(build, raw.system, "CID", raw.where);
       if (!axes) continue;

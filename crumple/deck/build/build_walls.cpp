@@ -14,6 +14,12 @@ namespace crumple::deck {
 
 namespace {
 
+/// A plane, and a rectangle without edges.
+bool holds_what_is_behind(const model::RigidWall& wall) {
+  return wall.shape == model::WallShape::Plane ||
+         (wall.shape == model::WallShape::Flat && !(wall.lengths[0] > 0) && !(wall.lengths[1] > 0));
+}
+
 void warn_of_nodes_behind(const model::RigidWall& wall, const Where& where, Build& build) {
   const auto& positions = build.model.nodes.position;
   std::vector<double> distances;
@@ -89,7 +95,7 @@ void build_walls(Build& build) {
     if (raw.motion_curve != 0)
       wall.motion.curve = build.find(Item::Curve, {raw.motion_curve, "LCID", raw.motion_where});
     if (!find_nodes(build, raw, wall.nodes)) continue;
-    if (wall.shape == model::WallShape::Plane) warn_of_nodes_behind(wall, raw.where, build);
+    if (holds_what_is_behind(wall)) warn_of_nodes_behind(wall, raw.where, build);
     build.model.rigid_walls.push_back(std::move(wall));
   }
 }

@@ -44,6 +44,37 @@ void print_supports(const HistoryItems& items, const Sample& sample, std::string
 constexpr HistoryForm spcforc_form{model::HistoryFile::Spcforc, "spcforc", "spcforc",
                                    " single point constraint forces\n\n", print_supports};
 
+/// What a support has to show.
+struct Held {
+  bool translation = false;
+  bool rotation = false;
+};
+
+bool any_of(const std::array<bool, 3>& axes) {
+  return axes[0] || axes[1] || axes[2];
+}
+
+/// Of each of domain.supports: along and about the global axes, and at whatever time along others.
+std::vector<Held> held_by_supports(const View& view) {
+  const domain::NodeFields& nodes = view.domain.nodes;
+  std::vector<Held> of_node(nodes.domain_node.size());
+  for (const model::LocalSupport& support : view.model.local_supports) {
+    Held& held = of_node[static_cast<std::size_t>(nodes.domain_node[support.node])];
+    held.translation = held.translation || any_of(support.translation);
+    held.rotation = held.rotation || any_of(support.rotation);
+  }
+  constexpr unsigned translations = 7;
+  constexpr unsigned rotations = 7U << 3U;
+  std::vector<Held> found;
+  for (const domain::SupportReport& support : view.domain.supports) {
+    const Held& local = of_node[static_cast<std::size_t>(support.node)];
+    const unsigned fixed = nodes.fixed[support.node];
+    found.push_back(
+        {local.translation || (fixed & translations) != 0, local.rotation || (fixed & rotations) != 0});
+  }
+  return found;
+}
+
 /// The supports, and behind them, as node 0, their sum.
 class SupportHistory : public SampledHistory {
  public:
@@ -52,20 +83,18 @@ class SupportHistory : public SampledHistory {
  protected:
   HistoryItems find_items(const View& view) override {
     const domain::NodeFields& nodes = view.domain.nodes;
+    const std::vector<Held> held = held_by_supports(view);
     HistoryItems items;
     items.own_ids = true;
     items.marks = {{"force_ids", {}}, {"moment_ids", {}}};
     for (std::size_t i = 0; i < view.domain.supports.size(); ++i) {
       const Index node = view.domain.supports[i].node;
       items.ids.push_back(view.model.nodes.id[nodes.model_node[node]]);
-      const auto holds = [&](const auto& of_axis) {
-        return (nodes.fixed[node] & (of_axis(0) | of_axis(1) | of_axis(2))) != 0;
-      };
-      if (holds(domain::fixed_translation)) {
+      if (held[i].translation) {
         with_force_.push_back(i);
         items.marks[0].second.push_back(items.ids.back());
       }
-      if (holds(domain::fixed_rotation)) {
+      if (held[i].rotation) {
         with_moment_.push_back(i);
         items.marks[1].second.push_back(items.ids.back());
       }

@@ -20,6 +20,14 @@ constexpr double thickness = 0.1;
 constexpr double step = 0.05;
 constexpr double mass = 2.0;
 
+/// Only what a matrix projects on is left to these nodes.
+void leave_free(domain::Domain& made, const std::vector<Index>& which, const math::Matrix3& free, int held) {
+  domain::NodeFields& nodes = made.nodes;
+  nodes.local_hold.assign(static_cast<std::size_t>(nodes.count()), no_index);
+  nodes.local_holds = {{.free = free, .held = held, .lasts = true}};
+  for (const Index node : which) nodes.local_hold[static_cast<std::size_t>(node)] = 0;
+}
+
 /// A node of a small sheet above one large shell, integrated by central differences with the forces that a
 /// test gives and those of contact.
 class Press {
@@ -36,6 +44,27 @@ class Press {
     touching_.emplace(bodies_.attach(made_));
   }
 
+  /// Supports with a time of their own instead of fixed degrees of freedom.
+  void hold_floor_locally() {
+    std::vector<Index> floor;
+    for (Index i = 0; i < 4; ++i) {
+      floor.push_back(test::at(made_, floor_ + i));
+      made_.nodes.fixed[floor.back()] = 0;
+    }
+    leave_free(made_, floor, {}, 3);
+  }
+  /// Leaves the sheet the line x = z.
+  void hold_sheet_on_slope() {
+    const Vec3 half{0.5, 0, 0.5};
+    leave_free(made_, {node(0), node(1), node(2), node(3)}, {{half, Vec3{}, half}}, 2);
+  }
+  /// Leaves the sheet the plane of the floor, by axes that are not the global ones: rounding leaves a rest.
+  void hold_sheet_along_floor() {
+    made_.nodes.local_holds.push_back(
+        {.free = {{Vec3{1, 0, 1e-17}, Vec3{0, 1, 0}, Vec3{1e-17, 0, 1e-17}}}, .held = 1, .lasts = true});
+    for (Index i = 0; i < 4; ++i) made_.nodes.local_hold[static_cast<std::size_t>(node(i))] = 1;
+  }
+
   /// One step with a force on each node of the small sheet.
   void advance(const Vec3& force) {
     test::clear_forces(made_);
@@ -44,7 +73,8 @@ class Press {
     touching_->add_multipliers(made_, step, step);
     for (Index i = 0; i < 4; ++i) {
       const double* total = made_.nodes.force[node(i)].force;
-      made_.nodes.velocity[node(i)] += (step / mass) * Vec3{total[0], total[1], total[2]};
+      const Vec3 kicked = made_.nodes.velocity[node(i)] + (step / mass) * Vec3{total[0], total[1], total[2]};
+      made_.nodes.velocity[node(i)] = made_.nodes.free_translation(node(i), kicked);
       made_.nodes.position[node(i)] += step * made_.nodes.velocity[node(i)];
     }
     made_.clock.step = step;
@@ -102,6 +132,50 @@ TEST(Multipliers, NeverPull) {
     EXPECT_EQ(norm(press.contact_force()), 0);
   }
   EXPECT_GT(press.position().z, thickness);
+}
+
+// The same as with fixed degrees of freedom, bit by bit.
+TEST(Multipliers, ASupportOfATimeHoldsAsAFixedOne) {
+  Press fixed;
+  Press held;
+  held.hold_floor_locally();
+  for (int i = 0; i < 200; ++i) {
+    fixed.advance({0, 0, -0.3});
+    held.advance({0, 0, -0.3});
+    ASSERT_EQ(norm(held.position() - fixed.position()), 0) << i;
+    ASSERT_EQ(norm(held.contact_force() - fixed.contact_force()), 0) << i;
+  }
+  EXPECT_GT(fixed.contact_force().z, 0);
+}
+
+// Nodes on a slope of 45 degrees rest where the floor stops them; the slope takes nothing along itself.
+TEST(Multipliers, NodesHeldAlongObliqueAxesReachTheFloorAndNoFurther) {
+  Press press;
+  press.hold_sheet_on_slope();
+  const double start = press.position().x - press.position().z;
+  bool touched = false;
+  test::Largest distances("multipliers, sheet on a slope pressed onto a shell: distance off the thickness",
+                          "constraint, exact", 1e-14);
+  for (int i = 0; i < 200; ++i) {
+    press.advance({0, 0, -0.3});
+    EXPECT_GE(press.position().z, thickness - 1e-14);
+    EXPECT_NEAR(press.position().x - press.position().z, start, 1e-14);
+    touched = touched || press.contact_force().z > 0;
+    if (touched) distances.compare(press.position().z, thickness);
+  }
+  EXPECT_TRUE(touched);
+  test::verified("multipliers, sheet on a slope at rest: contact force of a node", "the load")
+      .near(press.contact_force().z, 0.3, 1e-13);
+}
+
+// Both sides are held along the normal: no force can part them, and none is tried.
+TEST(Multipliers, GiveNoForceWhereObliqueSupportsLeaveNothingFree) {
+  Press press(0, 0.09);
+  press.hold_floor_locally();
+  press.hold_sheet_along_floor();
+  for (int i = 0; i < 5; ++i) press.advance({0.1, 0, -0.3});
+  EXPECT_EQ(norm(press.contact_force()), 0);
+  EXPECT_NEAR(press.position().z, 0.09, 1e-14);
 }
 
 // Where friction holds there is no slip at all; above mu N the sheet slides, and the force is mu N.

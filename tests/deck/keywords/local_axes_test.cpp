@@ -53,6 +53,14 @@ TEST(LocalSupports, AlongGlobalAxesAreOrdinaryOnes) {
   EXPECT_EQ(model.fixed_nodes.size(), 1U);
 }
 
+TEST(LocalSupports, OfTheWholeRunAreOrdinaryOnes) {
+  const model::Model model = read_with("*BOUNDARY_SPC_NODE_BIRTH_DEATH\n2,0,1\n0,1e20\n3,0,1\n\n");
+  EXPECT_TRUE(model.local_supports.empty());
+  EXPECT_EQ(model.fixed_nodes.size(), 2U);
+  const model::Model born = read_with("*BOUNDARY_SPC_NODE_BIRTH_DEATH\n2,0,1\n1e-9,1e20\n3,0,1\n0,1e19\n");
+  EXPECT_EQ(born.local_supports.size(), 2U);
+}
+
 TEST(LocalMotions, AreAlongAndAboutVectors) {
   const model::Model model = read_with(system + curve +
                                        "*DEFINE_VECTOR\n7,1,1,1,4,1,5\n8,0,0,0,2,0,0,9\n"
