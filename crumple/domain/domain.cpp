@@ -160,6 +160,8 @@ void Domain::declare(StateList& list) {
     list.keep("tie_dissipated", "energy", Entity::Contact, tie.dissipated);
     list.keep("tie_opening", "length", Entity::Contact, tie.opening);
   }
+  for (ControlVolumeReport& volume : control_volumes)
+    list.keep("control_volume_report", "by item", Entity::Run, volume);
   for (WeldReport& weld : welds) list.keep("weld_report", "by item", Entity::Run, weld);
   for (JointReport& joint : joints) list.keep("joint_report", "by item", Entity::RigidBody, joint);
   for (JointStiffnessReport& stiffness : joint_stiffnesses)

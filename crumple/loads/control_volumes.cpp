@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "base/error.hpp"
@@ -21,6 +22,23 @@ std::vector<std::array<Index, 4>> domain_segments(std::vector<std::array<Index, 
   for (std::array<Index, 4>& segment : segments)
     for (Index& node : segment) node = domain.nodes.domain_node[static_cast<std::size_t>(node)];
   return segments;
+}
+
+/// Of a rigid body under the force and the moment of a unit of pressure: the work of a unit of time at the
+/// acceleration that they make, in the directions in which it is free.
+double flexibility_of(const domain::RigidBody& body, const Vec3& force, const Vec3& moment) {
+  if (!body.active || !(body.mass > 0)) return 0;
+  double sum = 0;
+  double smallest = std::numeric_limits<double>::max();
+  for (int axis = 0; axis < 3; ++axis) smallest = std::min(smallest, body.principal_inertia[axis]);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 along = body.held_axes.column[axis];
+    const double push = dot(force, along);
+    const double turn = dot(moment, along);
+    if (!body.fixed_translation[axis]) sum += push * push / body.mass;
+    if (!body.fixed_rotation[axis] && smallest > 0) sum += turn * turn / smallest;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -80,7 +98,7 @@ void ControlVolumes::push_nodes(domain::Domain& domain, Volume& volume, double p
     }
     sums_[static_cast<std::size_t>(p)] = sum;
   });
-  double flexibility = 0;
+  double flexibility = flexibility_of_bodies(domain, volume);
   for (const std::array<double, 2>& sum : sums_) {
     domain.energy.external_work += sum[0];
     flexibility += sum[1];
@@ -88,6 +106,26 @@ void ControlVolumes::push_nodes(domain::Domain& domain, Volume& volume, double p
   const model::ControlVolume& description = *volume.description;
   frequency_squared_ +=
       description.pressure_scale * description.volume_scale * volume.state.stiffness * flexibility;
+}
+
+/// What a unit of pressure accelerates the volume by through the rigid bodies in its surface
+/// [volume/(time^2 pressure)].
+double ControlVolumes::flexibility_of_bodies(const domain::Domain& domain, const Volume& volume) {
+  if (domain.rigid_bodies.empty()) return 0;
+  on_body_.assign(domain.rigid_bodies.size(), {});
+  turning_body_.assign(domain.rigid_bodies.size(), {});
+  for (std::size_t i = 0; i < volume.surface.nodes().size(); ++i) {
+    const Index node = volume.surface.nodes()[i];
+    const Index at = domain.body_of_node[node];
+    if (at == no_index) continue;
+    const Vec3& gradient = volume.surface.gradients()[i];
+    on_body_[at] += gradient;
+    turning_body_[at] += cross(domain.nodes.position[node] - domain.rigid_bodies[at].centre, gradient);
+  }
+  double sum = 0;
+  for (std::size_t at = 0; at < domain.rigid_bodies.size(); ++at)
+    sum += flexibility_of(domain.rigid_bodies[at], on_body_[at], turning_body_[at]);
+  return sum;
 }
 
 double ControlVolumes::stable_share(double step) const {

@@ -42,9 +42,12 @@ class ControlVolumes {
   };
   static void report(const Volume& volume, domain::ControlVolumeReport& into);
   void push_nodes(domain::Domain& domain, Volume& volume, double pressure);
+  double flexibility_of_bodies(const domain::Domain& domain, const Volume& volume);
 
   std::vector<Volume> volumes_;
   std::vector<std::array<double, 2>> sums_;  ///< by the pieces of nodes; kept for its room alone
+  std::vector<math::Vec3> on_body_;          ///< by rigid body; kept for its room alone
+  std::vector<math::Vec3> turning_body_;     ///< likewise
   double frequency_squared_ = 0;             ///< of what the stiffest filling does with its nodes [1/time^2]
 };
 

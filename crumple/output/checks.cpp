@@ -51,10 +51,11 @@ double internal_for_contact(const PeakValues& peaks, double scale) {
   return std::max(peaks.largest_internal_energy(), least_internal * scale);
 }
 
-/// Of the contact springs, less what the penalties hold and will give back.
+/// Of the contact springs, less what penalties and ties hold and will give back.
 double unreturned_energy(const domain::Domain& domain) {
   double sum = domain.energy.contact_springs();
   for (const domain::ContactReport& contact : domain.contacts) sum -= contact.stored_energy;
+  for (const domain::Tie& tie : domain.ties) sum -= tie.energy - tie.dissipated;
   return sum;
 }
 
@@ -262,7 +263,7 @@ std::vector<std::string> energy_warnings(const View& view, const PeakValues& pea
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double own = peaks.largest_internal_energy(static_cast<Index>(i));
     // Parts that absorb next to nothing are left out: their ratio says nothing about the result.
-    if (own > 0.01 * internal && parts[i].hourglass > 0.1 * own)
+    if (own > 0.01 * internal && ratio_of(parts[i].hourglass, own, least) > 0.1)
       warnings.push_back(fmt::format("Hourglass energy of part {} is {:.1f} % of its internal energy{}.",
                                      view.model.parts[i].id, 100 * parts[i].hourglass / own,
                                      resists_as_material(view, i)

@@ -167,6 +167,17 @@ TEST_F(ChecksTest, WhatThePenaltiesHoldIsNoFault) {
   EXPECT_FALSE(find("without friction").pass) << "the rest is lost";
 }
 
+/// Nor is what the springs of ties hold, but what ties lose is.
+TEST_F(ChecksTest, WhatTheSpringsOfTiesHoldIsNoFault) {
+  domain_.energy.contact = 30;
+  domain_.ties.push_back({});
+  domain_.ties[0].energy = 29;
+  EXPECT_NEAR(find("without friction").value, 1.0 / 57, 1e-15);
+  EXPECT_TRUE(find("without friction").pass);
+  domain_.ties[0].dissipated = 20;
+  EXPECT_FALSE(find("without friction").pass);
+}
+
 /// The warning and the check have one figure.
 TEST_F(ChecksTest, NegativeContactEnergyIsWarnedOfByTheMeasureOfTheCheck) {
   PeakValues peaks;

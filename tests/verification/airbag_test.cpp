@@ -105,6 +105,23 @@ TEST(Airbags, PistonIsStoppedByAdiabaticGas) {
   }
 }
 
+// Oil behind a piston of a rigid body sets the step, though no element does: the piston comes back as fast as
+// it came. omega^2 = gamma p A^2 / (V M).
+TEST(Airbags, StiffGasBehindARigidPistonIsStable) {
+  constexpr double pressure = 1e8;
+  const double omega = std::sqrt(exponent * pressure / 2);
+  model::Model model = piston(
+      model::AdiabaticGas{.exponent = exponent, .pressure = 0, .ambient = pressure, .density = 0.01}, 2);
+  model.control.end_time = 0.9 * std::numbers::pi / omega + 1e-9;
+  timeloop::Simulation simulation(model, test::execution());
+  double longest = 0;
+  test::run(simulation, [&](const domain::Domain& now) { longest = std::fmax(longest, now.clock.step); });
+  test::verified("stiff gas behind a rigid piston: step times omega", "2, the stable limit")
+      .below(longest * omega, 2);
+  test::verified("stiff gas behind a rigid piston: energy balance over the kinetic energy, error", "none")
+      .below(std::fabs(simulation.domain().energy.imbalance()) / 2, 1e-3);
+}
+
 /// A ball of n x n shells for each face of a cube.
 model::Model ball(int n, double radius, double thickness) {
   model::Model model = test::one_part(test::elastic_steel(), test::shell_section(thickness, 2));

@@ -167,7 +167,7 @@ void read_tie(Cards& cards, RawDeck& deck, model::TieMethod method, bool rotatio
   RawTiedContact raw = read_first_cards(cards, good);
   if (cards.where().keyword.find("_CONSTRAINED_OFFSET") != std::string_view::npos)
     cards.report().warning(raw.where, "springs",
-                           "stiff springs hold what is tied with an offset, instead of constraints");
+                           "springs hold what is tied with an offset, softer than constraints");
   raw.tied.method = method;
   raw.tied.ties_rotations = rotations;
   raw.afterwards.reset();
