@@ -53,7 +53,7 @@ class PeakValues {
     double reference_speed = 0;   ///< see reference_speed() [length/time]
     double largest_supplied = 0;  ///< see largest_supplied_energy()
     double largest_internal = 0;  ///< [energy]
-    double largest_absorbed = 0;  ///< as EnergyLedger::absorbed() [energy]
+    double largest_absorbed = 0;  ///< by elements and contact, or taken by damping [energy]
     double lowest_contact = 0;    ///< at most zero [energy]
     UserId fastest_node = 0;
     bool has_reference = false;
@@ -62,6 +62,10 @@ class PeakValues {
   Run run_;
   std::vector<double> largest_part_internal_;  ///< as far as observed, by part [energy]
 };
+
+/// |unbalanced energy| over the largest energy that the run has absorbed or damped, but no less than a hundredth of the
+/// largest energy around; zero where the balance is kept to round-off [-].
+double energy_error(const View& view, const PeakValues& peaks);
 
 /// The table for the present state, the end of a run, which the peaks have observed.
 std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks);

@@ -396,7 +396,7 @@ ExitCode RunSession::close() {
   }
   const std::vector<output::Check> checks = output::acceptance_checks(view(), peaks_);
   if (!options_.quiet) {
-    print_summary(console_.out, view(), loop_seconds_);
+    print_summary(console_.out, view(), peaks_, loop_seconds_);
     print_checks(console_.out, checks);
     print_final_omissions(console_.out, left_out_of(deck_));
     print_files(console_.out, folder_, written_files());

@@ -153,7 +153,7 @@ void print_ties(std::ostream& out, const domain::Domain& domain) {
   }
 }
 
-void print_energies(std::ostream& out, const domain::EnergyLedger& energy) {
+void print_energies(std::ostream& out, const domain::EnergyLedger& energy, double error) {
   print(out, "\nEnergies\n");
   const auto row = [&](std::string_view name, double value) {
     print(out, "  {:<26} {:>13.6e}\n", name, value);
@@ -171,7 +171,7 @@ void print_energies(std::ostream& out, const domain::EnergyLedger& energy) {
   row("initial total", energy.initial_total);
   row("external work", energy.external_work);
   print(out, "  {:<26} {:>13.8f}\n", "energy ratio", energy.ratio());
-  print(out, "  {:<26} {:>13.4f} %  of what was absorbed\n", "energy error", 100 * energy.error());
+  print(out, "  {:<26} {:>13.4f} %  of what was absorbed or damped\n", "energy error", 100 * error);
   if (energy.internal > 0)
     print(out, "  {:<26} {:>13.4f} %  of internal\n", "hourglass", 100 * energy.hourglass / energy.internal);
 }
@@ -225,7 +225,8 @@ void print_run_settings(std::ostream& out, const timeloop::Simulation& simulatio
   out.flush();
 }
 
-void print_summary(std::ostream& out, const output::View& view, double loop_seconds) {
+void print_summary(std::ostream& out, const output::View& view, const output::PeakValues& peaks,
+                   double loop_seconds) {
   const domain::Domain& domain = view.domain;
   print(out, "\n{} to time {:.6g} in {}, {:.1f} ns per element-cycle\n", counted(domain.clock.cycle, "cycle"),
         domain.clock.time, format_duration(loop_seconds),
@@ -233,7 +234,7 @@ void print_summary(std::ostream& out, const output::View& view, double loop_seco
   print_timings(out, domain, loop_seconds);
   print_contacts(out, view);
   print_ties(out, domain);
-  print_energies(out, domain.energy);
+  print_energies(out, domain.energy, output::energy_error(view, peaks));
   print_eroded(out, view);
 }
 

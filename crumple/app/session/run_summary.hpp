@@ -18,7 +18,8 @@ void print_run_settings(std::ostream& out, const timeloop::Simulation& simulatio
                         const std::filesystem::path& folder);
 
 /// Timings by stage, contact search and energies at the end of a run.
-void print_summary(std::ostream& out, const output::View& view, double loop_seconds);
+void print_summary(std::ostream& out, const output::View& view, const output::PeakValues& peaks,
+                   double loop_seconds);
 
 /// The table of acceptance checks, with PASS or FAIL.
 void print_checks(std::ostream& out, const std::vector<output::Check>& checks);
