@@ -83,10 +83,14 @@ endforeach()
 set(CRUMPLE_ISAS scalar baseline)
 if(CRUMPLE_X86 AND NOT CRUMPLE_SANITIZE AND NOT CRUMPLE_KERNELS STREQUAL "plain")
   list(APPEND CRUMPLE_ISAS avx2 avx512)
-  if(CRUMPLE_KERNELS STREQUAL "native")
+  if(CRUMPLE_KERNELS MATCHES "native|tested")
     execute_process(COMMAND ${PROJECT_SOURCE_DIR}/tools/isas OUTPUT_VARIABLE best OUTPUT_STRIP_TRAILING_WHITESPACE)
     string(REGEX REPLACE ".* " "" best "${best}")
     set(CRUMPLE_ISAS scalar ${best})
+    if(CRUMPLE_KERNELS STREQUAL "tested")
+      set(CRUMPLE_ISAS scalar baseline ${best})
+      list(REMOVE_DUPLICATES CRUMPLE_ISAS)
+    endif()
   endif()
 endif()
 # For the files that choose among them, and for these alone: they are all to compile when the choice changes.
@@ -128,9 +132,10 @@ function(crumple_add_isa_variants layer)
 endfunction()
 
 # Most of the compiler's time goes into headers, so files are compiled eight at a time: always around the core, which is
-# two thirds of the files; in the core under sanitizers only, as there users measure what each file was compiled to. What
-# is around the core is not optimised under sanitizers. Alone are files with local names of another file in their folder,
-# and with definitions of their own: the second list has the ends of their names. tools/check_tidy reads both.
+# two thirds of the files, and in the folders of the core that are done before the first cycle, their kernels apart; in
+# the rest under sanitizers only, as there users measure what each file was compiled to. What is around the core is not
+# optimised under sanitizers. Alone are files with local names of another file in their folder, and with definitions of
+# their own: the second list has the ends of their names. tools/check_tidy reads both.
 set(CRUMPLE_UNITY_LAYERS app compare constraints contact deck domain elements live loads materials model output report
   timeloop)
 set(CRUMPLE_COMPILED_ALONE _history _reader http_server beam_kernels comparison d3plot_state edge_geometry edge_search
@@ -150,7 +155,7 @@ function(crumple_compile_together target layer)
     if(sanitized_tests)
       target_compile_options(${target} PRIVATE -O0)
     endif()
-  elseif(NOT sanitized_tests)
+  elseif(NOT sanitized_tests AND NOT layer MATCHES "^(materials|model)$")
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
