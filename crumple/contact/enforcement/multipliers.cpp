@@ -143,10 +143,19 @@ double Multipliers::correct_friction(const Touch& touch, Unknown& unknown) {
   return norm(change) * unknown.tangential_compliance;
 }
 
+/// Movement of the first point of a touch over the second in this step, by the predicted velocities.
+Vec3 Multipliers::slip_in_step(const Touch& touch) const {
+  Vec3 sum;
+  for (int i = 0; i < touch.nodes; ++i) sum += touch.weight[i] * velocity_[surface_->nodes[touch.place[i]]];
+  return step_ * sum;
+}
+
 void Multipliers::solve(std::span<Touch> touches) {
   unknowns_.clear();
   double scale = 0;
-  for (const Touch& touch : touches) {
+  for (Touch& touch : touches) {
+    // One that begins has no point of the step before, but slips: nodes of elastic bodies begin often.
+    if (dot(touch.slip, touch.slip) == 0) touch.slip = slip_in_step(touch);
     unknowns_.push_back(prepare(touch));
     scale = std::max({scale, touch.penetration, unknowns_.back().friction > 0 ? norm(touch.slip) : 0.0});
     for (int i = 0; i < touch.nodes; ++i) displacement_[touch.place[i]] = Vec3{};

@@ -50,6 +50,7 @@ class Multipliers {
   double correct_friction(const Touch& touch, Unknown& unknown);
   void move(const Touch& touch, const Vec3& force);
   Vec3 moved(const Touch& touch) const;
+  Vec3 slip_in_step(const Touch& touch) const;
 
   const Surface* surface_;
   model::Contact contact_;
