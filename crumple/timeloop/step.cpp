@@ -67,15 +67,17 @@ void Simulation::start() {
   domain_.energy.initial_total = domain_.energy.total();
   kick(0.5 * next_step_);
   const StartLoss::Left left = start_loss.of_kick(domain_, 0.5 * next_step_);
-  // Forces of initial stresses store what they take.
-  if (initial_stress_energy_ == 0) start_loss_ = left.inner;
+  start_loss_ = left.inner;
   start_work_ = left.loads;
 }
 
 void Simulation::step() {
   drift();
   if (domain_.clock.cycle == 1) {
-    domain_.energy.damping += start_loss_;
+    if (initial_stress_energy_ == 0)
+      domain_.energy.damping += start_loss_;
+    else  // initial stresses dissipate nothing: there is less to balance from the first step on
+      domain_.energy.initial_total -= start_loss_;
     domain_.energy.external_work -= start_work_;
   }
   compute_forces();
