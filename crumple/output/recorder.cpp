@@ -6,6 +6,12 @@
 #include "output/initial_overlaps.hpp"
 
 namespace crumple::output {
+namespace {
+
+/// How long rows may wait for their files.
+constexpr std::chrono::milliseconds longest_wait{100};
+
+}  // namespace
 
 Recorder::Recorder(const std::filesystem::path& folder, const std::string& name, const View& view,
                    const ExtraFiles& extra)
@@ -79,7 +85,7 @@ std::vector<std::string> Recorder::resume(const domain::Clock& clock) {
 
 void Recorder::write_rows(Table& table, const View& view) {
   table.history->add_rows(view, table.file);
-  table.file.flush();
+  has_waiting_rows_ = true;
   for (const ForeignForm& foreign : table.foreign) {
     const SampledHistory& sampled = *foreign.history;
     if (foreign.text)
@@ -89,26 +95,32 @@ void Recorder::write_rows(Table& table, const View& view) {
   table.schedule.mark_written(view.domain.clock);
 }
 
-void Recorder::flush_binout() {
+void Recorder::flush() {
+  has_waiting_rows_ = false;
+  for (Table& table : tables_) table.file.flush();
+  for (TextFile& text : texts_) text.flush();
   if (binout_) binout_->flush();
+  flushed_ = std::chrono::steady_clock::now();
 }
 
 void Recorder::write_due(const View& view) {
   for (Table& table : tables_)
     if (table.schedule.due(view.domain.clock)) write_rows(table, view);
-  flush_binout();
+  if (binout_) binout_->end_group();
+  if (has_waiting_rows_ && std::chrono::steady_clock::now() - flushed_ > longest_wait) flush();
   if (frame_schedule_.due(view.domain.clock)) write_frame(view);
 }
 
 void Recorder::write_last(const View& view) {
   for (Table& table : tables_)
     if (!table.schedule.has_written(view.domain.clock)) write_rows(table, view);
-  flush_binout();
+  flush();
   write_frame(view);
 }
 
 void Recorder::write_frame(const View& view) {
   if (frame_schedule_.has_written(view.domain.clock)) return;
+  flush();
   series_.write_frame(view);
   if (d3plot_) d3plot_->write_state(view);
   frame_schedule_.mark_written(view.domain.clock);

@@ -17,14 +17,16 @@
 // (files/restart_file.hpp).
 //
 // Files are replaced whole or grow by whole rows (files/), so that they can be read at any moment, also after
-// the program was killed. How far each has come is declared for a restart; resume() cuts off what is beyond
+// the program was killed. Rows reach them ten times a second: a call of the operating system for each may
+// cost more than the step. How far each has come is declared for a restart; resume() cuts off what is beyond
 // it, so that a run that was taken up again leaves the same bytes.
 //
 // Order of calls: constructor, write_due() at time zero and after every step, write_last() at the end; for a
-// restart declare(), then resume() before the first write_due(). results/ has what several formats show
-// (stresses in global axes, masses of parts), each computed once. How to add an output:
+// restart flush() and declare(), then resume() before the first write_due(). results/ has what several
+// formats show (stresses in global axes, masses of parts), each computed once. How to add an output:
 // docs/adding_an_output.md.
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -73,6 +75,8 @@ class Recorder {
   void write_last(const View& view);
   /// Adds a frame of the present state, due or not, unless it is there already.
   void write_frame(const View& view);
+  /// Hands all rows to the operating system, so that they outlive the program. Throws WriteError.
+  void flush();
 
   int frames() const { return series_.frames(); }
   /// What was written, the most useful first.
@@ -94,7 +98,6 @@ class Recorder {
   void ask_for_foreign_forms(const std::filesystem::path& folder, const View& view, Opening opening);
   std::size_t text_of(const std::filesystem::path& path, Opening opening);
   void write_rows(Table& table, const View& view);
-  void flush_binout();
 
   std::filesystem::path folder_;
   ParaviewSeries series_;
@@ -104,6 +107,8 @@ class Recorder {
   std::vector<TextFile> texts_;
   std::optional<Binout> binout_;
   std::vector<std::filesystem::path> start_files_;  ///< written once
+  bool has_waiting_rows_ = false;
+  std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace crumple::output

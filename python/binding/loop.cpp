@@ -70,6 +70,7 @@ class RecordedLoop : public Loop {
         session_(options_, deck.result, console_, wall_, {.signals = app::Signals::LeftToCaller}) {}
 
   bool advance() override { return session_.advance(); }
+  void flush() override { session_.flush(); }
   void interrupt(const std::string& reason) override { session_.interrupt(reason); }
   void close() override { session_.close(); }
   std::optional<app::Ending> ending() const override { return session_.ending(); }

@@ -23,6 +23,8 @@ class Loop {
 
   /// One step, unless the run is at its end. False if it is, or has failed: then there is an ending().
   virtual bool advance() = 0;
+  /// Makes the tables of its folder complete up to now.
+  virtual void flush() {}
   /// Ends the run now, if it is not at its end.
   virtual void interrupt(const std::string& reason) = 0;
   /// Writes what is still to be written; to be called once, when there is an ending().

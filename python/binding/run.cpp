@@ -85,7 +85,10 @@ long Run::advance(double until, long steps) {
   }
   // The end is noticed before the step behind it.
   if (simulation().finished()) loop_->advance();
-  if (loop_->ending()) sample(true);
+  if (loop_->ending())
+    sample(true);
+  else
+    loop_->flush();
   return done;
 }
 

@@ -16,6 +16,7 @@ void CsvFile::resume() {
 }
 
 void CsvFile::flush() {
+  if (rows_.empty()) return;
   const std::string rows = std::exchange(rows_, {});
   file_.append(rows);
 }

@@ -32,6 +32,8 @@ class Binout {
 
   /// Adds a state to a branch, by its place; it reaches the file with the next flush.
   void add(std::size_t branch, const HistoryForm& form, const HistoryItems& items, const Sample& sample);
+  /// Ends the group of states that belong together in the file.
+  void end_group() { file_.end_group(); }
   /// Makes what was added readable. Throws WriteError; then nothing was.
   void flush();
 

@@ -84,7 +84,7 @@ bool LsdaFile::resume() {
   }
   file_ = OwnFile::open(path_);
   file_.truncate(length_);
-  // A link to the next table ends every flush, and the start of the file.
+  // A link to the next table ends every group, and the start of the file.
   file_.write_at(length_ - link_bytes, std::string(link_bytes, '\0'));
   return true;
 }
@@ -150,7 +150,7 @@ std::string LsdaFile::table() const {
   return whole + lines;
 }
 
-void LsdaFile::flush() {
+void LsdaFile::end_group() {
   if (entries_.empty()) return;
   std::string link;
   put(link, length_ + records_.size());
@@ -159,9 +159,22 @@ void LsdaFile::flush() {
   entries_.clear();
   // A file that goes on from here without this one's memory says where it is.
   recorded_folder_.clear();
+  if (waiting_.empty())
+    link_ = link;
+  else
+    waiting_.replace(waiting_.size() - link_bytes, link_bytes, link);
+  waiting_ += added;
+  length_ += added.size();
+}
+
+void LsdaFile::flush() {
+  end_group();
+  if (waiting_.empty()) return;
+  const std::string added = std::exchange(waiting_, {});
+  length_ -= added.size();
   file_.require_name();
   file_.write_at(length_, added);
-  file_.write_at(length_ - link_bytes, link);
+  file_.write_at(length_ - link_bytes, link_);
   length_ += added.size();
 }
 

@@ -14,8 +14,9 @@
 namespace crumple::output {
 
 /// A file in the format LSDA, the one of LS-DYNA's binout: a tree of named arrays, in this machine's order of
-/// bytes. Records go to the end of it. Each flush adds a table of what is new and only then links it to the
-/// table before: at any moment a reader that follows the tables finds whole flushes and nothing else.
+/// bytes. Records go to the end of it, each group with a table of what is new, which the table before leads
+/// to. A flush links what it adds only when it is there: at any moment a reader that follows the tables finds
+/// whole flushes and nothing else. The bytes do not depend on when the file was flushed.
 class LsdaFile {
  public:
   /// Makes the file, empty; if it is continued, that is left to resume(). Throws WriteError.
@@ -38,8 +39,10 @@ class LsdaFile {
   void add(std::string_view name, double value) { add(name, std::span<const double>(&value, 1)); }
   void add(std::string_view name, std::int64_t value) { add(name, std::span<const std::int64_t>(&value, 1)); }
 
-  /// Makes what was added a part of the file that outlives the program. Throws WriteError, also if the
-  /// file has been removed meanwhile.
+  /// Ends the group with its table. It reaches the file with the next flush.
+  void end_group();
+  /// Ends the group, and makes what was added a part of the file that outlives the program. Throws
+  /// WriteError, also if the file has been removed meanwhile; then what waited for the flush is lost.
   void flush();
 
   const std::filesystem::path& path() const { return path_; }
@@ -59,8 +62,10 @@ class LsdaFile {
 
   std::filesystem::path path_;
   OwnFile file_;
-  std::uint64_t length_ = 0;  ///< after the last flush [bytes]
-  std::string records_;       ///< not in the file yet
+  std::uint64_t length_ = 0;  ///< with what waits [bytes]
+  std::string waiting_;       ///< groups that are not in the file yet
+  std::string link_;          ///< from the last table in the file to the first of those
+  std::string records_;       ///< of the group that is being made
   std::vector<Entry> entries_;
   std::string folder_;
   std::string recorded_folder_;  ///< that the records are in

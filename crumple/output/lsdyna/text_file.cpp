@@ -43,10 +43,14 @@ TextFile::TextFile(std::filesystem::path path, Opening opening) : file_(std::mov
 
 void TextFile::add(const std::string& title, const HistoryForm& form, const HistoryItems& items,
                    const Sample& sample) {
-  text_.clear();
-  if (file_.empty()) add_head(title, form, items, text_);
+  if (file_.empty() && text_.empty()) add_head(title, form, items, text_);
   form.print(items, sample, text_);
-  file_.append(text_);
+}
+
+void TextFile::flush() {
+  if (text_.empty()) return;
+  const std::string blocks = std::exchange(text_, {});
+  file_.append(blocks);
 }
 
 }  // namespace crumple::output

@@ -31,16 +31,17 @@ class TextFile {
   /// that is not there begins anew. Throws WriteError.
   void resume() { file_.resume(); }
 
-  /// Adds the block of a time, before the first one the head, and hands it to the operating system, so that
-  /// it outlives the program. Throws WriteError.
+  /// Adds the block of a time, before the first one the head; it reaches the file with the next flush.
   void add(const std::string& title, const HistoryForm& form, const HistoryItems& items,
            const Sample& sample);
+  /// Hands all blocks to the operating system, so that they outlive the program. Throws WriteError.
+  void flush();
 
   const std::filesystem::path& path() const { return file_.path(); }
 
  private:
   GrowingFile file_;
-  std::string text_;
+  std::string text_;  ///< not in the file yet
 };
 
 }  // namespace crumple::output

@@ -19,11 +19,15 @@ class LsdaFileTest : public SampleTest {
   std::filesystem::path path() const { return folder_ / "binout0000"; }
 
   /// A state with three values that tell its number.
-  static void add_state(LsdaFile& file, int number) {
+  static void add_group(LsdaFile& file, int number) {
     file.enter("/glstat/d00000" + std::to_string(number));
     file.add("time", 0.5 * number);
     file.add("cycle", std::int64_t{10 * number});
     file.add("kinetic_energy", std::vector<double>{1.0 * number, 2.0 * number});
+    file.end_group();
+  }
+  static void add_state(LsdaFile& file, int number) {
+    add_group(file, number);
     file.flush();
   }
   /// As a restart file has it.
@@ -89,6 +93,20 @@ TEST_F(LsdaFileTest, EachFlushAddsATable) {
   EXPECT_EQ(LsdaReader(path()).tables(), 3) << "the last flush had nothing to add";
   EXPECT_EQ(length(file), std::filesystem::file_size(path()));
   expect_states(path(), 3);
+}
+
+TEST_F(LsdaFileTest, BytesDoNotDependOnWhenGroupsAreFlushed) {
+  LsdaFile file(path());
+  for (int number = 1; number <= 4; ++number) add_state(file, number);
+  const std::string each = read(path());
+  LsdaFile later(path());
+  add_state(later, 1);
+  const std::string first = read(path());
+  for (int number = 2; number <= 4; ++number) add_group(later, number);
+  EXPECT_EQ(read(path()), first);
+  later.flush();
+  EXPECT_EQ(read(path()), each);
+  EXPECT_EQ(LsdaReader(path()).tables(), 4);
 }
 
 TEST_F(LsdaFileTest, AProgramKilledWhileItWritesLeavesWhatWasThere) {
