@@ -17,7 +17,9 @@
 
 namespace crumple::app {
 
-ExitCode run_program(const std::vector<std::string>& arguments, const Console& console) {
+namespace {
+
+ExitCode run_command(const std::vector<std::string>& arguments, const Console& console) {
   try {
     const CommandLine line = parse_command_line(arguments);
     switch (line.command) {
@@ -49,6 +51,16 @@ ExitCode run_program(const std::vector<std::string>& arguments, const Console& c
     print(console.err, "crumple: internal error: {}\n", fault.what());
   }
   return ExitCode::Numerical;
+}
+
+}  // namespace
+
+ExitCode run_program(const std::vector<std::string>& arguments, const Console& console) {
+  const ExitCode code = run_command(arguments, console);
+  console.out.flush();
+  if (console.out || code != ExitCode::Normal) return code;
+  print(console.err, "crumple: error: What was printed could not be written to the standard output.\n");
+  return ExitCode::Output;
 }
 
 }  // namespace crumple::app

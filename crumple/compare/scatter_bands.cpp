@@ -93,13 +93,17 @@ std::vector<Band> bands_of(const std::vector<CurveSet>& runs) {
   return bands;
 }
 
+double largest_median(const Band& band) {
+  double peak = 0;
+  for (const double value : band.median) peak = std::max(peak, std::abs(value));
+  return peak;
+}
+
 double relative_width(const Band& band) {
   double width = 0;
-  double peak = 0;
-  for (std::size_t point = 0; point < band.times.size(); ++point) {
+  for (std::size_t point = 0; point < band.times.size(); ++point)
     width = std::max(width, band.p95[point] - band.p5[point]);
-    peak = std::max(peak, std::abs(band.median[point]));
-  }
+  const double peak = largest_median(band);
   return peak > 0 ? width / peak : 0;
 }
 

@@ -19,6 +19,9 @@ double quantile(const std::vector<double>& ascending, double share);
 /// others: the median of a sum is not the sum of medians.
 std::vector<Band> bands_of(const std::vector<CurveSet>& runs);
 
+/// Largest size of the median.
+double largest_median(const Band& band);
+
 /// Largest width of a band over the largest size of its median [-]; zero if the median is.
 double relative_width(const Band& band);
 

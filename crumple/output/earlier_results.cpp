@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/earlier_results.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
+#include "base/error.hpp"
 #include "files/input_file.hpp"
 #include "output/files/own_file.hpp"
 #include "output/lsdyna/binout.hpp"
@@ -31,8 +34,36 @@ constexpr std::array<std::string_view, 15> shared_names{"glstat",  "matsum", "rw
                                                         "spcforc", "elout",  "ncforc", "jntforc", "abstat"};
 constexpr std::string_view binout_name = "binout0000";
 
+/// Whether a run may write a file of that name, here or elsewhere.
+bool is_name_of_results(const std::string& name) {
+  const auto is = [&](std::string_view other) { return name == other; };
+  return std::ranges::any_of(names, is) || std::ranges::any_of(shared_names, is) || is(binout_name) ||
+         is(dynain_name) || name.starts_with("d3plot") || name.ends_with(".pvd");
+}
+
 bool mentions(const std::filesystem::path& path, std::string_view mark) {
   return read_start(path, 2048).find(mark) != std::string::npos;
+}
+
+/// Removes the frames of all runs in the folder: collections that name nothing but files as we name them in
+/// our subfolder, and those files.
+void remove_frames(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> collections;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".pvd" && entry.is_regular_file(ignored) &&
+        mentions(entry.path(), "file=\"vtu/" + entry.path().stem().string() + "_000000.vtu\""))
+      collections.push_back(entry.path());
+  for (const std::filesystem::path& collection : collections) {
+    const std::string name = collection.stem().string();
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "vtu", ignored)) {
+      const std::string file = entry.path().filename().string();
+      const std::string frame = file.substr(0, file.find_last_of('_'));
+      if (entry.path().extension() == ".vtu" && (frame == name || frame == name + "_walls"))
+        std::filesystem::remove(entry.path(), ignored);
+    }
+    std::filesystem::remove(collection, ignored);
+  }
 }
 
 }  // namespace
@@ -50,6 +81,18 @@ void remove_earlier_results(const std::filesystem::path& folder) {
     if (mentions(folder / name, program_mark)) std::filesystem::remove(folder / name, ignored);
   if (mentions(folder / binout_name, binout_mark)) std::filesystem::remove(folder / binout_name, ignored);
   if (mentions(folder / dynain_name, dynain_mark)) std::filesystem::remove(folder / dynain_name, ignored);
+  remove_frames(folder);
+}
+
+void require_no_output(const std::filesystem::path& folder, std::span<const std::filesystem::path> files) {
+  std::error_code ignored;
+  for (const std::filesystem::path& file : files) {
+    const std::filesystem::path place = file.has_parent_path() ? file.parent_path() : ".";
+    if (!std::filesystem::equivalent(place, folder, ignored) || !is_name_of_results(file.filename().string()))
+      continue;
+    throw Error("The results would overwrite the input file " + file.string() +
+                ": choose another folder with -o, or another name for it.");
+  }
 }
 
 }  // namespace crumple::output

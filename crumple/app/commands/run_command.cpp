@@ -66,7 +66,8 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
   if (!options.quiet)
     print(console.out, "{}: explicit finite element solver for crash and contact-impact\n\n",
           program_version());
-  for (const std::string& note : options.notes) print(console.err, "note: {}\n", note);
+  if (!options.quiet)
+    for (const std::string& note : options.notes) print(console.err, "note: {}\n", note);
   deck::ReadResult deck = restart == nullptr ? read_with_options(options, console)
                                              : read_again(options, changes, restart->settings.texts, console);
   if (!deck.model) {

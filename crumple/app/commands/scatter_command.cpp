@@ -9,8 +9,10 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <map>
 #include <ostream>
 #include <streambuf>
+#include <string>
 #include <vector>
 
 #include "app/commands/report_command.hpp"
@@ -19,6 +21,7 @@
 #include "app/preparation/preparation.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
+#include "compare/comparison.hpp"
 #include "compare/open_results.hpp"
 #include "compare/scatter_bands.hpp"
 #include "output/files/atomic_file.hpp"
@@ -189,7 +192,23 @@ std::vector<compare::CurveSet> finished_results(const std::vector<PerturbedRun>&
   return results;
 }
 
+/// Leaves out what is less than a hundredth of the largest of its kind, as crumple compare does: the scatter
+/// of forces that should be zero is that of round-off.
+void drop_negligible(std::vector<compare::Band>& bands) {
+  const auto kind_of = [](const compare::Band& band) { return band.name.substr(0, band.name.find('[')); };
+  std::map<std::string, double> largest;
+  for (const compare::Band& band : bands) {
+    double& size = largest[kind_of(band)];
+    size = std::max(size, compare::largest_median(band));
+  }
+  const double floor = compare::ComparisonSettings().floor;
+  std::erase_if(bands, [&](const compare::Band& band) {
+    return compare::largest_median(band) < floor * largest[kind_of(band)];
+  });
+}
+
 void print_widest(std::vector<compare::Band> bands, const Console& console) {
+  drop_negligible(bands);
   const auto wider = [](const compare::Band& a, const compare::Band& b) {
     return compare::relative_width(a) > compare::relative_width(b);
   };

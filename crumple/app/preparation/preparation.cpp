@@ -38,7 +38,8 @@ deck::ReadOptions reading_of(const Options& options) {
 /// Tells what is wrong, and puts what the command line asks for into the model.
 deck::ReadResult with_options(deck::ReadResult deck, const Options& options, const Console& console) {
   for (const deck::Diagnostic& diagnostic : deck.diagnostics)
-    print(console.err, "{}\n", deck::to_string(diagnostic));
+    if (!options.quiet || diagnostic.severity != deck::Severity::Note)
+      print(console.err, "{}\n", deck::to_string(diagnostic));
   if (!deck.model) return deck;
   apply_options(options, *deck.model);
   const std::vector<std::string> faults = model::faults(*deck.model);

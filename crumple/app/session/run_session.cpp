@@ -122,6 +122,9 @@ void RunSession::take_up(const Restart& restart) {
   simulation_.resume();
   restart.content.files.put_back_known(own_state());
   warnings_ = restart.settings.warnings;
+  if (simulation_.finished())
+    warn(fmt::format("the state of {} is of the time {:.6g}: the run is at its end and makes no step",
+                     restart.file.string(), simulation_.domain().clock.time));
   if (options_.quiet) return;
   print(console_.out, "Taken up from {}: cycle {}, time {:.6g}\n", restart.file.string(),
         simulation_.domain().clock.cycle, simulation_.domain().clock.time);
@@ -133,6 +136,7 @@ void RunSession::open_files(const Restart* restart) {
   output::ExtraFiles extra{.d3plot = options_.d3plot, .all_fields = options_.all_fields};
   if (goes_on) extra.opening = output::Opening::Continued;
   output::require_no_link(folder_ / restart_folder);
+  output::require_no_output(folder_, deck_.files);
   // Whoever finds run.json knows that it belongs to the results beside it.
   if (goes_on) {
     output::remove_ending(folder_);
@@ -172,6 +176,7 @@ void RunSession::write_restart(RestartKind kind) {
   loop_seconds_ = monitor_->seconds();
   restart_settings_.warnings = warnings_;
   domain::StateList files = own_state();
+  recorder_->flush();
   recorder_->declare(files);
   const domain::StateList state = simulation_.state();
   const RestartSource source{state, files, restart_settings_};
@@ -266,7 +271,11 @@ std::optional<Ending> RunSession::follow() {
         simulation_.ended_by().value_or(end_reached(simulation_.model().control, simulation_.domain().clock)),
         ExitCode::Normal};
   if (auto ending = asked_to_stop()) return ending;
-  if (auto ending = limit_passed()) return ending;
+  if (auto ending = limit_passed()) {
+    // The state is good: a run may be taken up from it with another limit.
+    write_restart(RestartKind::LastGood);
+    return ending;
+  }
   if (options_.dynain) earlier_.keep(simulation_.domain().nodes);
   simulation_.step();
   return std::nullopt;
@@ -351,6 +360,7 @@ void RunSession::finish(Ending& ending) {
       if (positions_are_finite(simulation_.domain().nodes)) simulation_.inspect_contacts();
       // After a numerical error the frames before are the last good state, unless the nodes still are
       // somewhere.
+      if (ending.code != ExitCode::Output) recorder_->flush();
       if (positions_are_finite(simulation_.domain().nodes) && ending.code != ExitCode::Output)
         recorder_->write_last(view());
       if (ending.code == ExitCode::Normal || ending.code == ExitCode::Stopped) write_dynain();

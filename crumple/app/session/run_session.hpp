@@ -67,6 +67,9 @@ class RunSession {
   /// One round of the loop: writes what is due, then takes a step unless the run is at its end. False if it
   /// is, or has failed; then there is an ending(). Throws nothing of its own.
   bool advance();
+  /// Hands all rows of tables to the operating system; they wait a tenth of a second at most otherwise.
+  /// Throws WriteError.
+  void flush() { recorder_->flush(); }
   /// Ends a run that has not come to its end, as an interrupted one.
   void interrupt(std::string reason);
   /// The last part of run(), once, when there is an ending(): last state, run.json, summary.

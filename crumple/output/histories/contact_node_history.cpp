@@ -16,7 +16,7 @@ constexpr Variable variables[] = {{"", "x_force"}, {"", "y_force"}, {"", "z_forc
 void print_side(const HistoryItems& items, const Sample& sample, std::string& text) {
   const auto end = std::back_inserter(text);
   fmt::format_to(end,
-                 "\n\n\n forces (t={:11.5E}) for interface{:10} {} side\n\n"
+                 "\n\n\n forces (t={:11.5E}) for interface {:9} {} side\n\n"
                  "     node           x-force/      y-force/      z-force/     pressure/\n"
                  "                   coordinate    coordinate    coordinate\n",
                  sample.time(), items.marks[0].second[0],

@@ -79,7 +79,7 @@ void print_bodies(const HistoryItems& items, const Sample& sample, std::string& 
   const auto nodal = static_cast<std::size_t>(items.marks[0].second[0]);
   for (std::size_t body = 0; body < items.ids.size(); ++body) {
     const bool is_nodal = body + nodal >= items.ids.size();
-    fmt::format_to(std::back_inserter(text), "{} rigid body{:8}\n", is_nodal ? " nodal" : "\n",
+    fmt::format_to(std::back_inserter(text), "{} rigid body {:7}\n", is_nodal ? " nodal" : "\n",
                    items.ids[body]);
     print_body(sample, body, text);
   }

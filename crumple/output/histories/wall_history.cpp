@@ -10,7 +10,7 @@ constexpr Variable variables[] = {
 
 void print_walls(const HistoryItems& items, const Sample& sample, std::string& text) {
   for (std::size_t wall = 0; wall < items.ids.size(); ++wall) {
-    fmt::format_to(std::back_inserter(text), "{:12.5E}{:8}", sample.time(), items.ids[wall]);
+    fmt::format_to(std::back_inserter(text), "{:12.5E} {:7}", sample.time(), items.ids[wall]);
     for (std::size_t i = 0; i < std::size(variables); ++i)
       fmt::format_to(std::back_inserter(text), "{:15.6E}", sample.of(i)[wall]);
     text += '\n';
@@ -26,9 +26,13 @@ constexpr HistoryForm rwforc_form{
 class WallHistory : public SampledHistory {
  public:
   explicit WallHistory(const View& view)
-      : SampledHistory(rwforc_form, variables),
-        impulse_(view.domain.walls.size()),
-        normal_impulse_(view.domain.walls.size()) {}
+      : SampledHistory(rwforc_form, variables), time_(view.domain.clock.time) {
+    // A run that is taken up in another folder begins its rows here.
+    for (const domain::WallReport& wall : view.domain.walls) {
+      impulse_.push_back(wall.impulse);
+      normal_impulse_.push_back(wall.normal_impulse);
+    }
+  }
 
   void declare(domain::StateList& list) override {
     list.keep("wall_history_time", "time", domain::Entity::Run, time_);
@@ -63,7 +67,7 @@ class WallHistory : public SampledHistory {
   }
 
  private:
-  double time_ = 0;
+  double time_;                         ///< of the row before [time]
   std::vector<math::Vec3> impulse_;     ///< up to the row before
   std::vector<double> normal_impulse_;  ///< likewise
 };
