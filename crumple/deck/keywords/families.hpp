@@ -346,12 +346,14 @@ void read_contact_tiebreak_surface(Cards& cards, RawDeck& deck);
 inline constexpr std::string_view hourglass_forms =
     "1-3 are viscous, 4-5 stiffness, 6 assumed strain of solids, 0 is 1 for shells and 2 for solids, and 8 "
     "the same: "
-    "the warping stiffness that it adds to ELFORM 16 is always there; 7, 9 and 10 are for solids and not "
-    "supported, take 6";
+    "the warping stiffness that it adds to ELFORM 16 is always there; 7, 9 and 10, for solids, are computed "
+    "as 6";
 /// What HGID's and CONTROL_HOURGLASS' form number means for shells.
 model::HourglassForm hourglass_form(std::int64_t number);
 /// What it means for solids.
 model::SolidHourglassForm solid_hourglass_form(std::int64_t number);
+/// Warns of a form of hourglass control that another one stands for.
+void warn_of_hourglass_form(const Card& card, Report& report);
 /// Warns of a hourglass coefficient above what LS-DYNA recommends.
 void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report);
 /// ELFORM of *SECTION_SHELL and THEORY of *CONTROL_SHELL; other numbers are Belytschko-Tsay.

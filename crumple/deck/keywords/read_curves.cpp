@@ -25,7 +25,7 @@ constexpr Field curve_card[] = {
     real_or_default("SFO", 1.0),
     real("OFFA"),
     real("OFFO"),
-    only("DATTYP", {0}, "curves are functions, given by points"),
+    harmless("DATTYP", {0, 1, 6}, "curves are functions, given by points"),
     unused("LCINT"),  // the points are used as they are, not resampled
 };
 

@@ -69,7 +69,7 @@ constexpr Field angle_card[] = {
 
 constexpr Field hourglass_card[] = {
     id("HGID"),
-    only("IHQ", {0, 1, 2, 3, 4, 5, 6, 8}, hourglass_forms),
+    only("IHQ", {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, hourglass_forms),
     real_or_default("QM", 0.1, not_negative),
     unused("IBQ"),                // LS-DYNA does not use it either: solids always have bulk viscosity
     real("Q1", 0, not_negative),  // default CONTROL_BULK_VISCOSITY's
@@ -117,6 +117,11 @@ void check_points(const Card& card, const RawSection& raw, Report& report) {
                                       "the trapezoidal rule has a point on each surface", "points"});
 }
 
+/// Forms of solids that add a stiffness by assumed strains.
+bool is_assumed_strain(double form) {
+  return form == 6 || form == 7 || form == 9 || form == 10;
+}
+
 }  // namespace
 
 model::ShellFormulation shell_formulation(std::int64_t number) {
@@ -155,10 +160,20 @@ std::int64_t checked_formulation(const Card& card, std::string_view field, Repor
   return 0;
 }
 
+void warn_of_hourglass_form(const Card& card, Report& report) {
+  if (!card.good("IHQ") || card.real("IHQ") == 6 || !is_assumed_strain(card.real("IHQ"))) return;
+  report.field_warning(
+      card.where(),
+      {"IHQ", std::string(card.text("IHQ")), "0 to 6 or 8",
+       "computed as 6, assumed strains with a stiffness in rates: the others differ from it in large "
+       "strains and in distorted elements",
+       "form"});
+}
+
 void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Report& report) {
   // LS-DYNA Keyword User's Manual, *HOURGLASS and *CONTROL_HOURGLASS. With IHQ 6 one is the whole stiffness
   // of the material.
-  const bool assumed_strain = card.good("IHQ") && card.real("IHQ") == 6;
+  const bool assumed_strain = card.good("IHQ") && is_assumed_strain(card.real("IHQ"));
   const double largest = assumed_strain ? 1 : 0.15;
   if (card.good(field) && card.real(field) > largest)
     report.field_warning(card.where(), {field, std::string(card.text(field)),
@@ -167,7 +182,9 @@ void warn_of_hourglass_coefficient(const Card& card, std::string_view field, Rep
 }
 
 model::HourglassForm hourglass_form(std::int64_t number) {
-  return number >= 4 && number <= 6 ? model::HourglassForm::Stiffness : model::HourglassForm::Viscous;
+  return (number >= 4 && number <= 6) || is_assumed_strain(static_cast<double>(number))
+             ? model::HourglassForm::Stiffness
+             : model::HourglassForm::Viscous;
 }
 
 model::SolidHourglassForm solid_hourglass_form(std::int64_t number) {
@@ -182,6 +199,9 @@ model::SolidHourglassForm solid_hourglass_form(std::int64_t number) {
     case 5:
       return ExactVolumeStiffness;
     case 6:
+    case 7:
+    case 9:
+    case 10:
       return AssumedStrain;
     default:
       return FlanaganBelytschkoViscous;
@@ -261,6 +281,7 @@ void read_hourglass(Cards& cards, RawDeck& deck) {
     raw.id = card.integer("HGID");
     raw.control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
     raw.control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+    warn_of_hourglass_form(card, cards.report());
     raw.control.coefficient = card.real("QM");
     raw.control.bulk_quadratic = card.real("Q1");
     raw.control.bulk_linear = card.real("Q2");

@@ -63,6 +63,9 @@ constexpr std::string_view as_assumed_strains =
     "ratio; results differ where the mesh is coarse";
 constexpr std::string_view as_quadratic =
     "computed as 16, with quadratic shape functions, not as composed of tetrahedra with four nodes";
+constexpr std::string_view as_selective =
+    "computed as 2, without rotations at its nodes or enhanced strains: stiffer in bending where the mesh is "
+    "coarse";
 constexpr std::string_view no_substitute = "there is nothing like it here";
 
 constexpr NamedForm forms[] = {
@@ -72,7 +75,8 @@ constexpr NamedForm forms[] = {
     {-1, model::SolidFormulation::AssumedStrainHexahedron,
      "the fully integrated hexahedron for poor aspect ratios, efficient form", as_assumed_strains},
     {2, model::SolidFormulation::SelectiveHexahedron, "the selectively reduced hexahedron", ""},
-    {3, {}, "the hexahedron with rotations at its nodes", take_hexahedron},
+    {3, model::SolidFormulation::SelectiveHexahedron, "the hexahedron with rotations at its nodes",
+     as_selective},
     {4, {}, "the tetrahedron with rotations at its nodes", take_tetrahedron},
     {5, {}, "the ALE hexahedron", "take 1, the mesh then moves with the material"},
     {6, {}, "the Eulerian hexahedron", no_substitute},
@@ -86,7 +90,7 @@ constexpr NamedForm forms[] = {
     {15, model::SolidFormulation::SelectiveHexahedron, "the wedge with two points", equal_nodes},
     {16, model::SolidFormulation::QuadraticTetrahedron, "the ten-node tetrahedron", ""},
     {17, model::SolidFormulation::QuadraticTetrahedron, "the composite ten-node tetrahedron", as_quadratic},
-    {18, {}, "the hexahedron for linear statics", take_hexahedron},
+    {18, model::SolidFormulation::SelectiveHexahedron, "the hexahedron for linear statics", as_selective},
     {19, {}, "the cohesive element", no_substitute},
     {20, {}, "the cohesive element with offsets for shells", no_substitute},
     {115, model::SolidFormulation::OnePointHexahedron, "the wedge with one point", equal_nodes},

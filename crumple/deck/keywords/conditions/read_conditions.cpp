@@ -86,19 +86,19 @@ constexpr Field generation_card_1[] = {
     reference("ICID", IdKind::Definition),
 };
 
-constexpr Check no_phase = check_of(Check::Kind::Only, {0}, "there is no dynamic relaxation before the run");
 constexpr Check given_velocities =
     check_of(Check::Kind::Only, {0, 1}, "1 goes before the velocities of *PART_INERTIA, 0 does not");
 
+// There is no dynamic relaxation before the run after which velocities could begin (PHASE).
 constexpr Field generation_card_2[] = {
-    point(real("XC")), point(real("YC")), point(real("ZC")),          spin(real("NX")),
-    spin(real("NY")),  spin(real("NZ")),  real("PHASE", 0, no_phase), real("IRIGID", 0, given_velocities),
+    point(real("XC")), point(real("YC")), point(real("ZC")), spin(real("NX")),
+    spin(real("NY")),  spin(real("NZ")),  unused("PHASE"),   real("IRIGID", 0, given_velocities),
 };
 
 // The same with the axis along those of ICID.
 constexpr Field local_generation_card_2[] = {
-    point(real("XC")), point(real("YC")), point(real("ZC")),          real("NX"),
-    real("NY"),        real("NZ"),        real("PHASE", 0, no_phase), real("IRIGID", 0, given_velocities),
+    point(real("XC")), point(real("YC")), point(real("ZC")), real("NX"),
+    real("NY"),        real("NZ"),        unused("PHASE"),   real("IRIGID", 0, given_velocities),
 };
 
 enum class SupportTimes { WholeRun, Given };

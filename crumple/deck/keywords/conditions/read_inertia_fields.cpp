@@ -9,23 +9,20 @@ namespace {
 
 using namespace row;
 
-constexpr std::string_view no_relaxation_before = "there is no dynamic relaxation before the run";
-constexpr Check nothing_before = check_of(Check::Kind::Only, {0}, no_relaxation_before);
+// Curves of a dynamic relaxation before the run (LCIDDR, DRLCID, LCDR) have no effect: there is none.
 
 constexpr Field rotating_card[] = {
     axes(id("LCID")),  // the axis is in the keyword
-    real_or_default("SF", 1.0), real("LCIDDR", 0, nothing_before),
+    real_or_default("SF", 1.0), unused("LCIDDR"),
     point(real("XC")),          point(real("YC")),
     point(real("ZC")),          only("CID", {0}, "the axis of rotation is along a global one"),
 };
 
 constexpr Field along_vector_card[] = {
-    id("LCID"),
-    real_or_default("SF", 1.0),
-    real("LCIDDR", 0, nothing_before),
+    id("LCID"),       real_or_default("SF", 1.0),
+    unused("LCIDDR"),
     unused("XC"),  // of the loads by rotation
-    unused("YC"),
-    unused("ZC"),
+    unused("YC"),     unused("ZC"),
     reference("CID"),
 };
 
@@ -45,7 +42,7 @@ constexpr Field generalized_card_1[] = {
     id("N1", kind_of_loaded),
     reference("N2", kind_of_loaded),
     id("LCID"),
-    real("DRLCID", 0, nothing_before),
+    unused("DRLCID"),
     point(real("XC")),
     point(real("YC")),
     point(real("ZC")),
@@ -71,7 +68,7 @@ constexpr Field gravity_card[] = {
     axes(integer("DOF", 0, within(1, 3, "1, 2, 3 are x, y, z"))),
     id("LC", IdKind::Function),
     real("ACCEL"),
-    real("LCDR", 0, nothing_before),
+    unused("LCDR"),
     only("STGA", {0}, "there are no stages of construction"),
     only("STGR", {0}, "there are no stages of construction"),
 };

@@ -30,8 +30,8 @@ constexpr Field motion_offset_card[] = {
 constexpr Field body_load_card[] = {
     local(axes(id("LCID"))),  // the axis is in the keyword
     real_or_default("SF", 1.0),
-    only("LCIDDR", {0}, "there is no dynamic relaxation before the run"),
-    unused("XC"),  // of the loads by rotation
+    unused("LCIDDR"),  // there is no dynamic relaxation before the run
+    unused("XC"),      // of the loads by rotation
     unused("YC"),
     unused("ZC"),
     reference("CID"),

@@ -42,7 +42,7 @@ constexpr Field energy_card[] = {unused("HGEN"),  unused("RWEN"),  unused("SLNTE
                                  unused("IRGEN"), unused("MATEN"), unused("DRLEN"),  unused("DISEN")};
 
 constexpr Field hourglass_card[] = {
-    only("IHQ", {0, 1, 2, 3, 4, 5, 6, 8}, hourglass_forms),
+    only("IHQ", {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, hourglass_forms),
     real_or_default("QH", 0.1, not_negative),
 };
 
@@ -153,6 +153,7 @@ void read_control_hourglass(Cards& cards, RawDeck& deck) {
   model::HourglassControl& control = deck.control.hourglass;
   control.form = hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
   control.solid_form = solid_hourglass_form(static_cast<std::int64_t>(card.real("IHQ")));
+  warn_of_hourglass_form(card, cards.report());
   warn_of_hourglass_coefficient(card, "QH", cards.report());
   control.coefficient = control.bending = control.warping = card.real("QH");
 }
