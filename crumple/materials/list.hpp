@@ -44,6 +44,7 @@
 #include "materials/laws/orthotropic_elastic.hpp"
 #include "materials/laws/piecewise_linear_plasticity.hpp"
 #include "materials/laws/plastic_kinematic.hpp"
+#include "materials/laws/plasticity_with_damage.hpp"
 #include "materials/laws/polynomial_rubber.hpp"
 #include "materials/laws/power_law_plasticity.hpp"
 #include "materials/laws/sheet_plasticity.hpp"
@@ -66,6 +67,7 @@ struct LawList {
 using ShellLaws = LawList<         //
     ElasticLaw,                    //
     PlasticKinematicLaw,           //
+    PlasticityWithDamageLaw,       //
     StrainLimitedPlasticityLaw,    //
     PiecewiseLinearPlasticityLaw,  //
     PowerLawPlasticityLaw,         //
@@ -82,6 +84,7 @@ using ShellLaws = LawList<         //
 using SolidLaws = LawList<         //
     ElasticLaw,                    //
     PlasticKinematicLaw,           //
+    PlasticityWithDamageLaw,       //
     PiecewiseLinearPlasticityLaw,  //
     PowerLawPlasticityLaw,         //
     JohnsonCookLaw,                //

@@ -57,7 +57,12 @@ bool has_plastic_strain(const ConstitutiveLaw& law) {
          std::holds_alternative<SheetPlasticity>(law) || std::holds_alternative<JohnsonCook>(law);
 }
 
+bool has_damage(const PiecewiseLinearPlasticity& law) {
+  return !law.damage.empty();
+}
+
 bool has_strain_limits(const PiecewiseLinearPlasticity& law) {
+  if (has_damage(law)) return false;
   return law.failure_thinning > 0 || law.failure_major > 0 || law.failed_points > 0 || law.failed_share > 0;
 }
 

@@ -62,9 +62,16 @@ struct PiecewiseLinearPlasticity {
   double failure_major = 0;     ///< major strain in the plane; 0 is none
   int failed_points = 0;        ///< 0: all of them
   double failed_share = 0;      ///< of the points, in place of their number; 0: the number counts
+  /// Share of the stress that is lost over the effective plastic strain, ascending from 0, straight between
+  /// these points and constant beyond (*MAT_PLASTICITY_WITH_DAMAGE); empty: nothing is lost.
+  std::vector<double> damage_strain{};
+  std::vector<double> damage{};  ///< 0 to 1
 };
 
-/// True if shells fail by more than the plastic strain of all points.
+/// True if the stress of points fades with their plastic strain.
+bool has_damage(const PiecewiseLinearPlasticity& law);
+
+/// True if shells without such damage fail by more than the plastic strain of all points.
 bool has_strain_limits(const PiecewiseLinearPlasticity& law);
 
 /// J2 plasticity with a power of the plastic strain, k (e_y + p)^n (*MAT_POWER_LAW_PLASTICITY).

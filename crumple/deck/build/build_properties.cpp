@@ -183,6 +183,34 @@ void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law,
     }
 }
 
+/// LCDM: damage over the plastic strain behind EPPF, which the law has as its first strain. Where it reaches
+/// one the point fails.
+void take_damage_curve(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
+  if (law.damage.empty() || raw.more_curves[0] == 0) return;
+  const Index index = find_points(build, {raw.more_curves[0], "LCDM", raw.curve_where});
+  if (index == no_index) return;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  const bool starts = curve.abscissa.front() == 0 && curve.ordinate.front() == 0;
+  const bool grows = std::is_sorted(curve.ordinate.begin(), curve.ordinate.end());
+  if (!starts || !grows || curve.ordinate.back() > 1) {
+    build.report.field_error(raw.curve_where,
+                             {"LCDM", std::to_string(curve.id), "a curve from (0, 0) on that does not fall",
+                              "it is the damage, up to 1, over the plastic strain behind EPPF", "damage"});
+    return;
+  }
+  const double begin = law.damage_strain.front();
+  law.damage_strain.front() = 0;
+  // With EPPF of zero the first point is there.
+  for (std::size_t i = begin > 0 ? 0 : 1; i < curve.abscissa.size(); ++i) {
+    law.damage_strain.push_back(begin + curve.abscissa[i]);
+    law.damage.push_back(curve.ordinate[i]);
+    if (curve.ordinate[i] < 1) continue;
+    const double ruptured = law.damage_strain.back();
+    law.failure_strain = law.failure_strain > 0 ? std::min(law.failure_strain, ruptured) : ruptured;
+    break;
+  }
+}
+
 /// LCID of crushable foam: the yield stress over the crushed volume.
 void take_crush(const RawMaterial& raw, model::CrushableFoam& law, Build& build) {
   if (raw.hardening_curve == 0) return;
@@ -404,6 +432,7 @@ void build_properties(Build& build, const ReadOptions& options) {
     if (auto* law = std::get_if<model::PiecewiseLinearPlasticity>(&model.materials.back().law)) {
       take_hardening(raw, *law, build);
       take_factors(raw, *law, build);
+      take_damage_curve(raw, *law, build);
     }
     if (auto* law = std::get_if<model::SheetPlasticity>(&model.materials.back().law))
       take_hardening(raw, *law, build);

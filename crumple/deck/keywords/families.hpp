@@ -82,6 +82,7 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck);
 void read_mat_isotropic_elastic_plastic(Cards& cards, RawDeck& deck);
 void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_modified_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
+void read_mat_plasticity_with_damage(Cards& cards, RawDeck& deck);
 // read_rate_materials.cpp
 void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_johnson_cook(Cards& cards, RawDeck& deck);

@@ -72,6 +72,8 @@ constexpr Keyword table[] = {
     {"MAT_024", read_mat_piecewise_linear_plasticity, title},
     {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", read_mat_modified_piecewise_linear_plasticity, title},
     {"MAT_123", read_mat_modified_piecewise_linear_plasticity, title},
+    {"MAT_PLASTICITY_WITH_DAMAGE", read_mat_plasticity_with_damage, title},
+    {"MAT_081", read_mat_plasticity_with_damage, title},
     {"MAT_POWER_LAW_PLASTICITY", read_mat_power_law_plasticity, title},
     {"MAT_018", read_mat_power_law_plasticity, title},
     {"MAT_JOHNSON_COOK", read_mat_johnson_cook, title},
