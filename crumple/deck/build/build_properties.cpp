@@ -352,6 +352,20 @@ Index spring_curve(const RawSpringMaterial& raw, UserId id, std::string_view fie
   return index;
 }
 
+/// LCFD: forces and deformations without a sign, from the origin on.
+Index one_sided_curve(const RawSpringMaterial& raw, Build& build) {
+  if (raw.curve == 0) return no_index;
+  const Index index = find_points(build, {raw.curve, raw.curve_field, raw.where});
+  if (index == no_index) return no_index;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  const bool starts = curve.abscissa.front() == 0 && curve.ordinate.front() == 0;
+  if (!starts || *std::min_element(curve.ordinate.begin(), curve.ordinate.end()) < 0)
+    build.report.field_error(raw.where, {raw.curve_field, std::to_string(raw.curve),
+                                         "a curve from (0, 0) on with forces not below zero",
+                                         "it holds for the direction of CTF, without signs", "curve"});
+  return index;
+}
+
 /// Materials of springs and dampers, behind the others.
 void build_spring_materials(Build& build) {
   model::Model& model = build.model;
@@ -366,6 +380,8 @@ void build_spring_materials(Build& build) {
         spring->rate_curve = find_points(build, {raw.rate_curve, raw.rate_field, raw.where});
     } else if (auto* damper = std::get_if<model::NonlinearDamper>(&law)) {
       damper->curve = spring_curve(raw, raw.curve, raw.curve_field, build);
+    } else if (auto* inelastic = std::get_if<model::InelasticSpring>(&law)) {
+      inelastic->curve = one_sided_curve(raw, build);
     }
   }
 }

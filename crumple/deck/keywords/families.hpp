@@ -60,6 +60,8 @@ void read_mat_damper_viscous(Cards& cards, RawDeck& deck);
 void read_mat_spring_elastoplastic(Cards& cards, RawDeck& deck);
 void read_mat_spring_nonlinear_elastic(Cards& cards, RawDeck& deck);
 void read_mat_damper_nonlinear_viscous(Cards& cards, RawDeck& deck);
+void read_mat_spring_maxwell(Cards& cards, RawDeck& deck);
+void read_mat_spring_inelastic(Cards& cards, RawDeck& deck);
 
 // read_parts.cpp
 void read_part(Cards& cards, RawDeck& deck);

@@ -158,6 +158,10 @@ constexpr Keyword table[] = {
     {"MAT_S04", read_mat_spring_nonlinear_elastic, title},
     {"MAT_DAMPER_NONLINEAR_VISCOUS", read_mat_damper_nonlinear_viscous, title},
     {"MAT_S05", read_mat_damper_nonlinear_viscous, title},
+    {"MAT_SPRING_MAXWELL", read_mat_spring_maxwell, title},
+    {"MAT_S07", read_mat_spring_maxwell, title},
+    {"MAT_SPRING_INELASTIC", read_mat_spring_inelastic, title},
+    {"MAT_S08", read_mat_spring_inelastic, title},
 
     {"DEFINE_SD_ORIENTATION", read_define_sd_orientation, title},
     {"DEFINE_CURVE", read_define_curve, title},
