@@ -349,6 +349,9 @@ struct DiscreteBeamDirection {
   double preload = 0;              ///< [force]
   Index curve = no_index;          ///< in Model::curves: force over displacement
   Index damping_curve = no_index;  ///< in Model::curves: force over velocity
+  Index damping_factor = no_index;   ///< in Model::curves: factor on that force over displacement
+  Index unloading_curve = no_index;  ///< in Model::curves: force over displacement
+  double unloading_stiffness = 0;    ///< at least the steepest slope of both curves [force/length]
   double tensile_limit = 0;        ///< displacement at which the beam fails; 0 is none [length]
   double compressive_limit = 0;    ///< amount of the negative displacement at which it fails; 0 is none
 };
@@ -361,6 +364,13 @@ struct DiscreteBeamLaw {
     Line,   ///< a force between the nodes
     Cable,  ///< the same, never a pressure
   };
+  /// What the force of `curve` does when the displacement goes back.
+  enum class Unloading {
+    None,       ///< follows the curve
+    Curve,      ///< the unloading curve, shifted along the displacement
+    Stiffness,  ///< the unloading stiffness down to the unloading curve
+    Quadratic,  ///< a parabola from the largest displacement to a share of it
+  };
 
   double youngs_modulus = 0;  ///< of cables E [stress]; else not used
   double poissons_ratio = 0;  ///< not used
@@ -368,6 +378,10 @@ struct DiscreteBeamLaw {
   std::array<DiscreteBeamDirection, 6> direction{};  ///< r, s, t, moments about r, s, t; of a line the first
   Index stress_curve = no_index;  ///< of cables: stress over strain in the place of E, in Model::curves
   double ramp_time = 0;           ///< the preload rises over this time; 0: it is there at once [time]
+  Unloading unloading = Unloading::None;
+  double permanent_share = 0;  ///< OFFSET: of the largest displacement, that stays with Unloading::Quadratic
+  /// Failure counts tension and compression of all directions together, else those of either sign.
+  bool joint_failure = false;
 };
 
 /// The constitutive law and its constants. A new law is one more alternative here.

@@ -295,6 +295,18 @@ Index direction_curve(const RawDirectionCurve& raw, Build& build) {
   return index;
 }
 
+/// A curve of unloading, which rises: its inverse is needed where it is shifted.
+Index unloading_curve(const RawDirectionCurve& raw, const model::DiscreteBeamLaw& law, Build& build) {
+  const Index index = direction_curve(raw, build);
+  if (index == no_index || law.unloading != model::DiscreteBeamLaw::Unloading::Curve) return index;
+  const std::vector<double>& force = build.model.curves[static_cast<std::size_t>(index)].ordinate;
+  if (std::adjacent_find(force.begin(), force.end(), std::greater_equal<>()) != force.end())
+    build.report.field_error(raw.where, {raw.field, std::to_string(raw.id), "a curve that rises throughout",
+                                         "unloading follows it from any point of the curve of loading",
+                                         "unloading"});
+  return index;
+}
+
 void take_direction_curves(const RawMaterial& raw, model::DiscreteBeamLaw& law, Build& build) {
   if (law.kind == model::DiscreteBeamLaw::Kind::Cable) {
     law.stress_curve = direction_curve(raw.direction_curves[0], build);
@@ -303,6 +315,10 @@ void take_direction_curves(const RawMaterial& raw, model::DiscreteBeamLaw& law, 
   for (std::size_t i = 0; i < law.direction.size(); ++i) {
     law.direction[i].curve = direction_curve(raw.direction_curves[i], build);
     law.direction[i].damping_curve = direction_curve(raw.damping_curves[i], build);
+    law.direction[i].unloading_curve = unloading_curve(raw.unloading_curves[i], law, build);
+    const RawDirectionCurve& factors = raw.damping_factors[i];
+    if (factors.id != 0)
+      law.direction[i].damping_factor = find_points(build, {factors.id, factors.field, factors.where});
   }
 }
 

@@ -46,6 +46,8 @@ void read_mat_linear_elastic_discrete_beam(Cards& cards, RawDeck& deck);
 void read_mat_nonlinear_elastic_discrete_beam(Cards& cards, RawDeck& deck);
 void read_mat_cable_discrete_beam(Cards& cards, RawDeck& deck);
 void read_mat_elastic_spring_discrete_beam(Cards& cards, RawDeck& deck);
+void read_mat_general_nonlinear_6dof(Cards& cards, RawDeck& deck);
+void read_mat_general_nonlinear_1dof(Cards& cards, RawDeck& deck);
 // read_spot_weld_materials.cpp
 void read_mat_spotweld(Cards& cards, RawDeck& deck);
 void read_mat_spotweld_damage_failure(Cards& cards, RawDeck& deck);

@@ -92,6 +92,13 @@ double SlopedCurve::at(double x) const {
   return y_[i - 1] + share * (y_[i] - y_[i - 1]);
 }
 
+double SlopedCurve::inverse(double y) const {
+  const double* const above = std::upper_bound(y_ + 1, y_ + size_ - 1, y);
+  const auto i = above - y_;
+  const double share = (y - y_[i - 1]) / (y_[i] - y_[i - 1]);
+  return x_[i - 1] + share * (x_[i] - x_[i - 1]);
+}
+
 std::vector<double> discrete_law_numbers(const model::SpringLaw& law, const model::Model& model) {
   const Parts parts = std::visit(PartsOf{model}, law);
   std::vector<double> numbers{parts.stiffness, parts.damping, parts.yield_force,

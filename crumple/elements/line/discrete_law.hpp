@@ -17,6 +17,8 @@ class SlopedCurve {
 
   bool empty() const { return size_ == 0; }
   double at(double x) const;
+  /// Where the value is y, of a curve that rises.
+  double inverse(double y) const;
 
  private:
   const double* x_ = nullptr;
