@@ -344,16 +344,16 @@ struct SpotWeldLaw {
 
 /// The force of a discrete beam along one of its axes, or the moment about it: the sum of all that is given.
 struct DiscreteBeamDirection {
-  double stiffness = 0;            ///< [force/length], of moments [force length/rad]
-  double damping = 0;              ///< [force time/length]
-  double preload = 0;              ///< [force]
-  Index curve = no_index;          ///< in Model::curves: force over displacement
-  Index damping_curve = no_index;  ///< in Model::curves: force over velocity
+  double stiffness = 0;              ///< [force/length], of moments [force length/rad]
+  double damping = 0;                ///< [force time/length]
+  double preload = 0;                ///< [force]
+  Index curve = no_index;            ///< in Model::curves: force over displacement
+  Index damping_curve = no_index;    ///< in Model::curves: force over velocity
   Index damping_factor = no_index;   ///< in Model::curves: factor on that force over displacement
   Index unloading_curve = no_index;  ///< in Model::curves: force over displacement
   double unloading_stiffness = 0;    ///< at least the steepest slope of both curves [force/length]
-  double tensile_limit = 0;        ///< displacement at which the beam fails; 0 is none [length]
-  double compressive_limit = 0;    ///< amount of the negative displacement at which it fails; 0 is none
+  double tensile_limit = 0;          ///< displacement at which the beam fails; 0 is none [length]
+  double compressive_limit = 0;      ///< amount of the negative displacement at which it fails; 0 is none
 };
 
 /// Discrete beams: springs and dampers in the directions of their axes, or along the line of the nodes

@@ -42,11 +42,11 @@ struct NonlinearDamper {
 /// A spring beside a spring in series with a damper: the stiffness falls from the first value to the last
 /// (*MAT_SPRING_MAXWELL).
 struct MaxwellSpring {
-  double stiffness = 0;         ///< K0, at once [force/length]
-  double final_stiffness = 0;   ///< KI, after all time [force/length]
-  double decay = 0;             ///< BETA [1/time]
-  double cut_off = 1e20;        ///< TC: from this time on the force is constant [time]
-  double cut_off_force = 0;     ///< FC [force]
+  double stiffness = 0;        ///< K0, at once [force/length]
+  double final_stiffness = 0;  ///< KI, after all time [force/length]
+  double decay = 0;            ///< BETA [1/time]
+  double cut_off = 1e20;       ///< TC: from this time on the force is constant [time]
+  double cut_off_force = 0;    ///< FC [force]
 };
 
 /// Force by a curve in one direction alone, which unloads with a stiffness of its own, for good
@@ -58,9 +58,8 @@ struct InelasticSpring {
 };
 
 /// A new law is one more alternative here.
-using SpringLaw =
-    std::variant<LinearSpring, LinearDamper, ElastoplasticSpring, NonlinearSpring, NonlinearDamper,
-                 MaxwellSpring, InelasticSpring>;
+using SpringLaw = std::variant<LinearSpring, LinearDamper, ElastoplasticSpring, NonlinearSpring,
+                               NonlinearDamper, MaxwellSpring, InelasticSpring>;
 
 /// The material of a part of springs or dampers; it has no density.
 struct SpringMaterial {

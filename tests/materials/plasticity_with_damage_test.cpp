@@ -64,7 +64,8 @@ double work_of(double plastic) {
 /// Pulls a point with uniaxial stress until it ruptures: stress by plastic strain, plastic strain by total
 /// strain, work.
 template <class Point, class Pull>
-void expect_closed_form(Point& point, const Pull& pull, const char* kind, double tolerance, double work_error) {
+void expect_closed_form(Point& point, const Pull& pull, const char* kind, double tolerance,
+                        double work_error) {
   test::Largest off(std::string(kind) + ", MAT_081 pulled until it ruptures: stress, error [yield stress]",
                     "closed form", tolerance);
   constexpr double step = 2e-5;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_ADD_DAMAGE_GISSMO and *MAT_PLASTICITY_WITH_DAMAGE: a bar of solids is pulled apart in its middle, where
-// the stress fades before elements go: energy and momentum are kept.
+// *MAT_ADD_DAMAGE_GISSMO and *MAT_PLASTICITY_WITH_DAMAGE: a bar of solids is pulled apart in its middle,
+// where the stress fades before elements go: energy and momentum are kept.
 #include <gtest/gtest.h>
 
 #include <cmath>

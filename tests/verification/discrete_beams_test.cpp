@@ -337,8 +337,7 @@ TEST(DiscreteBeams, UnloadAlongAShiftedCurve) {
   expect_path(
       law, {loading_curve, {2, {-1, 0, 1}, {-20, 0, 20}}},
       [](double u, double peak) { return std::max(0.0, loading(peak) - 20 * (peak - u)); },
-      [](double peak) { return loading_work(peak) - loading(peak) * loading(peak) / 40; },
-      "unloading curve");
+      [](double peak) { return loading_work(peak) - loading(peak) * loading(peak) / 40; }, "unloading curve");
 }
 
 TEST(DiscreteBeams, UnloadWithAStiffnessToALowerCurve) {

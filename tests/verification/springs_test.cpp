@@ -222,8 +222,8 @@ TEST(Springs, MaxwellSpringRelaxesByItsExponential) {
     const double t = domain.clock.time;
     const double pull = std::min(t, until);
     // The integral of K(t - s) v over the pull, K = KI + (K0 - KI) exp(-beta s).
-    const double exact = ki * speed * pull + (k0 - ki) * speed / beta *
-                                                 (std::exp(-beta * (t - pull)) - std::exp(-beta * t));
+    const double exact =
+        ki * speed * pull + (k0 - ki) * speed / beta * (std::exp(-beta * (t - pull)) - std::exp(-beta * t));
     worst = test::larger_of(worst, std::fabs(spring_force(domain) - exact));
   });
   test::verified("Maxwell spring pulled, then held: force, error over K0 times the pull", "its exponentials")
@@ -233,9 +233,9 @@ TEST(Springs, MaxwellSpringRelaxesByItsExponential) {
 }
 
 TEST(Springs, MaxwellSpringWithoutDecayIsElasticAndEndsAtItsTime) {
-  model::Model model = pulled(
-      model::MaxwellSpring{.stiffness = 4, .final_stiffness = 1, .cut_off = 1.0, .cut_off_force = 0.7}, 1.0,
-      0.5);
+  model::Model model =
+      pulled(model::MaxwellSpring{.stiffness = 4, .final_stiffness = 1, .cut_off = 1.0, .cut_off_force = 0.7},
+             1.0, 0.5);
   model.control.end_time = 0.9;
   timeloop::Simulation elastic(model, test::execution());
   test::run(elastic);

@@ -56,7 +56,8 @@ std::array<std::string, 2> suiting_laws(model::BeamFormulation formulation) {
     case model::BeamFormulation::Integrated:
       return {
           "*MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_PIECEWISE_LINEAR_PLASTICITY, "
-          "*MAT_PLASTICITY_WITH_DAMAGE, *MAT_POWER_LAW_PLASTICITY, *MAT_SIMPLIFIED_JOHNSON_COOK, *MAT_NULL or "
+          "*MAT_PLASTICITY_WITH_DAMAGE, *MAT_POWER_LAW_PLASTICITY, *MAT_SIMPLIFIED_JOHNSON_COOK, *MAT_NULL "
+          "or "
           "*MAT_RIGID",
           "beams integrated over their section (ELFORM 1, 4, 5) have these laws"};
     case model::BeamFormulation::Discrete:

@@ -301,9 +301,9 @@ Index unloading_curve(const RawDirectionCurve& raw, const model::DiscreteBeamLaw
   if (index == no_index || law.unloading != model::DiscreteBeamLaw::Unloading::Curve) return index;
   const std::vector<double>& force = build.model.curves[static_cast<std::size_t>(index)].ordinate;
   if (std::adjacent_find(force.begin(), force.end(), std::greater_equal<>()) != force.end())
-    build.report.field_error(raw.where, {raw.field, std::to_string(raw.id), "a curve that rises throughout",
-                                         "unloading follows it from any point of the curve of loading",
-                                         "unloading"});
+    build.report.field_error(raw.where,
+                             {raw.field, std::to_string(raw.id), "a curve that rises throughout",
+                              "unloading follows it from any point of the curve of loading", "unloading"});
   return index;
 }
 

@@ -71,14 +71,17 @@ SlopedCurve next_curve(const double*& at, double& slope) {
 
 std::vector<double> discrete_beam_numbers(const model::DiscreteBeamLaw& law, const model::Model& model,
                                           const model::DiscreteBeamData& data) {
-  std::vector<double> numbers{static_cast<double>(law.kind), law.youngs_modulus * data.cable_area,
-                              data.cable_area, law.ramp_time, static_cast<double>(law.unloading),
-                              law.permanent_share, law.joint_failure ? 1.0 : 0.0};
+  std::vector<double> numbers{static_cast<double>(law.kind),
+                              law.youngs_modulus * data.cable_area,
+                              data.cable_area,
+                              law.ramp_time,
+                              static_cast<double>(law.unloading),
+                              law.permanent_share,
+                              law.joint_failure ? 1.0 : 0.0};
   append_curve(model, law.stress_curve, numbers);
   for (const model::DiscreteBeamDirection& one : law.direction) {
-    numbers.insert(numbers.end(),
-                   {one.stiffness, one.damping, one.preload, one.tensile_limit, one.compressive_limit,
-                    one.unloading_stiffness});
+    numbers.insert(numbers.end(), {one.stiffness, one.damping, one.preload, one.tensile_limit,
+                                   one.compressive_limit, one.unloading_stiffness});
     append_curve(model, one.curve, numbers);
     append_curve(model, one.damping_curve, numbers);
     append_factors(model, one.damping_factor, numbers);

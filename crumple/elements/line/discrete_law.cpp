@@ -101,9 +101,9 @@ double SlopedCurve::inverse(double y) const {
 
 std::vector<double> discrete_law_numbers(const model::SpringLaw& law, const model::Model& model) {
   const Parts parts = std::visit(PartsOf{model}, law);
-  std::vector<double> numbers{parts.stiffness, parts.damping, parts.yield_force,
-                              parts.plastic_modulus, parts.relaxing, parts.decay,
-                              parts.cut_off, parts.cut_off_force, parts.side};
+  std::vector<double> numbers{parts.stiffness,       parts.damping,       parts.yield_force,
+                              parts.plastic_modulus, parts.relaxing,      parts.decay,
+                              parts.cut_off,         parts.cut_off_force, parts.side};
   for (const model::Curve* const curve : {parts.spring, parts.damper, parts.rate_factor}) {
     numbers.push_back(curve == nullptr ? 0 : static_cast<double>(curve->abscissa.size()));
     if (curve == nullptr) continue;

@@ -74,8 +74,7 @@ struct PlasticityWithDamageLaw : PiecewiseLinearPlasticityLaw {
       return t;
     }
     CRUMPLE_INLINE Pack judge(const History& history) const {
-      const Pack mark =
-          select<Pack>(Base::intact(history), load<Pack>(failed(history)), Pack(Real(1)));
+      const Pack mark = select<Pack>(Base::intact(history), load<Pack>(failed(history)), Pack(Real(1)));
       store(failed(history), mark);
       return mark;
     }

@@ -148,8 +148,7 @@ TEST(Springs, RelaxOrStayDeformed) {
   EXPECT_EQ(inelastic.curve, 0);
   EXPECT_EQ(inelastic.unloading_stiffness, 5);
   EXPECT_TRUE(inelastic.tension);
-  EXPECT_FALSE(
-      std::get<model::InelasticSpring>(law_of("*MAT_S08\n         2         3\n" + curve)).tension);
+  EXPECT_FALSE(std::get<model::InelasticSpring>(law_of("*MAT_S08\n         2         3\n" + curve)).tension);
 }
 
 TEST(Springs, MayBeTorsionalBetweenInertias) {

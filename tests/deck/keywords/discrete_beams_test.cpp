@@ -101,8 +101,9 @@ TEST(DiscreteBeamDecks, GeneralOnesUnloadAndFail) {
   using Unloading = model::DiscreteBeamLaw::Unloading;
   for (const std::string name : {"*MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", "*MAT_119"}) {
     const model::Model model =
-        read_with(with(small_section, name + "\n2,1.0,5,6,2,0.25\n3,,,,,3\n,3,,3\n,,3\n,,3\n"
-                                                "1,2,3,4,5,6,1\n7,8,9,10,11,12\n" +
+        read_with(with(small_section, name +
+                                          "\n2,1.0,5,6,2,0.25\n3,,,,,3\n,3,,3\n,,3\n,,3\n"
+                                          "1,2,3,4,5,6,1\n7,8,9,10,11,12\n" +
                                           curves));
     const model::DiscreteBeamLaw& law = law_of(model);
     EXPECT_EQ(law.kind, model::DiscreteBeamLaw::Kind::Axes);

@@ -465,8 +465,8 @@ TEST(RateMaterial, ModifiedPiecewiseLinearWithEveryValue) {
 
 TEST(RateMaterial, PlasticityWithDamageWithEveryValue) {
   for (const std::string keyword : {"*MAT_PLASTICITY_WITH_DAMAGE", "*MAT_081"}) {
-    const auto material = material_of(
-        keyword + "\n1,7.83E-6,200,0.3,0.25,2.0,0.1,2e-4\n40,5,0,0,0.3,1,0,3\n0,0.1\n0.25,0.4\n");
+    const auto material =
+        material_of(keyword + "\n1,7.83E-6,200,0.3,0.25,2.0,0.1,2e-4\n40,5,0,0,0.3,1,0,3\n0,0.1\n0.25,0.4\n");
     const auto& law = std::get<model::PiecewiseLinearPlasticity>(material.law);
     EXPECT_EQ(material.least_step, 2e-4);
     EXPECT_EQ(law.cowper_symonds_rate, 40);

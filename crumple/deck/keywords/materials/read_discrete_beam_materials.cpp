@@ -98,7 +98,8 @@ constexpr Field spring_beam_second_card[] = {
 constexpr std::string_view unloading_words =
     "0 follows the curve, 1 the curve of unloading, 2 a stiffness down to it, 3 a parabola";
 constexpr std::string_view initial_words = "displacements begin at zero";
-constexpr std::string_view stability_words = "no damping is added for stability: the step allows for the curves";
+constexpr std::string_view stability_words =
+    "no damping is added for stability: the step allows for the curves";
 
 constexpr Field six_card[] = {
     id("MID"),
@@ -126,9 +127,12 @@ constexpr Field six_load_card[] = {
     reference("LCIDRS", IdKind::Function), reference("LCIDRT", IdKind::Function),
 };
 constexpr Field six_tension_card[] = {
-    real("UTFAILR", 0, not_negative), real("UTFAILS", 0, not_negative),
-    real("UTFAILT", 0, not_negative), real("WTFAILR", 0, not_negative),
-    real("WTFAILS", 0, not_negative), real("WTFAILT", 0, not_negative),
+    real("UTFAILR", 0, not_negative),
+    real("UTFAILS", 0, not_negative),
+    real("UTFAILT", 0, not_negative),
+    real("WTFAILR", 0, not_negative),
+    real("WTFAILS", 0, not_negative),
+    real("WTFAILT", 0, not_negative),
     only("FCRIT", {0, 1}, "0 counts each sign by itself, 1 both together"),
 };
 constexpr Field six_compression_card[] = {
