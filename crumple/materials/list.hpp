@@ -47,6 +47,7 @@
 #include "materials/laws/plasticity_with_damage.hpp"
 #include "materials/laws/polynomial_rubber.hpp"
 #include "materials/laws/power_law_plasticity.hpp"
+#include "materials/laws/relaxing_rubber.hpp"
 #include "materials/laws/sheet_plasticity.hpp"
 #include "materials/laws/simplified_rubber.hpp"
 #include "materials/laws/soil_and_foam.hpp"
@@ -93,7 +94,9 @@ using SolidLaws = LawList<         //
     MooneyRivlinLaw,               //
     CrushableFoamLaw,              //
     LowDensityFoamLaw,             //
+    RelaxingOgdenLaw,              //
     OgdenRubberLaw,                //
+    RelaxingPolynomialLaw,         //
     PolynomialRubberLaw,           //
     ViscoelasticLaw,               //
     HoneycombLaw,                  //

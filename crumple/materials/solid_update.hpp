@@ -59,7 +59,9 @@ template <class Law, class Pack>
 CRUMPLE_INLINE auto total_stress(const Law& law, const SolidStrain<Pack>& strain, const Turn<Pack>& turn,
                                  const HistoryView<RealOf<Pack>>& history) {
   const Turn<Pack> deformation = Law::advance(history, strain, turn);
-  if constexpr (requires { law.total(deformation, history, strain); })
+  if constexpr (requires { law.total(deformation, history, strain, turn); })
+    return law.total(deformation, history, strain, turn);
+  else if constexpr (requires { law.total(deformation, history, strain); })
     return law.total(deformation, history, strain);
   else
     return law.total(deformation);

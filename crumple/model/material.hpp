@@ -277,12 +277,19 @@ struct SimplifiedRubber {
   std::vector<double> stress;   ///< nominal, through 0 at 1 [stress]; the outer slopes go on
 };
 
+/// A part of a modulus that relaxes.
+struct Relaxation {
+  double modulus = 0;  ///< [stress]
+  double decay = 0;    ///< [1/time]; 0: it stays
+};
+
 /// Nearly incompressible rubber of Ogden (*MAT_OGDEN_RUBBER).
 struct OgdenRubber {
-  double youngs_modulus = 0;         ///< E = 2 G (1 + nu) at rest, G = sum of mu alpha / 2 [stress]
-  double poissons_ratio = 0;         ///< nu at rest [-]
-  std::array<double, 8> modulus{};   ///< mu [stress]; zero is no term
-  std::array<double, 8> exponent{};  ///< alpha [-]
+  double youngs_modulus = 0;           ///< E = 2 G (1 + nu) at rest, G = sum of mu alpha / 2 [stress]
+  double poissons_ratio = 0;           ///< nu at rest [-]
+  std::array<double, 8> modulus{};     ///< mu [stress]; zero is no term
+  std::array<double, 8> exponent{};    ///< alpha [-]
+  std::vector<Relaxation> relaxing{};  ///< shear moduli of a stress beside that, which relaxes
 };
 
 /// Nearly incompressible rubber whose energy is a polynomial in the invariants (*MAT_HYPERELASTIC_RUBBER).
@@ -295,12 +302,7 @@ struct PolynomialRubber {
   double c20 = 0;
   double c02 = 0;
   double c30 = 0;
-};
-
-/// A part of a modulus that relaxes.
-struct Relaxation {
-  double modulus = 0;  ///< [stress]
-  double decay = 0;    ///< [1/time]; 0: it stays
+  std::vector<Relaxation> relaxing{};  ///< as of OgdenRubber
 };
 
 /// Linear viscoelasticity by Prony series (*MAT_VISCOELASTIC, *MAT_GENERAL_VISCOELASTIC).
