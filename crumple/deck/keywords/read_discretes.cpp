@@ -76,7 +76,7 @@ constexpr Field maxwell_card[] = {
 };
 constexpr Field inelastic_card[] = {
     id("MID"),
-    id("LCFD"),
+    id("LCFD", IdKind::Function),
     real("KU", 0, not_negative),
     only("CTF", {0, -1, 1}, "-1 bears tension alone, 1 and 0 compression alone"),
 };
