@@ -32,7 +32,7 @@ bool has_limits(const model::DiscreteBeamLaw& law) {
   });
 }
 
-void declare_discrete_items(BeamBlock& block) {
+void declare_discrete_items(BeamBlock& block, bool remembers) {
   domain::add_item(block, "active", "-", 1);
   domain::add_item(block, "stable_step", "time", 1);
   domain::add_item(block, "reference_length", "length", 1);
@@ -41,6 +41,8 @@ void declare_discrete_items(BeamBlock& block) {
   domain::add_item(block, "deformation", "length and rad", discrete_directions);
   domain::add_item(block, "resultant", "force and moment", discrete_directions);
   domain::add_item(block, "energy", "energy", 2);
+  if (remembers)
+    domain::add_item(block, "unloading", "length or force", discrete_directions * discrete_history);
 }
 
 /// The axes r, s, t at time zero: those that the section names, towards the orientation node, or global.
@@ -226,7 +228,7 @@ void prepare_discrete_beams(const model::Model& model, domain::Domain& domain, B
   constants.section_fails = has_limits(law) ? 1 : 0;
   constants.first_share = 0.5 * (1 - data.place);
   for (std::size_t i = 0; i < 3; ++i) constants.held_turn[i] = data.held[i] ? 1 : 0;
-  declare_discrete_items(block);
+  declare_discrete_items(block, law.unloading != model::DiscreteBeamLaw::Unloading::None);
   block.allocate(Precision::Double);
   block.element_constants = to_numbers(constants);
   block.material_constants = discrete_beam_numbers(law, model, data);

@@ -35,10 +35,11 @@ double stretch(const DiscreteLaw& law, DiscreteBlock& block, Index place, double
   constexpr int steps = 1000;
   DiscreteHistory history;
   const double scale = block.state(place, discrete_state::scale);
-  double before = scale * law.force(0, 0, history);
+  double before = scale * law.force({}, history);
   double work = 0;
   for (int i = 1; i <= steps; ++i) {
-    const double force = scale * law.force(offset * i / steps, 0, history);
+    const double force =
+        scale * law.force({.deformation = offset * i / steps, .change = offset / steps}, history);
     work += 0.5 * (before + force) * offset / steps;
     before = force;
   }

@@ -44,8 +44,10 @@
 #include "materials/laws/orthotropic_elastic.hpp"
 #include "materials/laws/piecewise_linear_plasticity.hpp"
 #include "materials/laws/plastic_kinematic.hpp"
+#include "materials/laws/plasticity_with_damage.hpp"
 #include "materials/laws/polynomial_rubber.hpp"
 #include "materials/laws/power_law_plasticity.hpp"
+#include "materials/laws/relaxing_rubber.hpp"
 #include "materials/laws/sheet_plasticity.hpp"
 #include "materials/laws/simplified_rubber.hpp"
 #include "materials/laws/soil_and_foam.hpp"
@@ -66,6 +68,7 @@ struct LawList {
 using ShellLaws = LawList<         //
     ElasticLaw,                    //
     PlasticKinematicLaw,           //
+    PlasticityWithDamageLaw,       //
     StrainLimitedPlasticityLaw,    //
     PiecewiseLinearPlasticityLaw,  //
     PowerLawPlasticityLaw,         //
@@ -82,6 +85,7 @@ using ShellLaws = LawList<         //
 using SolidLaws = LawList<         //
     ElasticLaw,                    //
     PlasticKinematicLaw,           //
+    PlasticityWithDamageLaw,       //
     PiecewiseLinearPlasticityLaw,  //
     PowerLawPlasticityLaw,         //
     JohnsonCookLaw,                //
@@ -90,7 +94,9 @@ using SolidLaws = LawList<         //
     MooneyRivlinLaw,               //
     CrushableFoamLaw,              //
     LowDensityFoamLaw,             //
+    RelaxingOgdenLaw,              //
     OgdenRubberLaw,                //
+    RelaxingPolynomialLaw,         //
     PolynomialRubberLaw,           //
     ViscoelasticLaw,               //
     HoneycombLaw,                  //

@@ -17,6 +17,8 @@ bool with_section_law(const model::ConstitutiveLaw& law, const Visit& visit,
   const auto try_one = [&]<class Law>(Law one) {
     ++kind;
     if (!std::holds_alternative<typename Law::Model>(law)) return false;
+    if constexpr (requires { Law::takes(law); })
+      if (!Law::takes(law)) return false;
     visit(one, kind);
     return true;
   };

@@ -43,9 +43,10 @@ CRUMPLE_INLINE FibreStress<Pack> updated_stress(const Law& law, const FibreStres
                                                 const FibreStrain<Pack>& strain,
                                                 const HistoryView<double>& history, Pack& intact) {
   const Pack zero(0.0);
-  FibreStress<Pack> now = law.elasticity.stress(old, strain);
+  FibreStress<Pack> now = law.elasticity.stress(own_stress(law, old, history), strain);
   if constexpr (Law::can_yield) {
     now = law.returned(now, strain, history);
+    if constexpr (requires { law.left(history); }) now = scaled(now, law.left(history));
     if (!law.fails()) return now;
     const auto holds = law.intact(history);
     intact = select<Pack>(holds, Pack(1.0), intact);

@@ -10,6 +10,7 @@
 // and, if it needs them,
 //   void follow(history, strain, Turn)               brings what follows the motion alone up to date
 //   static constexpr bool takes_equation_of_state    true: with one, the law brings the deviator alone
+//   Pack left(history) const                         as of shells
 // A law of total deformation has no elasticity; it derives from TotalDeformation. A law whose stress is of
 // the rate alone has_no_memory. Nor has a law whose history is the stress: it has
 //   SolidStress relaxed(history, strain, Turn)       the new stress
@@ -58,7 +59,9 @@ template <class Law, class Pack>
 CRUMPLE_INLINE auto total_stress(const Law& law, const SolidStrain<Pack>& strain, const Turn<Pack>& turn,
                                  const HistoryView<RealOf<Pack>>& history) {
   const Turn<Pack> deformation = Law::advance(history, strain, turn);
-  if constexpr (requires { law.total(deformation, history, strain); })
+  if constexpr (requires { law.total(deformation, history, strain, turn); })
+    return law.total(deformation, history, strain, turn);
+  else if constexpr (requires { law.total(deformation, history, strain); })
     return law.total(deformation, history, strain);
   else
     return law.total(deformation);
@@ -104,7 +107,7 @@ CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<R
     now = updated.stress;
     leave_wave_speed(wave_speed, p, updated.wave_square);
   } else {
-    now = law.elasticity.stress(old, strain);
+    now = law.elasticity.stress(own_stress(law, old, history), strain);
   }
   if constexpr (requires { law.follow(history, strain, turn); }) law.follow(history, strain, turn);
   Pack intact(Real(1));
@@ -130,6 +133,7 @@ CRUMPLE_INLINE Pack update_solid_point(const Law& law, const SolidMaterialTask<R
       now = held_stress<Pack>(holds, now);
     }
   }
+  if constexpr (requires { law.left(history); }) now = scaled(now, law.left(history));
   store_six(stress_state, lanes, now);
   store(task.energy + p * tile_lanes + place, work_of<Law>(before, old, now, strain, turn));
   return intact;

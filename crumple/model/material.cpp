@@ -46,9 +46,10 @@ LawUse use_of(const ConstitutiveLaw& law) {
 
 bool is_elastic(const ConstitutiveLaw& law) {
   if (const auto* rubber = std::get_if<SimplifiedRubber>(&law)) return !rubber->is_foam;
+  if (const auto* rubber = std::get_if<OgdenRubber>(&law)) return rubber->relaxing.empty();
+  if (const auto* rubber = std::get_if<PolynomialRubber>(&law)) return rubber->relaxing.empty();
   return std::holds_alternative<Elastic>(law) || std::holds_alternative<BlatzKo>(law) ||
-         std::holds_alternative<MooneyRivlin>(law) || std::holds_alternative<OgdenRubber>(law) ||
-         std::holds_alternative<PolynomialRubber>(law);
+         std::holds_alternative<MooneyRivlin>(law);
 }
 
 bool has_plastic_strain(const ConstitutiveLaw& law) {
@@ -57,7 +58,12 @@ bool has_plastic_strain(const ConstitutiveLaw& law) {
          std::holds_alternative<SheetPlasticity>(law) || std::holds_alternative<JohnsonCook>(law);
 }
 
+bool has_damage(const PiecewiseLinearPlasticity& law) {
+  return !law.damage.empty();
+}
+
 bool has_strain_limits(const PiecewiseLinearPlasticity& law) {
+  if (has_damage(law)) return false;
   return law.failure_thinning > 0 || law.failure_major > 0 || law.failed_points > 0 || law.failed_share > 0;
 }
 

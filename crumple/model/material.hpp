@@ -62,9 +62,16 @@ struct PiecewiseLinearPlasticity {
   double failure_major = 0;     ///< major strain in the plane; 0 is none
   int failed_points = 0;        ///< 0: all of them
   double failed_share = 0;      ///< of the points, in place of their number; 0: the number counts
+  /// Share of the stress that is lost over the effective plastic strain, ascending from 0, straight between
+  /// these points and constant beyond (*MAT_PLASTICITY_WITH_DAMAGE); empty: nothing is lost.
+  std::vector<double> damage_strain{};
+  std::vector<double> damage{};  ///< 0 to 1
 };
 
-/// True if shells fail by more than the plastic strain of all points.
+/// True if the stress of points fades with their plastic strain.
+bool has_damage(const PiecewiseLinearPlasticity& law);
+
+/// True if shells without such damage fail by more than the plastic strain of all points.
 bool has_strain_limits(const PiecewiseLinearPlasticity& law);
 
 /// J2 plasticity with a power of the plastic strain, k (e_y + p)^n (*MAT_POWER_LAW_PLASTICITY).
@@ -270,12 +277,19 @@ struct SimplifiedRubber {
   std::vector<double> stress;   ///< nominal, through 0 at 1 [stress]; the outer slopes go on
 };
 
+/// A part of a modulus that relaxes.
+struct Relaxation {
+  double modulus = 0;  ///< [stress]
+  double decay = 0;    ///< [1/time]; 0: it stays
+};
+
 /// Nearly incompressible rubber of Ogden (*MAT_OGDEN_RUBBER).
 struct OgdenRubber {
-  double youngs_modulus = 0;         ///< E = 2 G (1 + nu) at rest, G = sum of mu alpha / 2 [stress]
-  double poissons_ratio = 0;         ///< nu at rest [-]
-  std::array<double, 8> modulus{};   ///< mu [stress]; zero is no term
-  std::array<double, 8> exponent{};  ///< alpha [-]
+  double youngs_modulus = 0;           ///< E = 2 G (1 + nu) at rest, G = sum of mu alpha / 2 [stress]
+  double poissons_ratio = 0;           ///< nu at rest [-]
+  std::array<double, 8> modulus{};     ///< mu [stress]; zero is no term
+  std::array<double, 8> exponent{};    ///< alpha [-]
+  std::vector<Relaxation> relaxing{};  ///< shear moduli of a stress beside that, which relaxes
 };
 
 /// Nearly incompressible rubber whose energy is a polynomial in the invariants (*MAT_HYPERELASTIC_RUBBER).
@@ -288,12 +302,7 @@ struct PolynomialRubber {
   double c20 = 0;
   double c02 = 0;
   double c30 = 0;
-};
-
-/// A part of a modulus that relaxes.
-struct Relaxation {
-  double modulus = 0;  ///< [stress]
-  double decay = 0;    ///< [1/time]; 0: it stays
+  std::vector<Relaxation> relaxing{};  ///< as of OgdenRubber
 };
 
 /// Linear viscoelasticity by Prony series (*MAT_VISCOELASTIC, *MAT_GENERAL_VISCOELASTIC).
@@ -337,13 +346,16 @@ struct SpotWeldLaw {
 
 /// The force of a discrete beam along one of its axes, or the moment about it: the sum of all that is given.
 struct DiscreteBeamDirection {
-  double stiffness = 0;            ///< [force/length], of moments [force length/rad]
-  double damping = 0;              ///< [force time/length]
-  double preload = 0;              ///< [force]
-  Index curve = no_index;          ///< in Model::curves: force over displacement
-  Index damping_curve = no_index;  ///< in Model::curves: force over velocity
-  double tensile_limit = 0;        ///< displacement at which the beam fails; 0 is none [length]
-  double compressive_limit = 0;    ///< amount of the negative displacement at which it fails; 0 is none
+  double stiffness = 0;              ///< [force/length], of moments [force length/rad]
+  double damping = 0;                ///< [force time/length]
+  double preload = 0;                ///< [force]
+  Index curve = no_index;            ///< in Model::curves: force over displacement
+  Index damping_curve = no_index;    ///< in Model::curves: force over velocity
+  Index damping_factor = no_index;   ///< in Model::curves: factor on that force over displacement
+  Index unloading_curve = no_index;  ///< in Model::curves: force over displacement
+  double unloading_stiffness = 0;    ///< at least the steepest slope of both curves [force/length]
+  double tensile_limit = 0;          ///< displacement at which the beam fails; 0 is none [length]
+  double compressive_limit = 0;      ///< amount of the negative displacement at which it fails; 0 is none
 };
 
 /// Discrete beams: springs and dampers in the directions of their axes, or along the line of the nodes
@@ -354,6 +366,13 @@ struct DiscreteBeamLaw {
     Line,   ///< a force between the nodes
     Cable,  ///< the same, never a pressure
   };
+  /// What the force of `curve` does when the displacement goes back.
+  enum class Unloading {
+    None,       ///< follows the curve
+    Curve,      ///< the unloading curve, shifted along the displacement
+    Stiffness,  ///< the unloading stiffness down to the unloading curve
+    Quadratic,  ///< a parabola from the largest displacement to a share of it
+  };
 
   double youngs_modulus = 0;  ///< of cables E [stress]; else not used
   double poissons_ratio = 0;  ///< not used
@@ -361,6 +380,10 @@ struct DiscreteBeamLaw {
   std::array<DiscreteBeamDirection, 6> direction{};  ///< r, s, t, moments about r, s, t; of a line the first
   Index stress_curve = no_index;  ///< of cables: stress over strain in the place of E, in Model::curves
   double ramp_time = 0;           ///< the preload rises over this time; 0: it is there at once [time]
+  Unloading unloading = Unloading::None;
+  double permanent_share = 0;  ///< OFFSET: of the largest displacement, that stays with Unloading::Quadratic
+  /// Failure counts tension and compression of all directions together, else those of either sign.
+  bool joint_failure = false;
 };
 
 /// The constitutive law and its constants. A new law is one more alternative here.

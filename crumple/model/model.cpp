@@ -26,8 +26,9 @@ ElementKind kind_of(const Part& part) {
 }
 
 const char* name_of(const SpringLaw& law) {
-  static constexpr const char* names[] = {"spring", "damper", "elastoplastic spring", "nonlinear spring",
-                                          "nonlinear damper"};
+  static constexpr const char* names[] = {"spring",           "damper",           "elastoplastic spring",
+                                          "nonlinear spring", "nonlinear damper", "Maxwell spring",
+                                          "inelastic spring"};
   return names[law.index()];
 }
 

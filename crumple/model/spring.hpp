@@ -39,9 +39,27 @@ struct NonlinearDamper {
   Index curve = no_index;  ///< in Model::curves
 };
 
+/// A spring beside a spring in series with a damper: the stiffness falls from the first value to the last
+/// (*MAT_SPRING_MAXWELL).
+struct MaxwellSpring {
+  double stiffness = 0;        ///< K0, at once [force/length]
+  double final_stiffness = 0;  ///< KI, after all time [force/length]
+  double decay = 0;            ///< BETA [1/time]
+  double cut_off = 1e20;       ///< TC: from this time on the force is constant [time]
+  double cut_off_force = 0;    ///< FC [force]
+};
+
+/// Force by a curve in one direction alone, which unloads with a stiffness of its own, for good
+/// (*MAT_SPRING_INELASTIC).
+struct InelasticSpring {
+  Index curve = no_index;          ///< in Model::curves: amounts of force over amounts of deformation
+  double unloading_stiffness = 0;  ///< KU; the steepest slope of the curve if that is larger
+  bool tension = false;            ///< CTF: bears tension alone, else compression alone
+};
+
 /// A new law is one more alternative here.
-using SpringLaw =
-    std::variant<LinearSpring, LinearDamper, ElastoplasticSpring, NonlinearSpring, NonlinearDamper>;
+using SpringLaw = std::variant<LinearSpring, LinearDamper, ElastoplasticSpring, NonlinearSpring,
+                               NonlinearDamper, MaxwellSpring, InelasticSpring>;
 
 /// The material of a part of springs or dampers; it has no density.
 struct SpringMaterial {

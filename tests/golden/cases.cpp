@@ -77,8 +77,8 @@ model::Model tube_fully_integrated() {
   return model;
 }
 
-/// Two strips of triangles and quadrilaterals, one on the other, pulled apart until they tear.
-model::Model torn_strips() {
+/// Fails at a plastic strain of 0.05.
+model::PiecewiseLinearPlasticity torn_steel() {
   model::PiecewiseLinearPlasticity steel;
   steel.youngs_modulus = 210;
   steel.poissons_ratio = 0.3;
@@ -87,6 +87,11 @@ model::Model torn_strips() {
   steel.cowper_symonds_rate = 0.04;
   steel.cowper_symonds_exponent = 5;
   steel.failure_strain = 0.05;
+  return steel;
+}
+
+/// Two strips of triangles and quadrilaterals, one on the other, pulled apart until they tear.
+model::Model strips_of(const model::PiecewiseLinearPlasticity& steel) {
   model::Model model = test::one_part({.id = 1, .title = "steel", .density = 7.85e-6, .law = steel},
                                       test::shell_section(1.0, 2));
   for (int layer = 0; layer < 2; ++layer)
@@ -112,6 +117,19 @@ model::Model torn_strips() {
   model.control.end_time = 1.0;
   model.control.end_cycle = 400;
   return model;
+}
+
+model::Model torn_strips() {
+  return strips_of(torn_steel());
+}
+
+/// Their stress fades before.
+model::Model fading_strips() {
+  model::PiecewiseLinearPlasticity steel = torn_steel();
+  steel.damage_strain = {0, 0.02, 0.05};
+  steel.damage = {0, 0, 1};
+  steel.failed_points = 1;
+  return strips_of(steel);
 }
 
 /// A warped panel under a pressure that follows it, nodes on its surface, many points, viscous hourglass
@@ -328,6 +346,7 @@ const std::vector<Case>& cases() {
                                         {"crushed_tube_HughesLiu", tube_of_hughes_liu},
                                         {"crushed_tube_FullyIntegrated", tube_fully_integrated},
                                         {"torn_strips", torn_strips, true},
+                                        {"fading_strips", fading_strips, true},
                                         {"pressed_panel", pressed_panel},
                                         {"bent_laminate", bent_laminate},
                                         {"layers_BelytschkoTsay", layers_of_belytschko_tsay, true},

@@ -170,5 +170,99 @@ TEST(ViscoelasticConstants, AreChecked) {
   EXPECT_THROW(solid_material_constants(material_of({}, bulk)), Error);
 }
 
+const std::vector<model::Relaxation> series{{1.5, 3}, {0.7, 40}};
+
+model::Material rubber(bool is_ogden, const std::vector<model::Relaxation>& relaxing) {
+  model::Material material;
+  material.id = 77;
+  material.density = 1e-9;
+  if (is_ogden) {
+    model::OgdenRubber law;
+    law.poissons_ratio = 0.49;
+    law.modulus = {0.6, -0.01};
+    law.exponent = {1.3, -2};
+    law.youngs_modulus = 2 * 0.4 * 1.49;
+    law.relaxing = relaxing;
+    material.law = law;
+  } else {
+    model::PolynomialRubber law;
+    law.poissons_ratio = 0.49;
+    law.c10 = 0.15;
+    law.c01 = 0.05;
+    law.youngs_modulus = 4 * 0.2 * 1.49;
+    law.relaxing = relaxing;
+    material.law = law;
+  }
+  return material;
+}
+
+/// A shear at a constant rate, then held: beside the stress of the rubber that of the series, for rubber of
+/// either kind.
+TEST_P(Viscous, RubberRelaxesBesideItsOwnStress) {
+  constexpr double amount = 1e-3;
+  constexpr double until = 0.2;
+  test::Largest off("rubber with a Prony series, sheared and held: shear stress beside its own, error over G",
+                    "convolution of the series", 1e-6);
+  for (const bool is_ogden : {false, true}) {
+    MotionDriver<double> point(rubber(is_ogden, series), GetParam());
+    MotionDriver<double> lasting(rubber(is_ogden, {}), GetParam());
+    for (int i = 1; i <= 100; ++i) {
+      const double time = 0.01 * i;
+      const double shear_now = amount * std::min(1.0, time / until);
+      const Matrix f{{{1, shear_now, 0}, {0, 1, 0}, {0, 0, 1}}};
+      point.move_to(f, 0.01);
+      lasting.move_to(f, 0.01);
+      const double held = std::max(0.0, time - until);
+      double exact = 0;
+      for (const model::Relaxation& term : series)
+        exact += amount / until * term.modulus / term.decay *
+                 (std::exp(-term.decay * held) - std::exp(-term.decay * time));
+      off.compare(point.stress()[3] - lasting.stress()[3], exact, amount * 2.2);
+    }
+  }
+}
+
+/// At once, in one step, the series adds its shear modulus, in the wave speed too, and turns with the body.
+TEST_P(Viscous, RubberIsStifferAtOnceAndTurns) {
+  for (const bool is_ogden : {false, true}) {
+    MotionDriver<double> point(rubber(is_ogden, series), GetParam());
+    MotionDriver<double> lasting(rubber(is_ogden, {}), GetParam());
+    const Matrix f{{{1.1, 0.2, 0}, {0, 0.95, 0}, {0, 0, 1}}};
+    for (MotionDriver<double>* const one : {&point, &lasting}) one->move_to(f, 0);
+    const double more = point.wave_speed() * point.wave_speed() - lasting.wave_speed() * lasting.wave_speed();
+    EXPECT_NEAR(more, 4.0 / 3.0 * 2.2 * 1.1 * 0.95 / 1e-9, 1e-3 * more);
+    const auto excess = [&] {
+      const Six a = point.stress();
+      const Six b = lasting.stress();
+      Six difference{};
+      for (std::size_t k = 0; k < 6; ++k) difference[k] = a[k] - b[k];
+      return difference;
+    };
+    const double before = equivalent(excess());
+    EXPECT_GT(before, 0.2);
+    EXPECT_NEAR(mean(excess()), 0, 1e-12);
+    // Turned by 90 degrees about z in no time: xx and yy change places.
+    const Six still = excess();
+    for (int i = 1; i <= 90; ++i) {
+      const double angle = std::numbers::pi / 180 * i;
+      const double c = std::cos(angle);
+      const double s = std::sin(angle);
+      const Matrix turned_body{
+          {{c * 1.1, c * 0.2 - s * 0.95, 0}, {s * 1.1, s * 0.2 + c * 0.95, 0}, {0, 0, 1}}};
+      point.move_to(turned_body, 0);
+      lasting.move_to(turned_body, 0);
+    }
+    EXPECT_NEAR(excess()[0], still[1], 1e-3 * before);
+    EXPECT_NEAR(excess()[1], still[0], 1e-3 * before);
+    EXPECT_NEAR(excess()[3], -still[3], 1e-3 * before);
+    // And it is gone after a long time.
+    for (int i = 0; i < 100; ++i) {
+      point.move_to({{{0, -0.95, 0}, {1.1, 0.2, 0}, {0, 0, 1}}}, 0.1);
+      lasting.move_to({{{0, -0.95, 0}, {1.1, 0.2, 0}, {0, 0, 1}}}, 0.1);
+    }
+    EXPECT_NEAR(equivalent(excess()), 0, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace crumple::materials::testing::viscoelastic_test

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_ADD_DAMAGE_GISSMO: a bar of solids is pulled apart in its middle, where the stress fades before
-// elements go: energy and momentum are kept.
+// *MAT_ADD_DAMAGE_GISSMO and *MAT_PLASTICITY_WITH_DAMAGE: a bar of solids is pulled apart in its middle,
+// where the stress fades before elements go: energy and momentum are kept.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "support/larger.hpp"
 #include "support/meshes.hpp"
@@ -18,17 +19,35 @@ constexpr double size = 2.0;
 constexpr double speed = 40.0;  // mm/ms each way
 constexpr Index length = 12;    // elements
 
-model::Model bar(model::SolidFormulation formulation) {
-  model::Model model = test::one_solid_part(test::elastic_steel());
-  model.solid_sections[0].formulation = formulation;
+model::Material with_gissmo() {
   model::Material middle = test::mild_steel();
-  middle.id = 2;
   middle.damage = model::GissmoDamage{.exponent = 2,
                                       .failure_strain = model::constant_family(0.06),
                                       .critical_strain = model::constant_family(0.03),
                                       .fading_exponent = model::constant_family(1.5),
                                       .size_factor = {}};
-  model.materials.push_back(middle);
+  return middle;
+}
+
+model::Material with_fading_law() {
+  model::Material middle = test::mild_steel();
+  model::PiecewiseLinearPlasticity law;
+  law.youngs_modulus = 207;
+  law.poissons_ratio = 0.3;
+  law.plastic_strain = {0, 10};
+  law.yield_stress = {0.25, 2.5};
+  law.damage_strain = {0, 0.03, 0.06};
+  law.damage = {0, 0, 1};
+  law.failure_strain = 0.06;
+  middle.law = law;
+  return middle;
+}
+
+model::Model bar(model::SolidFormulation formulation, model::Material middle) {
+  model::Model model = test::one_solid_part(test::elastic_steel());
+  model.solid_sections[0].formulation = formulation;
+  middle.id = 2;
+  model.materials.push_back(std::move(middle));
   model.parts.push_back({.id = 2, .title = "middle", .solid_section = 0, .material = 1});
   test::add_box(model, 0, length, 2, 2, [](double u, double v, double w) {
     return test::Point{(u - 0.5) * length * size, 2 * v * size, 2 * w * size};
@@ -58,7 +77,7 @@ class DamagedBar : public ::testing::TestWithParam<model::SolidFormulation> {};
 
 TEST_P(DamagedBar, KeepsEnergyAndMomentum) {
   for (const Precision precision : {Precision::Double, Precision::Mixed}) {
-    const model::Model model = bar(GetParam());
+    const model::Model model = bar(GetParam(), with_gissmo());
     timeloop::Simulation simulation(model, {precision, default_isa(), 1});
     const domain::Domain& domain = simulation.domain();
     double worst = 0;
@@ -78,6 +97,36 @@ TEST_P(DamagedBar, KeepsEnergyAndMomentum) {
     EXPECT_LT(worst_momentum, (exact ? 1e-11 : 1e-5) * domain.energy.initial_total / speed);
     test::verified(
         std::string("bar torn apart by damage, ") +
+            (GetParam() == model::SolidFormulation::OnePointHexahedron ? "ELFORM 1, " : "ELFORM 2, ") +
+            (exact ? "double" : "mixed") + ": energy over the initial one",
+        "conservation")
+        .below(worst, 1e-6);
+  }
+}
+
+TEST_P(DamagedBar, OfTheLawKeepsEnergyAndMomentum) {
+  for (const Precision precision : {Precision::Double, Precision::Mixed}) {
+    const model::Model model = bar(GetParam(), with_fading_law());
+    timeloop::Simulation simulation(model, {precision, default_isa(), 1});
+    const domain::Domain& domain = simulation.domain();
+    double worst = 0;
+    double worst_momentum = 0;
+    int fading = 0;
+    test::run(simulation, [&](const domain::Domain& now) {
+      worst = test::larger_of(worst, std::fabs(now.energy.imbalance()) / now.energy.initial_total);
+      worst_momentum = test::larger_of(worst_momentum, norm(test::momentum(now)));
+      const domain::SolidBlock& middle = now.solids[1];
+      const double plastic = middle.state(0, middle.find("plastic_strain")->first);
+      fading += plastic > 0.035 && plastic < 0.055 ? 1 : 0;
+    });
+    EXPECT_EQ(domain.solids[1].eroded, 8);
+    EXPECT_GT(fading, 5) << "it does not fail at once";
+    // As much as the strains up to the rupture take at the yield stress that is left, 0.25 (0.03 + 0.015).
+    EXPECT_GT(domain.energy.eroded, 0.25 * 0.04 * 8 * size * size * size);
+    const bool exact = precision == Precision::Double;
+    EXPECT_LT(worst_momentum, (exact ? 1e-11 : 1e-5) * domain.energy.initial_total / speed);
+    test::verified(
+        std::string("bar torn apart by the damage of its law, ") +
             (GetParam() == model::SolidFormulation::OnePointHexahedron ? "ELFORM 1, " : "ELFORM 2, ") +
             (exact ? "double" : "mixed") + ": energy over the initial one",
         "conservation")

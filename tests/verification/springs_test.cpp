@@ -191,6 +191,92 @@ TEST(Springs, NonlinearSpringStopsWhereItsIntegralSays) {
       .near(peak.time / time, 1, 1e-3);
 }
 
+/// A node that moves at a constant speed until a time and then stands still.
+model::Model pulled(const model::SpringLaw& law, double speed, double until) {
+  model::Model model = held_mass(law, 1.0, 0.0);
+  model.initial_velocities.clear();
+  const auto curve = static_cast<Index>(model.curves.size());
+  model.curves.push_back({9, {0, until, 1e3}, {0, speed * until, speed * until}});
+  model.prescribed_motions.push_back(
+      {.node = 0, .axis = 0, .kind = model::PrescribedMotion::Kind::Displacement, .curve = curve});
+  model.control.step_scale = 0.001;
+  return model;
+}
+
+double spring_force(const domain::Domain& domain) {
+  return domain.discretes[0].state(0, domain.discretes[0].find("force")->first);
+}
+
+TEST(Springs, MaxwellSpringRelaxesByItsExponential) {
+  constexpr double k0 = 5.0;
+  constexpr double ki = 2.0;
+  constexpr double beta = 3.0;
+  constexpr double speed = 2.0;
+  constexpr double until = 0.4;
+  model::Model model =
+      pulled(model::MaxwellSpring{.stiffness = k0, .final_stiffness = ki, .decay = beta}, speed, until);
+  model.control.end_time = 1.5;
+  timeloop::Simulation simulation(model, test::execution());
+  double worst = 0;
+  test::run(simulation, [&](const domain::Domain& domain) {
+    const double t = domain.clock.time;
+    const double pull = std::min(t, until);
+    // The integral of K(t - s) v over the pull, K = KI + (K0 - KI) exp(-beta s).
+    const double exact =
+        ki * speed * pull + (k0 - ki) * speed / beta * (std::exp(-beta * (t - pull)) - std::exp(-beta * t));
+    worst = test::larger_of(worst, std::fabs(spring_force(domain) - exact));
+  });
+  test::verified("Maxwell spring pulled, then held: force, error over K0 times the pull", "its exponentials")
+      .below(worst / (k0 * speed * until), simulation.domain().clock.step / until);
+  // All but what the lasting spring holds is gone in the end but exp(-3.3).
+  EXPECT_LT(spring_force(simulation.domain()), ki * speed * until + 0.05 * (k0 - ki));
+}
+
+TEST(Springs, MaxwellSpringWithoutDecayIsElasticAndEndsAtItsTime) {
+  model::Model model =
+      pulled(model::MaxwellSpring{.stiffness = 4, .final_stiffness = 1, .cut_off = 1.0, .cut_off_force = 0.7},
+             1.0, 0.5);
+  model.control.end_time = 0.9;
+  timeloop::Simulation elastic(model, test::execution());
+  test::run(elastic);
+  EXPECT_NEAR(spring_force(elastic.domain()), 4 * 0.5, 1e-9);
+  model.control.end_time = 1.1;
+  timeloop::Simulation cut(model, test::execution());
+  test::run(cut);
+  EXPECT_EQ(spring_force(cut.domain()), 0.7);
+}
+
+/// A mass runs into a spring that bears compression alone: it leaves with the elastic energy of unloading.
+TEST(Springs, InelasticSpringGivesBackItsElasticEnergyAlone) {
+  for (const bool tension : {false, true}) {
+    constexpr double unloading = 50.0;
+    // Away from the fixed end the element lengthens.
+    model::Model model = held_mass(model::InelasticSpring{0, unloading, tension}, 1.0, tension ? 4.0 : -4.0);
+    model.curves.push_back({1, {0, 0.5, 1}, {0, 10, 12}});
+    model.control.step_scale = 0.02;
+    model.control.end_time = 1.5;
+    timeloop::Simulation simulation(model, test::execution());
+    double deepest = 0;
+    double largest = 0;
+    test::run(simulation, [&](const domain::Domain& domain) {
+      const double along = (tension ? 1 : -1) * test::displacement(domain, 0).x;
+      deepest = test::larger_of(deepest, along);
+      largest = test::larger_of(largest, (tension ? 1 : -1) * spring_force(domain));
+    });
+    // Energy 8: the curve takes 2.5 up to 0.5, then 10 x + 2 x^2.
+    const double beyond = (-10 + std::sqrt(100 + 8 * 5.5)) / 4;
+    const double force = 10 + 4 * beyond;
+    const double back = force * force / (2 * unloading);
+    const domain::Domain& domain = simulation.domain();
+    const double v = domain.nodes.velocity[domain.nodes.domain_node[0]][0];
+    test::verified("inelastic spring: depth", "energy").within(deepest, 0.5 + beyond, 1e-3);
+    EXPECT_NEAR(largest, force, 1e-2);
+    test::verified("inelastic spring: energy given back", "F^2 / 2 KU").within(0.5 * v * v, back, 1e-2);
+    EXPECT_EQ(spring_force(domain), 0);
+    EXPECT_LT(std::fabs(domain.energy.imbalance()), 1e-2);
+  }
+}
+
 TEST(Springs, RateScalesTheForceOfANonlinearSpring) {
   // With a factor of 3 at any rate: a spring of three times the stiffness.
   model::Model model = held_mass(model::NonlinearSpring{0, 1}, 1.0, 4.0);

@@ -56,12 +56,15 @@ std::array<std::string, 2> suiting_laws(model::BeamFormulation formulation) {
     case model::BeamFormulation::Integrated:
       return {
           "*MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_PIECEWISE_LINEAR_PLASTICITY, "
-          "*MAT_POWER_LAW_PLASTICITY, *MAT_SIMPLIFIED_JOHNSON_COOK, *MAT_NULL or *MAT_RIGID",
+          "*MAT_PLASTICITY_WITH_DAMAGE, *MAT_POWER_LAW_PLASTICITY, *MAT_SIMPLIFIED_JOHNSON_COOK, *MAT_NULL "
+          "or "
+          "*MAT_RIGID",
           "beams integrated over their section (ELFORM 1, 4, 5) have these laws"};
     case model::BeamFormulation::Discrete:
       return {
           "*MAT_LINEAR_ELASTIC_DISCRETE_BEAM, *MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM, "
-          "*MAT_CABLE_DISCRETE_BEAM or *MAT_ELASTIC_SPRING_DISCRETE_BEAM",
+          "*MAT_CABLE_DISCRETE_BEAM, *MAT_ELASTIC_SPRING_DISCRETE_BEAM, "
+          "*MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM or *MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM",
           "discrete beams (ELFORM 6) have these laws"};
     case model::BeamFormulation::Truss:
       return {"*MAT_ELASTIC or *MAT_PLASTIC_KINEMATIC with VP = 0", "trusses have these laws"};

@@ -183,6 +183,34 @@ void take_factors(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law,
     }
 }
 
+/// LCDM: damage over the plastic strain behind EPPF, which the law has as its first strain. Where it reaches
+/// one the point fails.
+void take_damage_curve(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build) {
+  if (law.damage.empty() || raw.more_curves[0] == 0) return;
+  const Index index = find_points(build, {raw.more_curves[0], "LCDM", raw.curve_where});
+  if (index == no_index) return;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  const bool starts = curve.abscissa.front() == 0 && curve.ordinate.front() == 0;
+  const bool grows = std::is_sorted(curve.ordinate.begin(), curve.ordinate.end());
+  if (!starts || !grows || curve.ordinate.back() > 1) {
+    build.report.field_error(raw.curve_where,
+                             {"LCDM", std::to_string(curve.id), "a curve from (0, 0) on that does not fall",
+                              "it is the damage, up to 1, over the plastic strain behind EPPF", "damage"});
+    return;
+  }
+  const double begin = law.damage_strain.front();
+  law.damage_strain.front() = 0;
+  // With EPPF of zero the first point is there.
+  for (std::size_t i = begin > 0 ? 0 : 1; i < curve.abscissa.size(); ++i) {
+    law.damage_strain.push_back(begin + curve.abscissa[i]);
+    law.damage.push_back(curve.ordinate[i]);
+    if (curve.ordinate[i] < 1) continue;
+    const double ruptured = law.damage_strain.back();
+    law.failure_strain = law.failure_strain > 0 ? std::min(law.failure_strain, ruptured) : ruptured;
+    break;
+  }
+}
+
 /// LCID of crushable foam: the yield stress over the crushed volume.
 void take_crush(const RawMaterial& raw, model::CrushableFoam& law, Build& build) {
   if (raw.hardening_curve == 0) return;
@@ -267,6 +295,18 @@ Index direction_curve(const RawDirectionCurve& raw, Build& build) {
   return index;
 }
 
+/// A curve of unloading, which rises: its inverse is needed where it is shifted.
+Index unloading_curve(const RawDirectionCurve& raw, const model::DiscreteBeamLaw& law, Build& build) {
+  const Index index = direction_curve(raw, build);
+  if (index == no_index || law.unloading != model::DiscreteBeamLaw::Unloading::Curve) return index;
+  const std::vector<double>& force = build.model.curves[static_cast<std::size_t>(index)].ordinate;
+  if (std::adjacent_find(force.begin(), force.end(), std::greater_equal<>()) != force.end())
+    build.report.field_error(raw.where,
+                             {raw.field, std::to_string(raw.id), "a curve that rises throughout",
+                              "unloading follows it from any point of the curve of loading", "unloading"});
+  return index;
+}
+
 void take_direction_curves(const RawMaterial& raw, model::DiscreteBeamLaw& law, Build& build) {
   if (law.kind == model::DiscreteBeamLaw::Kind::Cable) {
     law.stress_curve = direction_curve(raw.direction_curves[0], build);
@@ -275,6 +315,10 @@ void take_direction_curves(const RawMaterial& raw, model::DiscreteBeamLaw& law, 
   for (std::size_t i = 0; i < law.direction.size(); ++i) {
     law.direction[i].curve = direction_curve(raw.direction_curves[i], build);
     law.direction[i].damping_curve = direction_curve(raw.damping_curves[i], build);
+    law.direction[i].unloading_curve = unloading_curve(raw.unloading_curves[i], law, build);
+    const RawDirectionCurve& factors = raw.damping_factors[i];
+    if (factors.id != 0)
+      law.direction[i].damping_factor = find_points(build, {factors.id, factors.field, factors.where});
   }
 }
 
@@ -324,6 +368,20 @@ Index spring_curve(const RawSpringMaterial& raw, UserId id, std::string_view fie
   return index;
 }
 
+/// LCFD: forces and deformations without a sign, from the origin on.
+Index one_sided_curve(const RawSpringMaterial& raw, Build& build) {
+  if (raw.curve == 0) return no_index;
+  const Index index = find_points(build, {raw.curve, raw.curve_field, raw.where});
+  if (index == no_index) return no_index;
+  const model::Curve& curve = build.model.curves[static_cast<std::size_t>(index)];
+  const bool starts = curve.abscissa.front() == 0 && curve.ordinate.front() == 0;
+  if (!starts || *std::min_element(curve.ordinate.begin(), curve.ordinate.end()) < 0)
+    build.report.field_error(raw.where, {raw.curve_field, std::to_string(raw.curve),
+                                         "a curve from (0, 0) on with forces not below zero",
+                                         "it holds for the direction of CTF, without signs", "curve"});
+  return index;
+}
+
 /// Materials of springs and dampers, behind the others.
 void build_spring_materials(Build& build) {
   model::Model& model = build.model;
@@ -338,6 +396,8 @@ void build_spring_materials(Build& build) {
         spring->rate_curve = find_points(build, {raw.rate_curve, raw.rate_field, raw.where});
     } else if (auto* damper = std::get_if<model::NonlinearDamper>(&law)) {
       damper->curve = spring_curve(raw, raw.curve, raw.curve_field, build);
+    } else if (auto* inelastic = std::get_if<model::InelasticSpring>(&law)) {
+      inelastic->curve = one_sided_curve(raw, build);
     }
   }
 }
@@ -404,6 +464,7 @@ void build_properties(Build& build, const ReadOptions& options) {
     if (auto* law = std::get_if<model::PiecewiseLinearPlasticity>(&model.materials.back().law)) {
       take_hardening(raw, *law, build);
       take_factors(raw, *law, build);
+      take_damage_curve(raw, *law, build);
     }
     if (auto* law = std::get_if<model::SheetPlasticity>(&model.materials.back().law))
       take_hardening(raw, *law, build);

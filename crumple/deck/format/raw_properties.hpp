@@ -83,7 +83,10 @@ struct RawMaterial {
   UserId rate_curve = 0;
   std::array<RawDirectionCurve, 6> direction_curves{};  ///< of discrete beams; of cables the first: stresses
   std::array<RawDirectionCurve, 6> damping_curves{};
-  std::array<UserId, 8> more_curves{};     ///< of honeycomb: aa, bb, cc, ab, bc, ca, factor over the rate
+  std::array<RawDirectionCurve, 6> damping_factors{};
+  std::array<RawDirectionCurve, 6> unloading_curves{};
+  /// Of honeycomb: aa, bb, cc, ab, bc, ca, factor over the rate. Of plasticity with damage: LCDM.
+  std::array<UserId, 8> more_curves{};
   std::array<double, 2> gauge{};           ///< length and cross section of the specimen of a test
   std::array<UserId, 2> leakage_curves{};  ///< of fabric: FLC over time, FAC over pressure
   Where where;

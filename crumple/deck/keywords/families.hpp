@@ -46,6 +46,8 @@ void read_mat_linear_elastic_discrete_beam(Cards& cards, RawDeck& deck);
 void read_mat_nonlinear_elastic_discrete_beam(Cards& cards, RawDeck& deck);
 void read_mat_cable_discrete_beam(Cards& cards, RawDeck& deck);
 void read_mat_elastic_spring_discrete_beam(Cards& cards, RawDeck& deck);
+void read_mat_general_nonlinear_6dof(Cards& cards, RawDeck& deck);
+void read_mat_general_nonlinear_1dof(Cards& cards, RawDeck& deck);
 // read_spot_weld_materials.cpp
 void read_mat_spotweld(Cards& cards, RawDeck& deck);
 void read_mat_spotweld_damage_failure(Cards& cards, RawDeck& deck);
@@ -60,6 +62,8 @@ void read_mat_damper_viscous(Cards& cards, RawDeck& deck);
 void read_mat_spring_elastoplastic(Cards& cards, RawDeck& deck);
 void read_mat_spring_nonlinear_elastic(Cards& cards, RawDeck& deck);
 void read_mat_damper_nonlinear_viscous(Cards& cards, RawDeck& deck);
+void read_mat_spring_maxwell(Cards& cards, RawDeck& deck);
+void read_mat_spring_inelastic(Cards& cards, RawDeck& deck);
 
 // read_parts.cpp
 void read_part(Cards& cards, RawDeck& deck);
@@ -82,6 +86,7 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck);
 void read_mat_isotropic_elastic_plastic(Cards& cards, RawDeck& deck);
 void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_modified_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
+void read_mat_plasticity_with_damage(Cards& cards, RawDeck& deck);
 // read_rate_materials.cpp
 void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_johnson_cook(Cards& cards, RawDeck& deck);

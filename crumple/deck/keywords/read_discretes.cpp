@@ -65,6 +65,21 @@ constexpr Field elastoplastic_card[] = {id("MID"), real("K", 0, above_zero), rea
                                         real("FY", 0, above_zero)};
 constexpr Field nonlinear_card[] = {id("MID"), id("LCD"), reference("LCR")};
 constexpr Field nonlinear_damper_card[] = {id("MID"), id("LCDR")};
+constexpr Field maxwell_card[] = {
+    id("MID"),
+    real("K0", 0, above_zero),
+    real("KI", 0, not_negative),
+    real("BETA", 0, not_negative),
+    real_or_default("TC", 1e20, above_zero),
+    real("FC"),
+    only("COPT", {0}, "the stiffness relaxes from the deformation on, not by the time of the run"),
+};
+constexpr Field inelastic_card[] = {
+    id("MID"),
+    id("LCFD", IdKind::Function),
+    real("KU", 0, not_negative),
+    only("CTF", {0, -1, 1}, "-1 bears tension alone, 1 and 0 compression alone"),
+};
 
 /// Reads the cards of a material of one card each; `make` takes the law from it.
 template <class Make>
@@ -182,6 +197,28 @@ void read_mat_damper_nonlinear_viscous(Cards& cards, RawDeck& deck) {
     raw.material.law = model::NonlinearDamper{};
     raw.curve = card.good("LCDR") ? card.integer("LCDR") : 0;
     raw.curve_field = "LCDR";
+  });
+}
+
+void read_mat_spring_maxwell(Cards& cards, RawDeck& deck) {
+  read_springs(cards, deck, maxwell_card, [&](const Card& card, RawSpringMaterial& raw) {
+    raw.material.law = model::MaxwellSpring{.stiffness = card.real("K0"),
+                                            .final_stiffness = card.real("KI"),
+                                            .decay = card.real("BETA"),
+                                            .cut_off = card.real("TC"),
+                                            .cut_off_force = card.real("FC")};
+    if (card.good("K0") && card.good("KI") && card.real("KI") > card.real("K0"))
+      cards.report().field_error(card.where(), {"KI", std::string(card.text("KI")), "a number not above K0",
+                                                "the stiffness falls from K0 to KI", "relaxation"});
+  });
+}
+
+void read_mat_spring_inelastic(Cards& cards, RawDeck& deck) {
+  read_springs(cards, deck, inelastic_card, [](const Card& card, RawSpringMaterial& raw) {
+    raw.material.law =
+        model::InelasticSpring{.unloading_stiffness = card.real("KU"), .tension = card.real("CTF") < 0};
+    raw.curve = card.good("LCFD") ? card.integer("LCFD") : 0;
+    raw.curve_field = "LCFD";
   });
 }
 

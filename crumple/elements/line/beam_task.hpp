@@ -94,6 +94,7 @@ inline constexpr Index reference = axes + 6;    ///< from node to node at time z
 inline constexpr Index deformation = reference + 3;  ///< displacements along, turns about r, s, t
 inline constexpr Index resultant = deformation + 6;  ///< forces along, moments about them
 inline constexpr Index energy = resultant + 6;       ///< internal energy of the element and a zero
+inline constexpr Index history = energy + 2;         ///< of laws that unload on a path of their own
 }  // namespace discrete_beam_state
 
 /// One chunk of one block.

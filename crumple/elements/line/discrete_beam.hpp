@@ -25,6 +25,7 @@ struct DiscreteRows {
   alignas(cache_line) double displacement[discrete_directions][width_of<Pack>];
   alignas(cache_line) double before[discrete_directions][width_of<Pack>];
   alignas(cache_line) double force[discrete_directions][width_of<Pack>];
+  alignas(cache_line) double history[discrete_directions * discrete_history][width_of<Pack>];
   alignas(cache_line) double free_length[width_of<Pack>];
   alignas(cache_line) double intact[width_of<Pack>];
 };
@@ -86,6 +87,10 @@ CRUMPLE_INLINE Pack respond(const BeamPlace& place, const DiscreteBeamResponse& 
     store(rows.displacement[i], select<Pack>(active > zero, load<Pack>(rows.displacement[i]), zero));
     store(rows.before[i], beam_item<Pack>(place, discrete_beam_state::deformation + i));
   }
+  constexpr Index memory = discrete_directions * discrete_history;
+  if (law.has_history())
+    for (Index i = 0; i < memory; ++i)
+      store(rows.history[i], beam_item<Pack>(place, discrete_beam_state::history + i));
   store(rows.free_length, beam_item<Pack>(place, discrete_beam_state::reference));
   law.forces({.width = width_of<Pack>,
               .time = place.task.time,
@@ -93,8 +98,12 @@ CRUMPLE_INLINE Pack respond(const BeamPlace& place, const DiscreteBeamResponse& 
               .displacement = rows.displacement[0],
               .before = rows.before[0],
               .free_length = rows.free_length,
+              .history = rows.history[0],
               .force = rows.force[0],
               .intact = rows.intact});
+  if (law.has_history())
+    for (Index i = 0; i < memory; ++i)
+      set_beam_item(place, discrete_beam_state::history + i, load<Pack>(rows.history[i]));
   const Pack intact = active * load<Pack>(rows.intact);
   Pack work = zero;
   for (Index i = 0; i < discrete_directions; ++i) {

@@ -44,6 +44,20 @@ double append_curve(const model::Model& model, Index curve, std::vector<double>&
   return slope;
 }
 
+/// The same of factors, which are no forces: the curve as it is, and its largest amount.
+void append_factors(const model::Model& model, Index curve, std::vector<double>& numbers) {
+  if (curve == no_index) {
+    numbers.insert(numbers.end(), {1, 0});
+    return;
+  }
+  const model::Curve& points = model.curves[static_cast<std::size_t>(curve)];
+  double most = 0;
+  for (const double y : points.ordinate) most = std::max(most, std::fabs(y));
+  numbers.insert(numbers.end(), {most, static_cast<double>(points.abscissa.size())});
+  numbers.insert(numbers.end(), points.abscissa.begin(), points.abscissa.end());
+  numbers.insert(numbers.end(), points.ordinate.begin(), points.ordinate.end());
+}
+
 /// Reads what append_curve() has left.
 SlopedCurve next_curve(const double*& at, double& slope) {
   slope = at[0];
@@ -57,14 +71,21 @@ SlopedCurve next_curve(const double*& at, double& slope) {
 
 std::vector<double> discrete_beam_numbers(const model::DiscreteBeamLaw& law, const model::Model& model,
                                           const model::DiscreteBeamData& data) {
-  std::vector<double> numbers{static_cast<double>(law.kind), law.youngs_modulus * data.cable_area,
-                              data.cable_area, law.ramp_time};
+  std::vector<double> numbers{static_cast<double>(law.kind),
+                              law.youngs_modulus * data.cable_area,
+                              data.cable_area,
+                              law.ramp_time,
+                              static_cast<double>(law.unloading),
+                              law.permanent_share,
+                              law.joint_failure ? 1.0 : 0.0};
   append_curve(model, law.stress_curve, numbers);
   for (const model::DiscreteBeamDirection& one : law.direction) {
-    numbers.insert(numbers.end(),
-                   {one.stiffness, one.damping, one.preload, one.tensile_limit, one.compressive_limit});
+    numbers.insert(numbers.end(), {one.stiffness, one.damping, one.preload, one.tensile_limit,
+                                   one.compressive_limit, one.unloading_stiffness});
     append_curve(model, one.curve, numbers);
     append_curve(model, one.damping_curve, numbers);
+    append_factors(model, one.damping_factor, numbers);
+    append_curve(model, one.unloading_curve == no_index ? one.curve : one.unloading_curve, numbers);
   }
   return numbers;
 }
@@ -73,8 +94,11 @@ DiscreteBeamResponse::DiscreteBeamResponse(const double* numbers)
     : kind_(static_cast<model::DiscreteBeamLaw::Kind>(static_cast<int>(numbers[0]))),
       axial_stiffness_(numbers[1]),
       area_(numbers[2]),
-      ramp_time_(numbers[3]) {
-  const double* at = numbers + 4;
+      ramp_time_(numbers[3]),
+      unloading_(static_cast<Unloading>(static_cast<int>(numbers[4]))),
+      permanent_share_(numbers[5]),
+      joint_failure_(numbers[6] != 0) {
+  const double* at = numbers + 7;
   stress_ = next_curve(at, steepest_stress_);
   for (Direction& one : directions_) {
     one.stiffness = at[0];
@@ -82,25 +106,91 @@ DiscreteBeamResponse::DiscreteBeamResponse(const double* numbers)
     one.preload = at[2];
     one.tensile_limit = at[3];
     one.compressive_limit = at[4];
-    at += 5;
+    one.unloading_stiffness = at[5];
+    at += 6;
     double slope = 0;
+    double factor = 0;
+    double back = 0;
     one.curve = next_curve(at, slope);
+    double damping = 0;
+    one.damping_curve = next_curve(at, damping);
+    one.damping_factor = next_curve(at, factor);
+    one.most_damping = one.damping + factor * damping;
+    one.unloading_curve = next_curve(at, back);
     one.most_stiffness = std::fabs(one.stiffness) + slope;
-    one.damping_curve = next_curve(at, slope);
-    one.most_damping = one.damping + slope;
+    if (unloading_ == Unloading::None) continue;
+    // Loading is to follow its curve.
+    one.unloading_stiffness = std::max({one.unloading_stiffness, slope, back});
+    // The parabola is twice as steep as the straight line between its ends.
+    if (unloading_ == Unloading::Quadratic) back = 2 * slope / (1 - permanent_share_);
+    if (unloading_ == Unloading::Stiffness) back = std::max(back, one.unloading_stiffness);
+    one.most_stiffness = std::fabs(one.stiffness) + std::max(slope, back);
   }
 }
 
-double DiscreteBeamResponse::Direction::force(double displacement, double rate, double share) const {
+double DiscreteBeamResponse::Direction::force(double displacement, double rate, double share,
+                                              double by_curve) const {
   double sum = share * preload + stiffness * displacement + damping * rate;
-  if (!curve.empty()) sum += curve.at(displacement);
-  if (!damping_curve.empty()) sum += damping_curve.at(rate);
-  return sum;
+  if (!curve.empty()) sum += by_curve;
+  if (damping_curve.empty()) return sum;
+  const double factor = damping_factor.empty() ? 1.0 : damping_factor.at(displacement);
+  return sum + factor * damping_curve.at(rate);
 }
 
-bool DiscreteBeamResponse::Direction::holds(double displacement) const {
-  return (tensile_limit == 0 || displacement < tensile_limit) &&
-         (compressive_limit == 0 || displacement > -compressive_limit);
+double DiscreteBeamResponse::Direction::tension(double displacement) const {
+  if (tensile_limit == 0 || displacement <= 0) return 0;
+  return (displacement / tensile_limit) * (displacement / tensile_limit);
+}
+
+double DiscreteBeamResponse::Direction::compression(double displacement) const {
+  if (compressive_limit == 0 || displacement >= 0) return 0;
+  return (displacement / compressive_limit) * (displacement / compressive_limit);
+}
+
+/// The unloading curve from what remains of the displacement of this sign, `history`, at most the loading
+/// curve, which moves it.
+double DiscreteBeamResponse::shifted_force(const Direction& one, double displacement, double* history,
+                                           int stride) const {
+  double& remains = history[displacement < 0 ? stride : 0];
+  const double sign = displacement < 0 ? -1 : 1;
+  const double most = sign * one.curve.at(displacement);
+  const double elastic = sign * one.unloading_curve.at(displacement - remains);
+  if (elastic <= most) return sign * std::max(elastic, 0.0);
+  if (most > 0) remains = displacement - one.unloading_curve.inverse(sign * most);
+  return sign * most;
+}
+
+/// A parabola between the largest displacement of this sign, `history`, and the share of it that remains.
+double DiscreteBeamResponse::quadratic_force(const Direction& one, double displacement, double* history,
+                                             int stride) const {
+  double& largest = history[displacement < 0 ? stride : 0];
+  if (std::fabs(displacement) >= std::fabs(largest)) {
+    largest = displacement;
+    return one.curve.at(displacement);
+  }
+  const double remains = permanent_share_ * largest;
+  const double share = (displacement - remains) / (largest - remains);
+  return share > 0 ? share * share * one.curve.at(largest) : 0;
+}
+
+double DiscreteBeamResponse::curve_force(const Direction& one, double before, double now, double* history,
+                                         int stride) const {
+  switch (unloading_) {
+    case Unloading::Curve:
+      return shifted_force(one, now, history, stride);
+    case Unloading::Quadratic:
+      return quadratic_force(one, now, history, stride);
+    case Unloading::Stiffness: {
+      // Between both curves, which meet at the origin, with the stiffness from the force before.
+      const double a = one.curve.at(now);
+      const double b = one.unloading_curve.at(now);
+      const double elastic = history[0] + one.unloading_stiffness * (now - before);
+      history[0] = std::clamp(elastic, std::min(a, b), std::max(a, b));
+      return history[0];
+    }
+    default:
+      return one.curve.at(now);
+  }
 }
 
 double DiscreteBeamResponse::preload_share(double time) const {
@@ -119,7 +209,8 @@ void DiscreteBeamResponse::forces(const DiscreteBeamStep& step) const {
   const double share = preload_share(step.time);
   const int used = kind_ == Kind::Axes ? discrete_directions : 1;
   for (int lane = 0; lane < step.width; ++lane) {
-    bool intact = true;
+    double tension = 0;
+    double compression = 0;
     for (int i = 0; i < discrete_directions; ++i) {
       const int at = i * step.width + lane;
       step.force[at] = 0;
@@ -127,15 +218,21 @@ void DiscreteBeamResponse::forces(const DiscreteBeamStep& step) const {
       const Direction& one = directions_[static_cast<std::size_t>(i)];
       const double displacement = step.displacement[at];
       const double rate = step.step > 0 ? (displacement - step.before[at]) / step.step : 0.0;
-      step.force[at] = one.force(displacement, rate, share);
+      double* const history =
+          has_history() ? step.history + (discrete_history * i * step.width + lane) : nullptr;
+      const double by_curve =
+          one.curve.empty() ? 0 : curve_force(one, step.before[at], displacement, history, step.width);
+      step.force[at] = one.force(displacement, rate, share, by_curve);
       if (kind_ == Kind::Cable) {
         const double strain = displacement / step.free_length[lane];
         step.force[at] += stress_.empty() ? axial_stiffness_ * strain : area_ * stress_.at(strain);
         step.force[at] = std::max(0.0, step.force[at]);
       }
-      intact = intact && one.holds(displacement);
+      tension += one.tension(displacement);
+      compression += one.compression(displacement);
     }
-    step.intact[lane] = intact ? 1 : 0;
+    const double most = joint_failure_ ? tension + compression : std::max(tension, compression);
+    step.intact[lane] = most < 1 ? 1 : 0;
   }
 }
 

@@ -65,9 +65,13 @@ void add_discrete_forces(domain::Domain& domain, DiscreteBlock& block, const dom
     const Motion motion = motion_of(domain, block, place);
     DiscreteHistory history{block.state(place, item::plastic), block.state(place, item::hardening)};
     const double before = block.state(place, item::force);
-    const double force =
-        block.state(place, item::scale) * law.force(motion.deformation, motion.rate, history);
     const double change = motion.deformation - block.state(place, item::deformation);
+    const double force = block.state(place, item::scale) * law.force({.deformation = motion.deformation,
+                                                                      .change = change,
+                                                                      .rate = motion.rate,
+                                                                      .time = domain.clock.time,
+                                                                      .step = domain.clock.step},
+                                                                     history);
     const auto group = static_cast<std::size_t>(place / lanes);
     const double step = block.state(place, item::stable_step);
     block.energy[group].internal += 0.5 * (before + force) * change;

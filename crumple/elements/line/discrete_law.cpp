@@ -5,6 +5,8 @@
 #include <cmath>
 #include <variant>
 
+#include "math/relaxation.hpp"
+
 namespace crumple::elements {
 namespace {
 
@@ -29,6 +31,11 @@ struct Parts {
   double damping = 0;
   double yield_force = 0;
   double plastic_modulus = 0;
+  double relaxing = 0;
+  double decay = 0;
+  double cut_off = 0;
+  double cut_off_force = 0;
+  double side = 0;
   const model::Curve* spring = nullptr;
   const model::Curve* damper = nullptr;
   const model::Curve* rate_factor = nullptr;
@@ -60,6 +67,20 @@ struct PartsOf {
     parts.damping = steepest(*parts.damper);
     return parts;
   }
+  Parts operator()(const model::MaxwellSpring& law) const {
+    return {.stiffness = law.stiffness,
+            .relaxing = law.stiffness - law.final_stiffness,
+            .decay = law.decay,
+            .cut_off = law.cut_off,
+            .cut_off_force = law.cut_off_force};
+  }
+  Parts operator()(const model::InelasticSpring& law) const {
+    Parts parts;
+    parts.side = law.tension ? 1 : -1;
+    parts.spring = &model.curves[law.curve];
+    parts.stiffness = std::max(law.unloading_stiffness, steepest(*parts.spring));
+    return parts;
+  }
 };
 
 }  // namespace
@@ -71,9 +92,18 @@ double SlopedCurve::at(double x) const {
   return y_[i - 1] + share * (y_[i] - y_[i - 1]);
 }
 
+double SlopedCurve::inverse(double y) const {
+  const double* const above = std::upper_bound(y_ + 1, y_ + size_ - 1, y);
+  const auto i = above - y_;
+  const double share = (y - y_[i - 1]) / (y_[i] - y_[i - 1]);
+  return x_[i - 1] + share * (x_[i] - x_[i - 1]);
+}
+
 std::vector<double> discrete_law_numbers(const model::SpringLaw& law, const model::Model& model) {
   const Parts parts = std::visit(PartsOf{model}, law);
-  std::vector<double> numbers{parts.stiffness, parts.damping, parts.yield_force, parts.plastic_modulus};
+  std::vector<double> numbers{parts.stiffness,       parts.damping,       parts.yield_force,
+                              parts.plastic_modulus, parts.relaxing,      parts.decay,
+                              parts.cut_off,         parts.cut_off_force, parts.side};
   for (const model::Curve* const curve : {parts.spring, parts.damper, parts.rate_factor}) {
     numbers.push_back(curve == nullptr ? 0 : static_cast<double>(curve->abscissa.size()));
     if (curve == nullptr) continue;
@@ -84,8 +114,16 @@ std::vector<double> discrete_law_numbers(const model::SpringLaw& law, const mode
 }
 
 DiscreteLaw::DiscreteLaw(const std::vector<double>& numbers)
-    : stiffness_(numbers[0]), damping_(numbers[1]), yield_force_(numbers[2]), plastic_modulus_(numbers[3]) {
-  std::size_t at = 4;
+    : stiffness_(numbers[0]),
+      damping_(numbers[1]),
+      yield_force_(numbers[2]),
+      plastic_modulus_(numbers[3]),
+      relaxing_(numbers[4]),
+      decay_(numbers[5]),
+      cut_off_(numbers[6]),
+      cut_off_force_(numbers[7]),
+      side_(numbers[8]) {
+  std::size_t at = 9;
   for (SlopedCurve* const curve : {&spring_, &damper_, &rate_factor_}) {
     const auto size = static_cast<std::size_t>(numbers[at++]);
     *curve = SlopedCurve(numbers.data() + at, size);
@@ -103,13 +141,36 @@ double DiscreteLaw::plastic_force(double deformation, DiscreteHistory& history) 
   return trial - std::copysign(stiffness_ * flow, trial);
 }
 
-double DiscreteLaw::force(double deformation, double rate, DiscreteHistory& history) const {
-  if (yield_force_ > 0) return plastic_force(deformation, history);
-  if (!damper_.empty()) return damper_.at(rate);
-  if (damping_ > 0) return damping_ * rate;
-  if (spring_.empty()) return stiffness_ * deformation;
-  const double factor = rate_factor_.empty() ? 1.0 : rate_factor_.at(rate);
-  return factor * spring_.at(deformation);
+/// The spring in series with the damper has relaxed by what the damper has moved, `history.plastic`.
+double DiscreteLaw::relaxing_force(const DiscreteMotion& motion, DiscreteHistory& history) const {
+  if (motion.time >= cut_off_) return cut_off_force_;
+  const math::Relaxation step = math::relaxation(1, decay_, motion.step);
+  const double before = motion.deformation - motion.change - history.plastic;
+  const double elastic = (1 - step.lost) * before + step.gained * motion.change;
+  history.plastic = motion.deformation - elastic;
+  return (stiffness_ - relaxing_) * motion.deformation + relaxing_ * elastic;
+}
+
+/// Elastic from the deformation that remains, `history.plastic`, up to the curve, which moves it.
+double DiscreteLaw::one_sided_force(double deformation, DiscreteHistory& history) const {
+  const double along = side_ * deformation;
+  const double elastic = stiffness_ * (along - history.plastic);
+  if (elastic <= 0) return 0;
+  const double most = spring_.at(along);
+  if (elastic <= most) return side_ * elastic;
+  history.plastic = along - most / stiffness_;
+  return side_ * most;
+}
+
+double DiscreteLaw::force(const DiscreteMotion& motion, DiscreteHistory& history) const {
+  if (yield_force_ > 0) return plastic_force(motion.deformation, history);
+  if (cut_off_ > 0) return relaxing_force(motion, history);
+  if (side_ != 0) return one_sided_force(motion.deformation, history);
+  if (!damper_.empty()) return damper_.at(motion.rate);
+  if (damping_ > 0) return damping_ * motion.rate;
+  if (spring_.empty()) return stiffness_ * motion.deformation;
+  const double factor = rate_factor_.empty() ? 1.0 : rate_factor_.at(motion.rate);
+  return factor * spring_.at(motion.deformation);
 }
 
 }  // namespace crumple::elements

@@ -17,6 +17,8 @@ class SlopedCurve {
 
   bool empty() const { return size_ == 0; }
   double at(double x) const;
+  /// Where the value is y, of a curve that rises.
+  double inverse(double y) const;
 
  private:
   const double* x_ = nullptr;
@@ -24,9 +26,18 @@ class SlopedCurve {
   std::size_t size_ = 0;
 };
 
+/// The motion of a step of a spring or damper.
+struct DiscreteMotion {
+  double deformation = 0;  ///< at its end
+  double change = 0;       ///< of the deformation in the step
+  double rate = 0;         ///< of the deformation
+  double time = 0;         ///< at its end
+  double step = 0;         ///< may be 0
+};
+
 /// What a spring or damper remembers between two steps.
 struct DiscreteHistory {
-  double plastic = 0;    ///< plastic deformation
+  double plastic = 0;    ///< plastic deformation, or that of a damper in series with a spring
   double hardening = 0;  ///< sum of its amounts
 };
 
@@ -39,8 +50,8 @@ class DiscreteLaw {
  public:
   explicit DiscreteLaw(const std::vector<double>& numbers);
 
-  /// The force at a deformation and its rate; brings the history up to date.
-  double force(double deformation, double rate, DiscreteHistory& history) const;
+  /// The force at the end of the step; brings the history up to date.
+  double force(const DiscreteMotion& motion, DiscreteHistory& history) const;
   /// Largest stiffness there can be, zero of a damper.
   double stiffness() const { return stiffness_; }
   /// Largest damping there can be, zero of a spring.
@@ -48,11 +59,18 @@ class DiscreteLaw {
 
  private:
   double plastic_force(double deformation, DiscreteHistory& history) const;
+  double relaxing_force(const DiscreteMotion& motion, DiscreteHistory& history) const;
+  double one_sided_force(double deformation, DiscreteHistory& history) const;
 
   double stiffness_ = 0;
   double damping_ = 0;
   double yield_force_ = 0;      ///< zero: does not yield
   double plastic_modulus_ = 0;  ///< yield force over plastic deformation
+  double relaxing_ = 0;         ///< stiffness that goes with time; zero: none
+  double decay_ = 0;
+  double cut_off_ = 0;
+  double cut_off_force_ = 0;
+  double side_ = 0;  ///< 1: bears tension alone, -1: compression alone; 0: both
   SlopedCurve spring_, damper_, rate_factor_;
 };
 

@@ -18,4 +18,17 @@ struct HistoryView {
   CRUMPLE_INLINE Real* at(int component) const { return first + component * lanes; }
 };
 
+/// The stress that a law goes on from: where it fades with the plastic strain the state has what is left of
+/// it.
+template <class Law, class Stress, class Real>
+CRUMPLE_INLINE Stress own_stress([[maybe_unused]] const Law& law, const Stress& stress,
+                                 [[maybe_unused]] const HistoryView<Real>& history) {
+  if constexpr (requires { law.left(history); }) {
+    const auto left = law.left(history);
+    return scaled(stress, decltype(left)(decltype(left)(Real(1)) / left));
+  } else {
+    return stress;
+  }
+}
+
 }  // namespace crumple::materials

@@ -35,6 +35,11 @@ CRUMPLE_INLINE void store_five(RealOf<decltype(Five::xx)>* to, Index stride, con
   store(to + 4 * stride, value.zx);
 }
 
+template <class Pack>
+CRUMPLE_INLINE PlaneStress<Pack> scaled(const PlaneStress<Pack>& stress, const Pack& factor) {
+  return {factor * stress.xx, factor * stress.yy, factor * stress.xy, factor * stress.yz, factor * stress.zx};
+}
+
 /// Half of a stress times a strain increment [energy/volume].
 template <class Pack>
 CRUMPLE_INLINE Pack half_work(const PlaneStress<Pack>& stress, const PlaneStrain<Pack>& strain) {

@@ -40,6 +40,12 @@ CRUMPLE_INLINE void store_six(RealOf<decltype(Six::xx)>* to, Index stride, const
   store(to + 5 * stride, value.zx);
 }
 
+template <class Pack>
+CRUMPLE_INLINE SolidStress<Pack> scaled(const SolidStress<Pack>& stress, const Pack& factor) {
+  return {factor * stress.xx, factor * stress.yy, factor * stress.zz,
+          factor * stress.xy, factor * stress.yz, factor * stress.zx};
+}
+
 /// Work density of the mean of two stresses on a strain increment [energy/volume].
 template <class Pack>
 CRUMPLE_INLINE Pack mean_work(const SolidStress<Pack>& a, const SolidStress<Pack>& b,

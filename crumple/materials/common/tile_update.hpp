@@ -24,6 +24,8 @@
 //   Pack judge(history) const                        1 where the point has failed, which stays so, else 0
 //   void fail(history, mask) const                   makes it fail with the element
 //   Real failing_points(int) const                   of so many points that make the element fail
+// and, if the stress fades with the plastic strain,
+//   Pack left(history) const                         share of the law's own stress that the point still has
 // Elements hardly ever yield all at once: the trial is made for all points of a pack first, and one test
 // decides whether any of them needs the correction. It then makes the trial again: that is cheaper than to
 // keep it.
@@ -86,10 +88,11 @@ struct PointUpdate {
   /// The elastic step of one point.
   CRUMPLE_INLINE Stress elastic_step(int p, const Strain& of) {
     const Stress old = stress(p);
-    const Stress now = law.elasticity.stress(old, of);
+    const Stress own = own_stress(law, old, history(p));
+    const Stress now = law.elasticity.stress(own, of);
     if constexpr (requires { law.follow(history(p), of); }) law.follow(history(p), of);
     energy = multiply_add(share(p), mean_work(old, now, of), energy);
-    count_thickness(p, old, now, Pack(Real(0)));
+    count_thickness(p, own, now, Pack(Real(0)));
     set_stress(p, now);
     return now;
   }
@@ -103,11 +106,21 @@ struct PointUpdate {
     set_stress(p, now);
   }
 
+  /// Takes the damage of the step's end from the law's own stress: the thickness follows the latter.
+  CRUMPLE_INLINE void fade(int p) {
+    const Stress own = stress(p);
+    const Stress now = scaled(own, law.left(history(p)));
+    const Stress change{now.xx - own.xx, now.yy - own.yy, now.xy - own.xy, now.yz - own.yz, now.zx - own.zx};
+    energy = multiply_add(share(p), half_work(change, strain(p)), energy);
+    set_stress(p, now);
+  }
+
   /// Counts the yield stress of a point: zero of one that has failed.
   CRUMPLE_INLINE void count_yield(int p, const typename Law::Trial& trial) {
     Pack radius = trial.radius;
     if constexpr (Law::may_fail)
       if (law.fails()) radius = select<Pack>(law.intact(history(p)), radius, Pack(Real(0)));
+    if constexpr (requires { law.left(history(p)); }) radius = law.left(history(p)) * radius;
     yield_stress = multiply_add(Pack(task.weight[p]), radius, yield_stress);
   }
 
@@ -230,6 +243,8 @@ CRUMPLE_INLINE void update_pack(const Law& law, const MaterialTask<RealOf<Pack>>
     if (any_yields) correct_points(points);
   if constexpr (Law::may_fail)
     if (law.fails()) take_failed_stress(points, task.intact + group * lanes + lane);
+  if constexpr (requires { law.left(points.history(0)); })
+    for (int p = 0; p < task.points; ++p) points.fade(p);
   if (task.yield != nullptr) points.leave_yield(task.yield + group * lanes + lane);
   store(task.energy + group * lanes + lane, points.energy);
   store(task.thickness_strain + group * lanes + lane, points.thickness);

@@ -28,6 +28,12 @@ void PiecewiseLinearPlasticityLaw::declare_history(const model::ConstitutiveLaw&
   declare_plastic_strain(block);
 }
 
+void PiecewiseLinearPlasticityLaw::require_failed_points(const model::Material& material, const Model& law) {
+  require(
+      law.failed_points >= 0 && law.failed_share >= 0 && law.failed_share <= 1, material,
+      "the number of failed points that make an element fail must not be negative, their share not above 1");
+}
+
 std::vector<double> PiecewiseLinearPlasticityLaw::constants(const model::Material& material) {
   const auto& law = std::get<Model>(material.law);
   require_elastic(material, law.youngs_modulus, law.poissons_ratio);

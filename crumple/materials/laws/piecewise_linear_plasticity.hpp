@@ -104,6 +104,17 @@ struct TabulatedRate {
   }
 };
 
+/// The number of failed points that make a shell fail.
+struct FailingPoints {
+  double points, share;  ///< 0: all of them; the share goes first
+
+  CRUMPLE_INLINE double of(int count) const {
+    const double all = count;
+    const double least = share > 0 ? share * all : points;
+    return least > 0 && least < all ? least : all;
+  }
+};
+
 /// J2 plasticity with tabulated isotropic hardening and rate effects
 /// (docs/theory/plane_stress_plasticity.md).
 struct PiecewiseLinearPlasticityLaw {
@@ -113,6 +124,8 @@ struct PiecewiseLinearPlasticityLaw {
   static void declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block, Index tensor);
   static std::vector<double> constants(const model::Material& material);
   static bool can_fail(const model::ConstitutiveLaw& law) { return std::get<Model>(law).failure_strain > 0; }
+  /// Throws Error if the number of failed points is none.
+  static void require_failed_points(const model::Material& material, const Model& law);
 
   /// Places of the constants; the curve of factors follows, then the curves of hardening.
   enum Place { Youngs, Poissons, Rate, Exponent, Failure, Least, Base, Logarithmic, Factors, Curves, Rows };

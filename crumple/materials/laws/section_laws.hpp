@@ -9,6 +9,7 @@
 #include "materials/laws/null.hpp"
 #include "materials/laws/piecewise_linear_plasticity.hpp"
 #include "materials/laws/plastic_kinematic.hpp"
+#include "materials/laws/plasticity_with_damage.hpp"
 #include "materials/laws/power_law_plasticity.hpp"
 #include "materials/plasticity/fibre_plasticity.hpp"
 
@@ -56,6 +57,11 @@ struct SectionPiecewiseLinear : PiecewiseLinearPlasticityLaw {
       YieldingFibre<UpdateOf<FibrePlasticity<Pack, TabulatedHardening<double>, TabulatedRate<double>>>>;
 };
 
+struct SectionPlasticityWithDamage : PlasticityWithDamageLaw {
+  template <class Pack>
+  using FibreUpdate = Fading<Pack, SectionPiecewiseLinear::FibreUpdate<Pack>>;
+};
+
 struct SectionPowerLaw : PowerLawPlasticityLaw {
   template <class Pack>
   using FibreUpdate = YieldingFibre<UpdateOf<FibrePlasticity<Pack, PowerHardening<double>>>>;
@@ -85,6 +91,7 @@ struct SectionLawList {};
 using SectionLaws = SectionLawList<  //
     SectionElastic,                  //
     SectionPlasticKinematic,         //
+    SectionPlasticityWithDamage,     //
     SectionPiecewiseLinear,          //
     SectionPowerLaw,                 //
     SectionJohnsonCook,              //

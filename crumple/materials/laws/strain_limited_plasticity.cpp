@@ -20,9 +20,7 @@ std::vector<double> StrainLimitedPlasticityLaw::constants(const model::Material&
   const auto& law = std::get<Model>(material.law);
   require(law.failure_thinning >= 0 && law.failure_major >= 0, material,
           "the limits of thinning and of the major strain must not be negative");
-  require(
-      law.failed_points >= 0 && law.failed_share >= 0 && law.failed_share <= 1, material,
-      "the number of failed points that make an element fail must not be negative, their share not above 1");
+  require_failed_points(material, law);
   std::vector<double> numbers(Limits);
   numbers[Thinning] = law.failure_thinning;
   numbers[Major] = law.failure_major;

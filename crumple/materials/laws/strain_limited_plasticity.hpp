@@ -32,14 +32,13 @@ struct StrainLimitedPlasticityLaw : PiecewiseLinearPlasticityLaw {
     using typename Base::Trial;
 
     Real thinning, major;  ///< at failure
-    double points, share;
+    FailingPoints count;
 
     CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
         : Base(rest_of(task)),
           thinning(static_cast<Real>(task.constants[Thinning])),
           major(static_cast<Real>(task.constants[Major])),
-          points(task.constants[Points]),
-          share(task.constants[Share]) {}
+          count{task.constants[Points], task.constants[Share]} {}
     CRUMPLE_INLINE static MaterialTask<Real> rest_of(MaterialTask<Real> task) {
       task.constants += Limits;
       return task;
@@ -96,13 +95,7 @@ struct StrainLimitedPlasticityLaw : PiecewiseLinearPlasticityLaw {
     CRUMPLE_INLINE static void fail(const History& history, const Mask& mask) {
       store(failed(history), select<Pack>(mask, Pack(Real(1)), load<Pack>(failed(history))));
     }
-    /// Of `count` points.
-    CRUMPLE_INLINE Real failing_points(int count) const {
-      const double all = count;
-      double least = share > 0 ? share * all : points;
-      if (!(least > 0 && least < all)) least = all;
-      return static_cast<Real>(least);
-    }
+    CRUMPLE_INLINE Real failing_points(int all) const { return static_cast<Real>(count.of(all)); }
   };
 };
 

@@ -6,7 +6,7 @@
 #include "materials/common/deformation.hpp"
 #include "materials/common/history_view.hpp"
 #include "materials/common/solid_material.hpp"
-#include "math/power.hpp"
+#include "math/relaxation.hpp"
 
 namespace crumple::materials {
 
@@ -24,23 +24,6 @@ struct ViscoelasticLaw {
 
   /// After Count: modulus and decay, part after part, those of shear first.
   enum Place { ShearParts, BulkParts, Count };
-
-  /// What a step makes of one part: exact where the strain rate is constant in the step.
-  struct PartStep {
-    double lost = 0;    ///< 1 - exp(-decay dt), taken from the stress
-    double gained = 0;  ///< stress per strain increment
-  };
-  static PartStep part_step(double modulus, double decay, double step) {
-    const double x = decay * step;
-    // Of small x the difference from 1 would lose its digits: (1 - exp(-x)) / x by its series.
-    constexpr double small = 0.02;
-    double mean = 1;
-    if (x >= small)
-      mean = (1 - math::power_of_two(-1.4426950408889634 * x)) / x;
-    else
-      for (int k = 7; k >= 2; --k) mean = 1 - x / k * mean;
-    return {x * mean, modulus * mean};
-  }
 
   template <class Pack>
   struct SolidUpdate {
@@ -63,7 +46,7 @@ struct ViscoelasticLaw {
       const double* at = task.constants + Count;
       const auto step = static_cast<double>(task.step);
       const auto take = [&](Part& part) {
-        const PartStep of = part_step(at[0], at[1], step);
+        const math::Relaxation of = math::relaxation(at[0], at[1], step);
         part = {static_cast<Real>(of.lost), static_cast<Real>(of.gained)};
         at += 2;
       };

@@ -20,6 +20,11 @@ struct FibreStrain {
   Pack rr, rs, rt;
 };
 
+template <class Pack>
+CRUMPLE_INLINE FibreStress<Pack> scaled(const FibreStress<Pack>& stress, const Pack& factor) {
+  return {factor * stress.rr, factor * stress.rs, factor * stress.rt};
+}
+
 /// As for PlaneStrain: effective strain increment if the material keeps its volume, sqrt(2/3 e : e).
 template <class Pack>
 CRUMPLE_INLINE Pack effective_strain(const FibreStrain<Pack>& strain) {

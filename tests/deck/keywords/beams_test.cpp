@@ -131,6 +131,26 @@ TEST(Springs, HaveTheirLaws) {
   EXPECT_EQ(damper.curve, 0);
 }
 
+TEST(Springs, RelaxOrStayDeformed) {
+  const auto maxwell = std::get<model::MaxwellSpring>(
+      law_of("*MAT_SPRING_MAXWELL\n         2       0.5       0.1       7.0       3.0       0.2\n"));
+  EXPECT_EQ(maxwell.stiffness, 0.5);
+  EXPECT_EQ(maxwell.final_stiffness, 0.1);
+  EXPECT_EQ(maxwell.decay, 7);
+  EXPECT_EQ(maxwell.cut_off, 3);
+  EXPECT_EQ(maxwell.cut_off_force, 0.2);
+  EXPECT_EQ(std::get<model::MaxwellSpring>(law_of("*MAT_S07\n         2       0.5\n")).cut_off, 1e20);
+  const std::string curve =
+      "*DEFINE_CURVE\n         3\n                 0.0                 0.0\n"
+      "                 1.0                 2.0\n";
+  const auto inelastic = std::get<model::InelasticSpring>(
+      law_of("*MAT_SPRING_INELASTIC\n         2         3       5.0      -1.0\n" + curve));
+  EXPECT_EQ(inelastic.curve, 0);
+  EXPECT_EQ(inelastic.unloading_stiffness, 5);
+  EXPECT_TRUE(inelastic.tension);
+  EXPECT_FALSE(std::get<model::InelasticSpring>(law_of("*MAT_S08\n         2         3\n" + curve)).tension);
+}
+
 TEST(Springs, MayBeTorsionalBetweenInertias) {
   const model::Model model = read_clean(
       "*KEYWORD\n*CONTROL_TERMINATION\n       1.0\n*NODE\n"

@@ -97,5 +97,44 @@ TEST(DiscreteBeamDecks, SpringsHaveLimits) {
   EXPECT_EQ(curve.curves.at(static_cast<std::size_t>(law_of(curve).direction[0].curve)).id, 3);
 }
 
+TEST(DiscreteBeamDecks, GeneralOnesUnloadAndFail) {
+  using Unloading = model::DiscreteBeamLaw::Unloading;
+  for (const std::string name : {"*MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", "*MAT_119"}) {
+    const model::Model model =
+        read_with(with(small_section, name +
+                                          "\n2,1.0,5,6,2,0.25\n3,,,,,3\n,3,,3\n,,3\n,,3\n"
+                                          "1,2,3,4,5,6,1\n7,8,9,10,11,12\n" +
+                                          curves));
+    const model::DiscreteBeamLaw& law = law_of(model);
+    EXPECT_EQ(law.kind, model::DiscreteBeamLaw::Kind::Axes);
+    EXPECT_EQ(law.unloading, Unloading::Stiffness);
+    EXPECT_EQ(law.permanent_share, 0.25);
+    EXPECT_TRUE(law.joint_failure);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const model::DiscreteBeamDirection& one = law.direction[i];
+      EXPECT_EQ(one.unloading_stiffness, i < 3 ? 5 : 6);
+      EXPECT_EQ(one.curve != no_index, i == 0 || i == 5);
+      EXPECT_EQ(one.unloading_curve != no_index, i == 1 || i == 3);
+      EXPECT_EQ(one.damping_curve != no_index, i == 2);
+      EXPECT_EQ(one.damping_factor != no_index, i == 2);
+      EXPECT_EQ(one.tensile_limit, static_cast<double>(i + 1));
+      EXPECT_EQ(one.compressive_limit, static_cast<double>(i + 7));
+    }
+  }
+  for (const std::string name : {"*MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM", "*MAT_121"}) {
+    const model::Model model =
+        read_with(with(small_section, name + "\n2,1.0,5,1,0.25\n3,3,3,3\n0.5,0.7\n" + curves));
+    const model::DiscreteBeamLaw& law = law_of(model);
+    EXPECT_EQ(law.kind, model::DiscreteBeamLaw::Kind::Line);
+    EXPECT_EQ(law.unloading, Unloading::Curve);
+    const model::DiscreteBeamDirection& line = law.direction[0];
+    EXPECT_EQ(line.unloading_stiffness, 5);
+    for (const Index curve : {line.curve, line.unloading_curve, line.damping_curve, line.damping_factor})
+      EXPECT_NE(curve, no_index);
+    EXPECT_EQ(line.tensile_limit, 0.5);
+    EXPECT_EQ(line.compressive_limit, 0.7);
+  }
+}
+
 }  // namespace
 }  // namespace crumple::deck::discrete_beams_test

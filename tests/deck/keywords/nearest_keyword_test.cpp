@@ -47,7 +47,7 @@ TEST(NearestKeyword, IsItselfSupported) {
                            "MAT_SIMPLIFIED_RUBBER_WITH_FAILURE",
                            "MAT_SPOTWELD_DAIMLERCHRYSLER",
                            "MAT_138",
-                           "MAT_S07",
+                           "MAT_S06",
                            "MAT_ADD_DAMAGE_DIEM",
                            "ELEMENT_SEATBELT",
                            "PART_COMPOSITE_TSHELL",

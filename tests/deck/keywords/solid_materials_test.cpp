@@ -217,7 +217,23 @@ TEST(SolidMaterial, OgdenRubber) {
   only_message(messages("*MAT_077_O\n1,1.1E-9,0.5\n0.63\n1.3\n", "", "0"), "field PR");
   only_message(messages("*MAT_077_O\n1,1.1E-9,0.49\n0.63\n-1.3\n", "", "0"), "field MU1");
   only_message(messages("*MAT_077_O\n1,1.1E-9,0.49,2\n1,1,1,7\n\n", "", "0"), "field N");
-  only_message(messages("*MAT_077_O\n1,1.1E-9,0.49\n0.63\n1.3\n0.2,100\n", "", "0"), "field GI");
+  only_message(messages("*MAT_077_O\n1,1.1E-9,0.49\n0.63\n1.3\n-0.2,100\n", "", "0"), "field GI");
+  only_message(messages("*MAT_077_O\n1,1.1E-9,0.49\n0.63\n1.3\n0.2,100,1\n", "", "0"), "field VFLAG");
+}
+
+TEST(SolidMaterial, RubberMayRelax) {
+  const std::string series = "0.2,100\n0,7\n0.5,3\n";
+  const auto expect = [](const std::vector<model::Relaxation>& terms) {
+    ASSERT_EQ(terms.size(), 2U);
+    EXPECT_EQ(terms[0].modulus, 0.2);
+    EXPECT_EQ(terms[0].decay, 100);
+    EXPECT_EQ(terms[1].modulus, 0.5);
+    EXPECT_EQ(terms[1].decay, 3);
+  };
+  const auto ogden = clean("*MAT_077_O\n1,1.1E-9,0.49\n0.63\n1.3\n" + series, "", "0");
+  expect(std::get<model::OgdenRubber>(ogden.materials[0].law).relaxing);
+  const auto polynomial = clean("*MAT_077_H\n1,1.1E-9,0.499\n0.3,0.05\n" + series, "", "0");
+  expect(std::get<model::PolynomialRubber>(polynomial.materials[0].law).relaxing);
 }
 
 TEST(SolidMaterial, HyperelasticRubber) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *MAT_LINEAR_ELASTIC_DISCRETE_BEAM, _NONLINEAR_ELASTIC_, _CABLE_, _ELASTIC_SPRING_,
-// _GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM.
+// _GENERAL_NONLINEAR_6DOF_ and _GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM.
 #include <array>
 #include <string_view>
 #include <utility>
@@ -95,6 +95,75 @@ constexpr Field spring_beam_second_card[] = {
     only("GLCID", {0}, no_rate_terms),
 };
 
+constexpr std::string_view unloading_words =
+    "0 follows the curve, 1 the curve of unloading, 2 a stiffness down to it, 3 a parabola";
+constexpr std::string_view initial_words = "displacements begin at zero";
+constexpr std::string_view stability_words =
+    "no damping is added for stability: the step allows for the curves";
+
+constexpr Field six_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("KT", 0, not_negative),
+    real("KR", 0, not_negative),
+    only("UNLDOPT", {0, 1, 2, 3}, unloading_words),
+    real("OFFSET", 0, within(0, 0.99, "the share of the largest displacement that stays")),
+    harmless("DAMPF", {0}, stability_words),
+    only("IFLAG", {0}, "curves are over displacements; strains and crushing frames are not supported"),
+};
+constexpr Field six_unloading_card[] = {
+    reference("LCIDTUR", IdKind::Function), reference("LCIDTUS", IdKind::Function),
+    reference("LCIDTUT", IdKind::Function), reference("LCIDRUR", IdKind::Function),
+    reference("LCIDRUS", IdKind::Function), reference("LCIDRUT", IdKind::Function),
+};
+constexpr Field six_factor_card[] = {
+    reference("LCIDTER", IdKind::Function), reference("LCIDTES", IdKind::Function),
+    reference("LCIDTET", IdKind::Function), reference("LCIDRER", IdKind::Function),
+    reference("LCIDRES", IdKind::Function), reference("LCIDRET", IdKind::Function),
+};
+constexpr Field six_load_card[] = {
+    reference("LCIDTR", IdKind::Function), reference("LCIDTS", IdKind::Function),
+    reference("LCIDTT", IdKind::Function), reference("LCIDRR", IdKind::Function),
+    reference("LCIDRS", IdKind::Function), reference("LCIDRT", IdKind::Function),
+};
+constexpr Field six_tension_card[] = {
+    real("UTFAILR", 0, not_negative),
+    real("UTFAILS", 0, not_negative),
+    real("UTFAILT", 0, not_negative),
+    real("WTFAILR", 0, not_negative),
+    real("WTFAILS", 0, not_negative),
+    real("WTFAILT", 0, not_negative),
+    only("FCRIT", {0, 1}, "0 counts each sign by itself, 1 both together"),
+};
+constexpr Field six_compression_card[] = {
+    real("UCFAILR", 0, not_negative), real("UCFAILS", 0, not_negative), real("UCFAILT", 0, not_negative),
+    real("WCFAILR", 0, not_negative), real("WCFAILS", 0, not_negative), real("WCFAILT", 0, not_negative),
+};
+constexpr Field six_initial_card[] = {
+    only("IUR", {0}, initial_words), only("IUS", {0}, initial_words), only("IUT", {0}, initial_words),
+    only("IWR", {0}, initial_words), only("IWS", {0}, initial_words), only("IWT", {0}, initial_words),
+};
+
+constexpr Field one_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("K", 0, not_negative),
+    only("UNLDOPT", {0, 1, 2, 3}, unloading_words),
+    real("OFFSET", 0, within(0, 0.99, "the share of the largest displacement that stays")),
+    harmless("DAMPF", {0}, stability_words),
+};
+constexpr Field one_curves_card[] = {
+    reference("LCIDT", IdKind::Function),
+    reference("LCIDTU", IdKind::Function),
+    reference("LCIDTD", IdKind::Function),
+    reference("LCIDTE", IdKind::Function),
+};
+constexpr Field one_failure_card[] = {
+    real("UTFAIL", 0, not_negative),
+    real("UCFAIL", 0, not_negative),
+    only("IU", {0}, initial_words),
+};
+
 constexpr std::string_view names_of_load[] = {"LCIDTR", "LCIDTS", "LCIDTT", "LCIDRR", "LCIDRS", "LCIDRT"};
 constexpr std::string_view names_of_damping[] = {"LCIDTDR", "LCIDTDS", "LCIDTDT",
                                                  "LCIDRDR", "LCIDRDS", "LCIDRDT"};
@@ -107,6 +176,16 @@ void take_preloads(const Card& card, model::DiscreteBeamLaw& law) {
 
 void take_curve(const Card& card, std::string_view name, RawDirectionCurve& curve) {
   if (card.good(name)) curve = {card.integer(name), name, card.where()};
+}
+
+/// UNLDOPT and OFFSET.
+void take_unloading(const Card& card, model::DiscreteBeamLaw& law) {
+  law.unloading = static_cast<model::DiscreteBeamLaw::Unloading>(static_cast<int>(card.real("UNLDOPT")));
+  law.permanent_share = card.real("OFFSET");
+}
+
+void take_six_curves(const Card& card, Layout layout, std::array<RawDirectionCurve, 6>& curves) {
+  for (std::size_t i = 0; i < curves.size(); ++i) take_curve(card, layout[i].name, curves[i]);
 }
 
 }  // namespace
@@ -184,6 +263,56 @@ void read_mat_elastic_spring_discrete_beam(Cards& cards, RawDeck& deck) {
     line.damping = card.real("D");
     line.compressive_limit = card.real("CDF");
     line.tensile_limit = card.real("TDF");
+    raw.material.law = law;
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
+  }
+}
+
+void read_mat_general_nonlinear_6dof(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(six_card);
+    RawMaterial raw = material_of(heading, card);
+    model::DiscreteBeamLaw law;
+    take_unloading(card, law);
+    take_six_curves(cards.next(six_load_card), six_load_card, raw.direction_curves);
+    take_six_curves(cards.next_or_default(six_unloading_card), six_unloading_card, raw.unloading_curves);
+    take_six_curves(cards.next_or_default(beam_damping_curves_card), beam_damping_curves_card,
+                    raw.damping_curves);
+    take_six_curves(cards.next_or_default(six_factor_card), six_factor_card, raw.damping_factors);
+    const Card tension = cards.next_or_default(six_tension_card);
+    const Card compression = cards.next_or_default(six_compression_card);
+    cards.next_or_default(six_initial_card);
+    for (std::size_t i = 0; i < law.direction.size(); ++i) {
+      model::DiscreteBeamDirection& one = law.direction[i];
+      one.unloading_stiffness = card.real(i < 3 ? "KT" : "KR");
+      one.tensile_limit = tension.real(six_tension_card[i].name);
+      one.compressive_limit = compression.real(six_compression_card[i].name);
+    }
+    law.joint_failure = tension.real("FCRIT") == 1;
+    raw.material.law = law;
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
+  }
+}
+
+void read_mat_general_nonlinear_1dof(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(one_card);
+    const Card curves = cards.next(one_curves_card);
+    const Card failure = cards.next_or_default(one_failure_card);
+    RawMaterial raw = material_of(heading, card);
+    model::DiscreteBeamLaw law;
+    law.kind = model::DiscreteBeamLaw::Kind::Line;
+    take_unloading(card, law);
+    take_curve(curves, "LCIDT", raw.direction_curves[0]);
+    take_curve(curves, "LCIDTU", raw.unloading_curves[0]);
+    take_curve(curves, "LCIDTD", raw.damping_curves[0]);
+    take_curve(curves, "LCIDTE", raw.damping_factors[0]);
+    model::DiscreteBeamDirection& line = law.direction[0];
+    line.unloading_stiffness = card.real("K");
+    line.tensile_limit = failure.real("UTFAIL");
+    line.compressive_limit = failure.real("UCFAIL");
     raw.material.law = law;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_ISOTROPIC_ELASTIC_PLASTIC, *MAT_PIECEWISE_LINEAR_PLASTICITY and
-// its modified form.
+// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_ISOTROPIC_ELASTIC_PLASTIC, *MAT_PIECEWISE_LINEAR_PLASTICITY, its
+// modified form and *MAT_PLASTICITY_WITH_DAMAGE.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -78,6 +78,22 @@ constexpr Field modified_rate_card[] = {
     real("NUMINT"),  // below zero: a share
 };
 
+constexpr Field damaged_card[] = {
+    id("MID"),
+    real("RO", 0, above_zero),
+    real("E", 0, above_zero),
+    real("PR", 0, poisson),
+    real("SIGY", 0, not_negative),
+    real("ETAN", 0, not_negative),
+    real("EPPF", 0, not_negative),  // zero is never, unless there is LCDM
+    real("TDEL", 0, not_negative),
+};
+
+constexpr Field damaged_rate_card[] = {
+    real("C", 0, not_negative),     real("P", 0, not_negative), reference("LCSS"), reference("LCSR"),
+    real("EPPFR", 0, not_negative), viscoplastic_field,         reference("LCDM", IdKind::Function), real("NUMINT"),
+};
+
 constexpr Field strain_card[] = {real("EPS1", 0, not_negative), real("EPS2", 0, not_negative),
                                  real("EPS3", 0, not_negative), real("EPS4", 0, not_negative),
                                  real("EPS5", 0, not_negative), real("EPS6", 0, not_negative),
@@ -97,15 +113,7 @@ double checked_failure_strain(const Card& card, Report& report) {
   return 0;
 }
 
-/// EPSTHIN, EPSMAJ and NUMINT.
-void take_strain_limits(const Card& card, model::PiecewiseLinearPlasticity& law, Report& report) {
-  law.failure_thinning = failure_strain(card.real("EPSTHIN"));
-  if (card.real("EPSMAJ") < 0)
-    report.field_unsupported(card.where(),
-                             {"EPSMAJ", std::string(card.text("EPSMAJ")), "a strain not below zero",
-                              "the mean of the last twelve values is not taken", "filter"});
-  else
-    law.failure_major = failure_strain(card.real("EPSMAJ"));
+void take_failed_points(const Card& card, model::PiecewiseLinearPlasticity& law, Report& report) {
   const double count = card.real("NUMINT");
   constexpr double percent = 100;
   if (count < -percent || (count > 0 && std::floor(count) != count))
@@ -116,6 +124,39 @@ void take_strain_limits(const Card& card, model::PiecewiseLinearPlasticity& law,
     law.failed_share = -count / percent;
   else
     law.failed_points = static_cast<int>(std::min(count, percent));
+}
+
+/// EPSTHIN and EPSMAJ.
+void take_strain_limits(const Card& card, model::PiecewiseLinearPlasticity& law, Report& report) {
+  law.failure_thinning = failure_strain(card.real("EPSTHIN"));
+  if (card.real("EPSMAJ") < 0)
+    report.field_unsupported(card.where(),
+                             {"EPSMAJ", std::string(card.text("EPSMAJ")), "a strain not below zero",
+                              "the mean of the last twelve values is not taken", "filter"});
+  else
+    law.failure_major = failure_strain(card.real("EPSMAJ"));
+}
+
+/// EPPF, EPPFR and LCDM, whose points are looked up when the model is built.
+void take_damage(const Card& card, const Card& rate, model::PiecewiseLinearPlasticity& law, RawMaterial& raw,
+                 Report& report) {
+  const double begin = failure_strain(card.real("EPPF"));
+  const double end = failure_strain(rate.real("EPPFR"));
+  law.failure_strain = end;
+  if (rate.good("LCDM") && rate.integer("LCDM") != 0) {
+    raw.more_curves[0] = rate.integer("LCDM");
+    law.damage_strain = {begin};
+    law.damage = {0};
+    return;
+  }
+  if (!(end > 0)) return;
+  if (begin == 0)
+    report.field_warning(card.where(),
+                         {"EPPF", std::string(card.text("EPPF")), "the plastic strain where softening begins",
+                          "zero is never, so the stress stays whole up to EPPFR", "softening"});
+  const bool fades = begin > 0 && begin < end;
+  law.damage_strain = fades ? std::vector<double>{0, begin, end} : std::vector<double>{0};
+  law.damage = fades ? std::vector<double>{0, 0, 1} : std::vector<double>{0};
 }
 
 void check_tangent(const Card& card, Report& report) {
@@ -284,11 +325,25 @@ double least_step(const Card& card) {
   return step < never ? step : 0;
 }
 
-/// `rate_fields` are those of the second card; the modified law has limits of strain on it.
-void read_piecewise(Cards& cards, RawDeck& deck, Layout rate_fields, bool modified) {
+/// What a form of the law has beside hardening.
+enum class Failure { Strain, StrainLimits, Damage };
+
+void take_failure(Failure failure, const Card& card, const Card& rate, model::PiecewiseLinearPlasticity& law,
+                  RawMaterial& raw, Report& report) {
+  if (failure == Failure::Damage)
+    take_damage(card, rate, law, raw, report);
+  else
+    law.failure_strain = checked_failure_strain(card, report);
+  if (failure == Failure::StrainLimits) take_strain_limits(rate, law, report);
+  const bool counts = failure == Failure::StrainLimits || has_damage(law);
+  if (counts) take_failed_points(rate, law, report);
+}
+
+/// `first_fields` and `rate_fields` are those of the first two cards.
+void read_piecewise(Cards& cards, RawDeck& deck, Layout first_fields, Layout rate_fields, Failure failure) {
   while (cards.more()) {
     const Heading heading = cards.heading();
-    const Card card = cards.next(piecewise_card);
+    const Card card = cards.next(first_fields);
     const Card rate = cards.next_or_default(rate_fields);
     const Card strain = cards.next_or_default(strain_card);
     const Card stress = cards.next_or_default(stress_card);
@@ -298,10 +353,9 @@ void read_piecewise(Cards& cards, RawDeck& deck, Layout rate_fields, bool modifi
     law.poissons_ratio = card.real("PR");
     law.cowper_symonds_rate = rate.real("C");
     law.cowper_symonds_exponent = rate.real("P");
-    law.failure_strain = checked_failure_strain(card, cards.report());
     law.viscoplastic = rate.real("VP") == 1;
     law.viscoplastic_base = card.real("SIGY");
-    if (modified) take_strain_limits(rate, law, cards.report());
+    take_failure(failure, card, rate, law, raw, cards.report());
     check_rate(rate, "C", "P", cards.report());
     raw.rate_curve = rate.good("LCSR") ? rate.integer("LCSR") : 0;
     raw.hardening_curve = rate.good("LCSS") ? rate.integer("LCSS") : 0;
@@ -317,11 +371,15 @@ void read_piecewise(Cards& cards, RawDeck& deck, Layout rate_fields, bool modifi
 }  // namespace
 
 void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
-  read_piecewise(cards, deck, piecewise_rate_card, false);
+  read_piecewise(cards, deck, piecewise_card, piecewise_rate_card, Failure::Strain);
 }
 
 void read_mat_modified_piecewise_linear_plasticity(Cards& cards, RawDeck& deck) {
-  read_piecewise(cards, deck, modified_rate_card, true);
+  read_piecewise(cards, deck, piecewise_card, modified_rate_card, Failure::StrainLimits);
+}
+
+void read_mat_plasticity_with_damage(Cards& cards, RawDeck& deck) {
+  read_piecewise(cards, deck, damaged_card, damaged_rate_card, Failure::Damage);
 }
 
 }  // namespace crumple::deck

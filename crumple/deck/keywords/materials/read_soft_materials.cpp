@@ -107,9 +107,9 @@ constexpr Field polynomial_rubber_card[] = {
 };
 
 constexpr Field rubber_relaxation_card[] = {
-    only("GI", {0}, "the stress of rubber does not relax; *MAT_GENERAL_VISCOELASTIC has Prony series"),
-    unused("BETAI"),
-    unused("VFLAG"),
+    real("GI", 0, not_negative),
+    real("BETAI", 0, not_negative),
+    only("VFLAG", {0}, "the stress that relaxes follows the rate of the strain, not of the stress at rest"),
 };
 
 constexpr Field viscoelastic_card[] = {
@@ -152,8 +152,17 @@ void check_rubber(const Card& constants, std::string_view field, double shear_mo
                                          fmt::format("it comes out as {:.4g}", shear_modulus), "modulus"});
 }
 
-void read_no_relaxation(Cards& cards) {
-  while (cards.more()) cards.next(rubber_relaxation_card);
+/// GI and BETAI, term after term.
+std::vector<model::Relaxation> read_relaxation(Cards& cards) {
+  constexpr std::size_t most_terms = 18;
+  std::vector<model::Relaxation> terms;
+  while (cards.more()) {
+    const Card card = cards.next(rubber_relaxation_card);
+    if (card.real("GI") > 0) terms.push_back({card.real("GI"), card.real("BETAI")});
+    if (terms.size() == most_terms + 1)
+      cards.report().error(card.where(), "terms", fmt::format("expected at most {} terms", most_terms));
+  }
+  return terms;
 }
 
 }  // namespace
@@ -212,9 +221,10 @@ void read_mat_ogden_rubber(Cards& cards, RawDeck& deck) {
     const Card card = cards.next(rubber_card);
     const Card moduli = cards.next(ogden_moduli_card);
     const Card exponents = cards.next(ogden_exponents_card);
-    read_no_relaxation(cards);
+    const std::vector<model::Relaxation> relaxing = read_relaxation(cards);
     RawMaterial raw = material_of(heading, card);
     model::OgdenRubber law;
+    law.relaxing = relaxing;
     double shear_modulus = 0;
     for (std::size_t n = 0; n < law.modulus.size(); ++n) {
       law.modulus[n] = moduli.real(ogden_moduli_card[n].name);
@@ -234,9 +244,10 @@ void read_mat_hyperelastic_rubber(Cards& cards, RawDeck& deck) {
     const Heading heading = cards.heading();
     const Card card = cards.next(rubber_card);
     const Card constants = cards.next(polynomial_rubber_card);
-    read_no_relaxation(cards);
+    const std::vector<model::Relaxation> relaxing = read_relaxation(cards);
     RawMaterial raw = material_of(heading, card);
     model::PolynomialRubber law;
+    law.relaxing = relaxing;
     law.c10 = constants.real("C10");
     law.c01 = constants.real("C01");
     law.c11 = constants.real("C11");
