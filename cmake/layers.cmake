@@ -8,7 +8,7 @@ set(CRUMPLE_LAYERS
   "domain: model math base"
   "materials: domain model math base"
   "elements: materials domain model math base"
-  "contact: domain model math base cellsearch"
+  "contact: materials domain model math base cellsearch"
   "constraints: domain model math base"
   "loads: domain model math base"
   "timeloop: elements materials contact constraints loads domain model math base"

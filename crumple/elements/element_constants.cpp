@@ -37,6 +37,7 @@ void for_each_solid_number(Constants& constants, const Visit& visit) {
   visit(constants.interior_speed_square);
   visit(constants.bulk_quadratic);
   visit(constants.bulk_linear);
+  visit(constants.point_place);
 }
 
 template <class Constants, class Visit>

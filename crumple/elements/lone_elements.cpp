@@ -131,7 +131,9 @@ LoneElements::LoneElements(const model::Model& model, const Domain& domain)
     }
   };
   for (const domain::ShellBlock& block : domain.shells) add(block);
-  for (const domain::SolidBlock& block : domain.solids) add(block);
+  // Nor do cohesive solids take a share of the step of those beside them.
+  for (const domain::SolidBlock& block : domain.solids)
+    if (!model::is_cohesive(block.formulation)) add(block);
   for (const domain::BeamBlock& block : domain.beams) add(block);
 }
 

@@ -12,6 +12,7 @@
 #include "elements/elements.hpp"
 #include "elements/initial_stress.hpp"
 #include "elements/lone_elements.hpp"
+#include "elements/prepare_cohesives.hpp"
 #include "materials/common/shell_material.hpp"
 
 namespace crumple::elements {
@@ -139,6 +140,7 @@ void prepare_elements(const model::Model& model, domain::Domain& domain) {
   finish_part_masses(model, domain);
   set_discrete_beam_steps(model, domain);
   prepare_discretes(model, domain);
+  set_cohesive_steps(model, domain);
   set_initial_stresses(model, domain);
   limit_by_rigid_elements(model, domain);
   limit_solids_by_run(model, domain);

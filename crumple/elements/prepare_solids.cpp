@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/error.hpp"
@@ -12,6 +14,7 @@
 #include "elements/common/stiffness_damping.hpp"
 #include "elements/lone_elements.hpp"
 #include "elements/prepare.hpp"
+#include "elements/prepare_cohesives.hpp"
 #include "elements/registry.hpp"
 #include "elements/solid/nodal_average.hpp"
 #include "elements/solid/solid_setup.hpp"
@@ -81,6 +84,22 @@ void set_interior(const model::Part& part, SolidConstants<double>& constants) {
       constants.interior_modulus * constants.interior_volume / constants.density;
 }
 
+/// A cohesive part has tractions in the place of stresses: what acts on stresses and strains has no sense.
+void require_plain(const model::Part& part, const model::Material& material) {
+  require(!material.rigid, part, "cohesive solids cannot be rigid");
+  require(!material.erosion && !material.damage && material.least_step == 0, part,
+          "cohesive solids fail by their own material alone, not by *MAT_ADD_EROSION or damage");
+  require(!part.damping, part, "cohesive solids take no damping in proportion to stiffness");
+  require(!part.interior, part, "cohesive solids have no interior contact");
+}
+
+/// With a length and a wave speed of one the step of an element is what it keeps as `step_scale`.
+void set_cohesive(const model::Material& material, SolidConstants<double>& constants) {
+  const auto& law = std::get<model::Cohesive>(material.law);
+  constants.point_place = law.at_corners ? 1 : 1 / std::numbers::sqrt3;
+  constants.wave_speed = 1;
+}
+
 /// Stands for the limit that prepare_elements() sets when the steps of all elements are known: the block has
 /// its room by then.
 constexpr double unknown_least_step = std::numeric_limits<double>::min();
@@ -92,6 +111,9 @@ void prepare_block(const model::Model& model, const domain::Domain& domain, Soli
   const int law = materials::solid_material_kind(material.law);
   require(kind.kind >= 0, part, "its formulation of solids is not computed by any kind in the registry");
   require(law >= 0, part, "its material cannot be used with solids");
+  require(model::use_of(material.law).only_cohesive == model::is_cohesive(block.formulation), part,
+          "a cohesive formulation of solids and a cohesive material go together, neither without the other");
+  if (model::is_cohesive(block.formulation)) require_plain(part, material);
   ElasticConstants elastic = materials::elastic_constants(material);
   const model::EquationOfState* const equation = model::equation_of_state_of(model, part);
   require_equation_of_state(part, material, equation != nullptr);
@@ -120,6 +142,7 @@ void prepare_block(const model::Model& model, const domain::Domain& domain, Soli
   set_hourglass(control, elastic, constants);
   set_interior(part, constants);
   if (block.formulation != model::SolidFormulation::OnePointHexahedron) constants.exact_volume = true;
+  if (model::is_cohesive(block.formulation)) set_cohesive(material, constants);
   block.points = kind.points;
   domain::add_item(block, "stress", "stress", materials::solid_components * block.points);
   constants.history = materials::declare_solid_history(material.law, block);
@@ -196,6 +219,10 @@ void prepare_solids(const model::Model& model, const LoneElements& lone, domain:
   const std::vector<double> volumes = initial_volumes(model);
   for (SolidBlock& block : domain.solids) {
     prepare_block(model, domain, block);
+    if (model::is_cohesive(block.formulation)) {
+      prepare_cohesives(model, domain, block);
+      continue;
+    }
     const bool scales = scales_mass(model, domain, block);
     for (Index place = 0; place < block.groups() * lanes; ++place) {
       const SolidMass solid = prepare_element(model, domain, block, place, volumes, lone);

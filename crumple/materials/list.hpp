@@ -22,7 +22,8 @@
 // Rooms: laws/ has one file per law; plasticity/ the returns to the yield surface that laws share: in plane
 // stress by J.C. Simo & R.L. Taylor, IJNME 22 (1986) 649-670, of solids the radial return of M.L. Wilkins,
 // Methods in Computational Physics 3 (1964) 211-263; eos/ the equations of state; common/ tasks, stresses and
-// the loop over points (tile_update.hpp; that of solids is solid_update.hpp). The kernels,
+// the loop over points (tile_update.hpp; that of solids is solid_update.hpp, of cohesive solids
+// separation_update.hpp). The kernels,
 // kernels/shell_laws.cpp and solid_laws.cpp, compile all laws of a list once per instruction set. Equations,
 // sources and limits of each law: docs/theory. How to add one: docs/adding_a_material.md.
 
@@ -30,6 +31,7 @@
 #include "materials/eos/linear_polynomial.hpp"
 #include "materials/laws/bilkhu_dubois_foam.hpp"
 #include "materials/laws/blatz_ko.hpp"
+#include "materials/laws/cohesive.hpp"
 #include "materials/laws/composite_damage.hpp"
 #include "materials/laws/crushable_foam.hpp"
 #include "materials/laws/elastic.hpp"
@@ -103,7 +105,8 @@ using SolidLaws = LawList<         //
     SoilAndFoamLaw,                //
     ViscousFoamLaw,                //
     SimplifiedRubberLaw,           //
-    BilkhuDuboisFoamLaw>;
+    BilkhuDuboisFoamLaw,           //
+    CohesiveLaw>;
 
 /// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp
 /// says.

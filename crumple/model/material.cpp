@@ -35,6 +35,7 @@ struct Use {
   LawUse operator()(const SheetPlasticity& /*law*/) const { return {true, false, false, false}; }
   LawUse operator()(const BilkhuDuboisFoam& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const SimplifiedRubber& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const Cohesive& /*law*/) const { return {false, true, false, false, false, true}; }
   LawUse operator()(const Fabric& /*law*/) const { return {true, false, false, false, true}; }
 };
 

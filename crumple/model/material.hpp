@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/index.hpp"
+#include "model/cohesive_material.hpp"
 #include "model/damage.hpp"
 #include "model/erosion.hpp"
 #include "model/foam_material.hpp"
@@ -392,7 +393,7 @@ using ConstitutiveLaw =
                  OrthotropicElastic, CompositeDamage, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo,
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
                  DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric,
-                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric>;
+                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {
@@ -401,6 +402,7 @@ struct LawUse {
   bool takes_equation_of_state = false;
   bool needs_equation_of_state = false;  ///< in solids
   bool only_membranes = false;           ///< of the shells
+  bool only_cohesive = false;            ///< of the solids, which take no other law
 };
 LawUse use_of(const ConstitutiveLaw& law);
 

@@ -85,7 +85,13 @@ enum class SolidFormulation {
   Tetrahedron,               ///< one point, constant stress
   NodalPressureTetrahedron,  ///< with the dilatation averaged at the nodes, Bonet & Burton 1998
   QuadraticTetrahedron,      ///< ten nodes, four points
+  CohesiveHexahedron,        ///< two faces of four nodes that tractions hold together, 2 x 2 points
 };
+
+/// True for those whose material is tractions over the separation of two faces; their volume may be zero.
+constexpr bool is_cohesive(SolidFormulation formulation) {
+  return formulation == SolidFormulation::CohesiveHexahedron;
+}
 
 /// True for those that compute tetrahedra of ten nodes.
 constexpr bool is_quadratic(SolidFormulation formulation) {

@@ -74,6 +74,11 @@ double volume_of(const model::SolidElement& solid, const domain::NodeFields& nod
   return solid.node.has_middles() ? sum / 8 : sum;
 }
 
+bool is_cohesive(const model::Model& model, Index solid) {
+  const Index section = model.parts[model.solids[solid].part].solid_section;
+  return section != no_index && model::is_cohesive(model.solid_sections[section].formulation);
+}
+
 }  // namespace
 
 SegmentCollector::SegmentCollector(const model::Model& model, const domain::Domain& domain,
@@ -236,6 +241,8 @@ void SegmentCollector::add_faces() {
   const std::vector<Cover> shells = covers();
   const auto before = [](const Cover& a, const std::array<Index, 4>& b) { return a.key < b; };
   for (const model::SolidFace& face : model::all_faces(model_.solids, all)) {
+    // The faces of a cohesive solid are those of its neighbours, which it hides until it goes.
+    if (is_cohesive(model_, face.solid)) continue;
     const std::uint8_t sides = sides_.of_face(face.solid, face.node);
     if (sides == 0 || !solid_place_[face.solid].exists()) continue;
     ElementPlace ahead;

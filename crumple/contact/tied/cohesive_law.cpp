@@ -13,57 +13,53 @@ double square_of(double value) {
   return value * value;
 }
 
+using Numbers = materials::MixedMode<double>;
+
+Numbers::Criterion criterion_of(model::TieSoftening::Law law) {
+  switch (law) {
+    case model::TieSoftening::Law::PowerLaw:
+      return Numbers::Criterion::PowerLaw;
+    case model::TieSoftening::Law::BenzeggaghKenane:
+      return Numbers::Criterion::BenzeggaghKenane;
+    case model::TieSoftening::Law::CriticalOpening:
+      break;
+  }
+  return Numbers::Criterion::CriticalOpening;
+}
+
 }  // namespace
 
-double CohesiveLaw::used(double across, double along, const CohesiveStiffness& stiffness) const {
-  double square = 0;
-  if (failure_.normal_strength > 0) square += across * square_of(stiffness.normal / failure_.normal_strength);
-  if (failure_.shear_strength > 0) square += along * square_of(stiffness.shear / failure_.shear_strength);
-  return square;
+Numbers CohesiveLaw::numbers(const CohesiveStiffness& stiffness) const {
+  const auto use = [](double of, double strength) { return strength > 0 ? square_of(of / strength) : 0; };
+  Numbers found;
+  found.criterion = criterion_of(softening_.law);
+  found.normal_stiffness = stiffness.normal;
+  found.shear_stiffness = stiffness.shear;
+  found.normal_use = use(stiffness.normal, failure_.normal_strength);
+  found.shear_use = use(stiffness.shear, failure_.shear_strength);
+  found.normal_energy = softening_.normal_energy;
+  found.shear_energy = softening_.shear_energy;
+  found.exponent = softening_.exponent;
+  found.critical_opening = softening_.critical_opening;
+  return found;
 }
 
 CohesiveLaw::Range CohesiveLaw::range(double opening, double sliding,
                                       const CohesiveStiffness& stiffness) const {
-  const double length = std::hypot(std::max(opening, 0.0), sliding);
-  const double across = square_of(std::max(opening, 0.0) / length);
-  const double along = square_of(sliding / length);
-  const double square = used(across, along, stiffness);
+  const Numbers law = numbers(stiffness);
+  const double across = square_of(std::max(opening, 0.0));
+  const double along = square_of(sliding);
+  const double use = materials::squared_use(law, across, along);
   constexpr double never = std::numeric_limits<double>::max();
-  if (!(square > 0)) return {never, never};
-  Range found;
-  found.onset = 1 / std::sqrt(square);
-  // Twice the energies of the modes over the onset, where the failure is at a distance of 1.
-  const double normal = stiffness.normal * across;
-  const double shear = stiffness.shear * along;
-  const model::TieSoftening& given = softening_;
-  switch (given.law) {
-    case model::TieSoftening::Law::PowerLaw:
-      found.failure = 2 / found.onset *
-                      std::pow(std::pow(normal / given.normal_energy, given.exponent) +
-                                   std::pow(shear / given.shear_energy, given.exponent),
-                               -1 / given.exponent);
-      break;
-    case model::TieSoftening::Law::BenzeggaghKenane: {
-      const double share = std::pow(shear / (normal + shear), given.exponent);
-      const double energy = given.normal_energy + (given.shear_energy - given.normal_energy) * share;
-      found.failure = 2 * energy / (found.onset * (normal + shear));
-      break;
-    }
-    case model::TieSoftening::Law::CriticalOpening:
-      found.failure = given.critical_opening;
-  }
-  return found;
+  if (!(use > 0)) return {never, never};
+  const double onset = std::sqrt((across + along) / use);
+  return {onset, onset * materials::failure_over_onset(law, across, along, use)};
 }
 
 double CohesiveLaw::damage(double opening, double sliding, const CohesiveStiffness& stiffness,
                            double before) const {
-  const double length = std::hypot(std::max(opening, 0.0), sliding);
-  // Most ties are below their strength, and where they fail takes powers to find.
-  if (used(square_of(std::max(opening, 0.0)), square_of(sliding), stiffness) <= 1) return before;
-  const auto [onset, failure] = range(opening, sliding, stiffness);
-  if (length <= onset) return before;
-  if (length >= failure) return 1;
-  return std::max(before, failure * (length - onset) / (length * (failure - onset)));
+  return materials::mixed_mode_damage(numbers(stiffness), square_of(std::max(opening, 0.0)),
+                                      square_of(sliding), before);
 }
 
 const char* CohesiveLaw::brittle_mode(const CohesiveStiffness& stiffness) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "materials/common/mixed_mode.hpp"
 #include "model/tied_contact.hpp"
 
 namespace crumple::contact {
@@ -11,16 +12,8 @@ struct CohesiveStiffness {
   double shear = 0;
 };
 
-/// Traction over separation of a tie that softens: linear up to the strength, from there falling linearly to
-/// zero. With the opening d_n and the sliding d_s the mode is given by the ray to (max(d_n, 0), d_s); on a
-/// ray
-///
-///     onset   d_0:  (K_n d_n / S_n)^2 + (K_s d_s / S_s)^2 = 1
-///     failure d_f:  the area below the traction is the energy that the criterion of mixed modes gives
-///     damage   D = d_f (d - d_0) / (d (d_f - d_0)), which never falls; traction (1 - D) K d
-///
-/// P.P. Camanho, C.G. Davila & M.F. de Moura, Journal of Composite Materials 37 (2003) 1415-1438; as
-/// *MAT_COHESIVE_MIXED_MODE of LS-DYNA's Keyword User's Manual, Volume II. docs/theory/cohesive_ties.md.
+/// Traction over separation of a tie that softens, in any mode: the law of materials/common/mixed_mode.hpp
+/// with the strengths and energies of a contact. docs/theory/cohesive_ties.md.
 class CohesiveLaw {
  public:
   CohesiveLaw(const model::TieFailure& failure, const model::TieSoftening& softening)
@@ -43,8 +36,7 @@ class CohesiveLaw {
   const char* brittle_mode(const CohesiveStiffness& stiffness) const;
 
  private:
-  /// (K_n d_n / S_n)^2 + (K_s d_s / S_s)^2 of the squares of the two distances; above 1 there is damage.
-  double used(double across, double along, const CohesiveStiffness& stiffness) const;
+  materials::MixedMode<double> numbers(const CohesiveStiffness& stiffness) const;
 
   model::TieFailure failure_;
   model::TieSoftening softening_;

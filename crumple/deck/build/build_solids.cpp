@@ -134,12 +134,19 @@ bool check_formulation(const model::SolidElement& solid, const Where& where, Bui
   return false;
 }
 
+bool is_cohesive(const model::SolidElement& solid, const Build& build) {
+  const model::Part& part = build.model.parts[static_cast<std::size_t>(solid.part)];
+  return model::is_cohesive(
+      build.model.solid_sections[static_cast<std::size_t>(part.solid_section)].formulation);
+}
+
 /// ESORT makes wedges and tetrahedra of degenerate hexahedra, each computed by a formulation of its own.
 void check_sorting(const model::SolidElement& solid, const Where& where, Build& build) {
   const model::Part& part = build.model.parts[static_cast<std::size_t>(solid.part)];
   const model::SolidSection& section =
       build.model.solid_sections[static_cast<std::size_t>(part.solid_section)];
   if (!build.deck.sorts_solids || model::is_tetrahedral(section.formulation)) return;
+  if (model::is_cohesive(section.formulation)) return;
   std::array<Index, 8> node = solid.node;
   std::sort(node.begin(), node.end());
   if (std::adjacent_find(node.begin(), node.end()) == node.end()) return;
@@ -179,6 +186,55 @@ void check_shape(const model::SolidElement& solid, const Where& where, Build& bu
         fmt::format("solid {} is so distorted that one of its corners is turned inside out; its "
                     "results will be poor",
                     solid.id));
+}
+
+/// Faces of a cohesive solid that are no quadrilaterals or triangles, whose middle surface has no area, or of
+/// which the upper one lies below the lower one. It may have no volume.
+void check_layer(const model::SolidElement& solid, const Where& where, Build& build) {
+  std::array<Vector, 4> middle{};
+  std::array<Vector, 4> apart{};
+  for (const std::size_t first : {0U, 4U}) {
+    std::array<Index, 4> face{solid.node[first], solid.node[first + 1], solid.node[first + 2],
+                              solid.node[first + 3]};
+    std::sort(face.begin(), face.end());
+    if (std::unique(face.begin(), face.end()) - face.begin() < 3) {
+      build.report.error(where, "face",
+                         fmt::format("cohesive solid {} has a face with fewer than three nodes; N1 to N4 are "
+                                     "one face, N5 to N8 the other",
+                                     solid.id));
+      return;
+    }
+  }
+  double longest = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector& lower = build.model.nodes.position[static_cast<std::size_t>(solid.node[k])];
+    const Vector& upper = build.model.nodes.position[static_cast<std::size_t>(solid.node[k + 4])];
+    apart[k] = difference(upper, lower);
+    for (std::size_t i = 0; i < 3; ++i) middle[k][i] = 0.5 * (lower[i] + upper[i]);
+    longest = std::max(longest, length_of(difference(middle[k], middle[0])));
+  }
+  const Vector one = difference(middle[2], middle[0]);
+  const Vector other = difference(middle[3], middle[1]);
+  const Vector normal{one[1] * other[2] - one[2] * other[1], one[2] * other[0] - one[0] * other[2],
+                      one[0] * other[1] - one[1] * other[0]};
+  const double area = length_of(normal);
+  constexpr double flat = 1e-9;
+  if (area <= flat * longest * longest) {
+    build.report.error(where, "area",
+                       fmt::format("cohesive solid {} has no area; check the order of its nodes and their "
+                                   "coordinates",
+                                   solid.id));
+    return;
+  }
+  double thickness = 0;
+  for (const Vector& a : apart)
+    for (std::size_t i = 0; i < 3; ++i) thickness += 0.25 * a[i] * normal[i] / area;
+  if (thickness < -flat * longest)
+    build.report.error(
+        where, "negative volume",
+        fmt::format("cohesive solid {} has the negative thickness {:.4g}; N1 to N4 run "
+                    "counter-clockwise seen from the side of N5 to N8: exchange N1-N4 with N5-N8",
+                    solid.id, thickness));
 }
 
 /// Nodes of a tetrahedron with ten that are not where the order of the card says: each is nearest to the
@@ -245,7 +301,10 @@ void build_solids(Build& build) {
     if (complete && raw.middle[0] != 0) complete = add_middles(raw, solid, build);
     if (complete && check_repetitions(solid, raw.nodes_where, build.report)) {
       if (check_formulation(solid, raw.nodes_where, build)) {
-        check_shape(solid, raw.nodes_where, build);
+        if (is_cohesive(solid, build))
+          check_layer(solid, raw.nodes_where, build);
+        else
+          check_shape(solid, raw.nodes_where, build);
         if (solid.node.has_middles()) check_middles(solid, raw.nodes_where, build);
       }
       check_sorting(solid, raw.nodes_where, build);

@@ -27,6 +27,22 @@ void warn_of_elastic_pressure(const RawPart& raw, const RawMaterial& material, R
        "equation"});
 }
 
+/// A cohesive section and a cohesive material go together.
+void check_cohesive(const RawPart& raw, const RawMaterial& material, const model::SolidSection& section,
+                    Report& report) {
+  const bool law = model::use_of(material.material.law).only_cohesive;
+  const bool formulation = model::is_cohesive(section.formulation);
+  if (law == formulation) return;
+  report.field_error(
+      raw.where,
+      {"MID", std::to_string(raw.material), formulation ? "a cohesive material" : "a material of stresses",
+       formulation ? fmt::format("section {} of the part is cohesive, ELFORM 19, which goes with "
+                                 "*MAT_COHESIVE_MIXED_MODE and *MAT_COHESIVE_ELASTIC",
+                                 section.id)
+                   : fmt::format("{} goes with a section of ELFORM 19", material.where.keyword),
+       "cohesive"});
+}
+
 void check_solids(const RawPart& raw, const RawMaterial& material, Report& report) {
   const model::LawUse use = model::use_of(material.material.law);
   const std::string eos = std::to_string(raw.equation_of_state);
@@ -123,6 +139,8 @@ void check_part(const RawPart& raw, const model::Part& part, Build& build) {
   const RawMaterial& material = build.deck.materials[static_cast<std::size_t>(part.material)];
   if (part.solid_section != no_index) {
     check_solids(raw, material, build.report);
+    check_cohesive(raw, material, build.model.solid_sections[static_cast<std::size_t>(part.solid_section)],
+                   build.report);
     check_shear_modulus(raw, material, build.report);
   } else {
     check_shells(raw, material, build.model.shell_sections[static_cast<std::size_t>(part.section)],

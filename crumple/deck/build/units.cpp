@@ -77,6 +77,11 @@ bool is_plastic(const model::ConstitutiveLaw& law) {
          !std::holds_alternative<model::SimplifiedRubber>(law);
 }
 
+/// Its stiffness is no stress, and of cohesive solids the density may be one per area.
+bool has_no_modulus(const model::ConstitutiveLaw& law) {
+  return std::holds_alternative<model::DiscreteBeamLaw>(law) || std::holds_alternative<model::Cohesive>(law);
+}
+
 /// What decks write for "elastic" where a law asks for a yield stress.
 bool never_yields(const model::ConstitutiveLaw& law) {
   constexpr double none = 1e15;
@@ -133,7 +138,7 @@ std::string doubt(double density, double modulus) {
 std::string guess_units(const model::Model& model) {
   std::string_view found;
   for (const model::Material& material : model.materials) {
-    if (std::holds_alternative<model::DiscreteBeamLaw>(material.law)) continue;  // has no modulus
+    if (has_no_modulus(material.law)) continue;
     const auto fits = std::find_if(systems.begin(), systems.end(),
                                    [&](const System& system) { return is_metal(material, system); });
     if (fits == systems.end() || (!found.empty() && fits->name != found)) return {};
@@ -147,7 +152,7 @@ std::vector<std::string> unit_doubts(const model::Model& model) {
   for (const model::Material& material : model.materials) {
     std::string& told = doubts.emplace_back();
     const double modulus = modulus_of(material);
-    if (std::holds_alternative<model::NullMaterial>(material.law)) continue;
+    if (std::holds_alternative<model::NullMaterial>(material.law) || has_no_modulus(material.law)) continue;
     if (!(material.density > 0 && modulus > 0)) continue;
     const bool fits = std::any_of(systems.begin(), systems.end(), [&](const System& system) {
       // Beside a metal that tells the system, trim of any softness may be modelled as plastic.

@@ -116,6 +116,9 @@ void read_mat_general_viscoelastic(Cards& cards, RawDeck& deck);
 void read_mat_honeycomb(Cards& cards, RawDeck& deck);
 // read_more_foams.cpp
 void read_mat_soil_and_foam(Cards& cards, RawDeck& deck);
+// read_cohesive_materials.cpp
+void read_mat_cohesive_mixed_mode(Cards& cards, RawDeck& deck);
+void read_mat_cohesive_elastic(Cards& cards, RawDeck& deck);
 void read_mat_bilkhu_dubois_foam(Cards& cards, RawDeck& deck);
 void read_mat_viscous_foam(Cards& cards, RawDeck& deck);
 void read_mat_simplified_rubber(Cards& cards, RawDeck& deck);

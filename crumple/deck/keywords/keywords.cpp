@@ -41,7 +41,6 @@ constexpr Keyword table[] = {
     {"ELEMENT_MASS_NODE_SET", read_element_mass_node_set},
     {"ELEMENT_MASS_PART", read_element_mass_part},
     {"ELEMENT_MASS_PART_SET", read_element_mass_part_set},
-
     {"PART", read_part},
     {"PART_CONTACT", read_part},
     {"PART_PRINT", read_part},
@@ -61,7 +60,6 @@ constexpr Keyword table[] = {
     {"SECTION_DISCRETE", read_section_discrete, title},
     {"INTEGRATION_SHELL", read_integration_shell},
     {"HOURGLASS", read_hourglass, title},
-
     {"MAT_ELASTIC", read_mat_elastic, title},
     {"MAT_001", read_mat_elastic, title},
     {"MAT_PLASTIC_KINEMATIC", read_mat_plastic_kinematic, title},
@@ -129,11 +127,14 @@ constexpr Keyword table[] = {
     {"MAT_062", read_mat_viscous_foam, title},
     {"MAT_SIMPLIFIED_RUBBER/FOAM", read_mat_simplified_rubber, title},
     {"MAT_181", read_mat_simplified_rubber, title},
+    {"MAT_COHESIVE_MIXED_MODE", read_mat_cohesive_mixed_mode, title},
+    {"MAT_138", read_mat_cohesive_mixed_mode, title},
+    {"MAT_COHESIVE_ELASTIC", read_mat_cohesive_elastic, title},
+    {"MAT_184", read_mat_cohesive_elastic, title},
     {"EOS_LINEAR_POLYNOMIAL", read_eos_linear_polynomial, title},
     {"EOS_001", read_eos_linear_polynomial, title},
     {"EOS_GRUNEISEN", read_eos_gruneisen, title},
     {"EOS_004", read_eos_gruneisen, title},
-
     {"MAT_RESULTANT_PLASTICITY", read_mat_resultant_plasticity, title},
     {"MAT_028", read_mat_resultant_plasticity, title},
     {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", read_mat_linear_elastic_discrete_beam, title},

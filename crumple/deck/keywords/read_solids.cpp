@@ -43,8 +43,8 @@ constexpr Field section_card[] = {
     unused("-"),
     unused("--"),
     unused("---"),
-    only("COHOFF", {0}, "cohesive elements are not supported"),
-    only("GASKETT", {0}, "cohesive elements are not supported"),
+    only("COHOFF", {0}, "only ELFORM 20 and 22 place the layer by it, and they are not supported"),
+    only("GASKETT", {0}, "there are no gaskets"),
 };
 
 /// A number of ELFORM; without a formulation it is one that is not there yet.
@@ -66,6 +66,9 @@ constexpr std::string_view as_quadratic =
 constexpr std::string_view as_selective =
     "computed as 2, without rotations at its nodes or enhanced strains: stiffer in bending where the mesh is "
     "coarse";
+constexpr std::string_view take_cohesive =
+    "take 19; forces act at the nodes of the shells, in their middle surfaces, without moments";
+constexpr std::string_view take_cohesive_wedge = "take 19, with N4 the same as N3 and N8 the same as N7";
 constexpr std::string_view no_substitute = "there is nothing like it here";
 
 constexpr NamedForm forms[] = {
@@ -91,8 +94,10 @@ constexpr NamedForm forms[] = {
     {16, model::SolidFormulation::QuadraticTetrahedron, "the ten-node tetrahedron", ""},
     {17, model::SolidFormulation::QuadraticTetrahedron, "the composite ten-node tetrahedron", as_quadratic},
     {18, model::SolidFormulation::SelectiveHexahedron, "the hexahedron for linear statics", as_selective},
-    {19, {}, "the cohesive element", no_substitute},
-    {20, {}, "the cohesive element with offsets for shells", no_substitute},
+    {19, model::SolidFormulation::CohesiveHexahedron, "the cohesive hexahedron", ""},
+    {20, {}, "the cohesive hexahedron with offsets for shells", take_cohesive},
+    {21, {}, "the cohesive wedge", take_cohesive_wedge},
+    {22, {}, "the cohesive wedge with offsets for shells", take_cohesive_wedge},
     {115, model::SolidFormulation::OnePointHexahedron, "the wedge with one point", equal_nodes},
 };
 
@@ -106,7 +111,7 @@ model::SolidFormulation formulation_of(const Card& card, Report& report) {
   if (form != std::end(forms) && form->formulation) {
     if (!form->instead.empty())
       report.field_warning(card.where(),
-                           {"ELFORM", std::string(card.text("ELFORM")), "1, 2, 10, 13 or 16",
+                           {"ELFORM", std::string(card.text("ELFORM")), "1, 2, 10, 13, 16 or 19",
                             fmt::format("of {}: {}", form->name, form->instead), "formulation"});
     return *form->formulation;
   }

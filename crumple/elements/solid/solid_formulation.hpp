@@ -12,6 +12,7 @@
 //     Tetrahedron                ELFORM 10   constant strain
 //     NodalPressureTetrahedron   ELFORM 13   J. Bonet & A.J. Burton, Commun. Numer. Meth. Engng 14 (1998)
 //                                            437-449; dilatation averaged at the nodes (nodal_average.hpp)
+//     CohesiveHexahedron         ELFORM 19   tractions between two faces, which may coincide
 //     QuadraticTetrahedron       ELFORM 16, 17   O.C. Zienkiewicz & R.L. Taylor: ten nodes, four points
 //
 //         8--------7       Fields of a hexahedron are sums of the eight patterns of the trilinear map: 1, xi,

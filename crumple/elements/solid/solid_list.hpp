@@ -2,6 +2,7 @@
 #pragma once
 
 #include "elements/common/formulation_list.hpp"
+#include "elements/solid/cohesive_hexahedron.hpp"
 #include "elements/solid/one_point_hexahedron.hpp"
 #include "elements/solid/quadratic_tetrahedron.hpp"
 #include "elements/solid/selective_hexahedron.hpp"
@@ -16,6 +17,7 @@ using SolidFormulations = FormulationList<  //
     AssumedStrainHexahedron,                //
     Tetrahedron,                            //
     NodalPressureTetrahedron,               //
-    QuadraticTetrahedron>;
+    QuadraticTetrahedron,                   //
+    CohesiveHexahedron>;
 
 }  // namespace crumple::elements

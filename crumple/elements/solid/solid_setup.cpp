@@ -65,6 +65,8 @@ double least_jacobian(const SolidPatterns<double>& x) {
 
 SolidSize solid_size(const domain::Domain& domain, const domain::SolidBlock& block, Index place,
                      const SolidConstants<double>& constants) {
+  if (model::is_cohesive(block.formulation))
+    return {block.state(place, constants.own + solid_state::reference_volume), 1};
   const std::array<Index, 8> node = block.nodes_of(place);
   std::array<math::Vec3, 8> corner;
   for (std::size_t k = 0; k < 8; ++k) corner[k] = domain.nodes.position[node[k]];

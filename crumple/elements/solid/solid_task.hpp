@@ -38,13 +38,15 @@ struct SolidConstants {
   Real interior_speed_square = 0;  ///< what it adds to the square of the wave speed [(length/time)^2]
   Real bulk_quadratic = 0;         ///< Q1 [-]
   Real bulk_linear = 0;            ///< Q2 [-]
+  Real point_place = 0;            ///< of cohesive solids: coordinates of the points in the parent square [-]
 };
 
 /// The element's own items, counted from SolidConstants::own.
 namespace solid_state {
-inline constexpr Index reference_volume = 0;  ///< at time zero
+inline constexpr Index reference_volume = 0;  ///< at time zero; of cohesive solids the area
 inline constexpr Index active = 1;            ///< 1, or 0: no force, no energy, no limit on the step
-inline constexpr Index step_scale = 2;        ///< on the stable step: mass scaling, LoneElements
+inline constexpr Index step_scale = 2;        ///< on the stable step: mass scaling, LoneElements; of cohesive
+                                              ///< solids, which have a length and speed of one, the step
 inline constexpr Index bulk_viscosity = 3;    ///< pressure that resists compression
 inline constexpr Index own = 4;               ///< what the formulation keeps, see KeptItem
 }  // namespace solid_state

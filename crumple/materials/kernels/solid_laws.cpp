@@ -3,6 +3,7 @@
 #include "base/isa_variants.hpp"
 #include "materials/kernel_list.hpp"
 #include "materials/list.hpp"
+#include "materials/separation_update.hpp"
 #include "materials/solid_update.hpp"
 
 namespace crumple::materials {
@@ -11,7 +12,11 @@ namespace {
 template <class Law, class Real>
 void update(const SolidMaterialTask<Real>& task) {
   using Pack = NativePack<Real>;
-  update_solids<typename Law::template SolidUpdate<Pack>, Pack>(task);
+  using Update = typename Law::template SolidUpdate<Pack>;
+  if constexpr (requires { Update::is_of_separations; })
+    update_separations<Update, Pack>(task);
+  else
+    update_solids<Update, Pack>(task);
 }
 
 template <class Real, class... Laws>
