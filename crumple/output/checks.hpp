@@ -63,8 +63,8 @@ class PeakValues {
   std::vector<double> largest_part_internal_;  ///< as far as observed, by part [energy]
 };
 
-/// |unbalanced energy| over the largest energy that the run has absorbed or damped, but no less than a hundredth of the
-/// largest energy around; zero where the balance is kept to round-off [-].
+/// |unbalanced energy| over the largest energy that the run has absorbed or damped, but no less than a
+/// hundredth of the largest energy around; zero where the balance is kept to round-off [-].
 double energy_error(const View& view, const PeakValues& peaks);
 
 /// The table for the present state, the end of a run, which the peaks have observed.

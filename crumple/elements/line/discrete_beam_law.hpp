@@ -74,13 +74,13 @@ class DiscreteBeamResponse {
   double quadratic_force(const Direction& one, double displacement, double* history, int stride) const;
   double preload_share(double time) const;
 
-  Unloading unloading_ = Unloading::None;
-  double permanent_share_ = 0;
-  bool joint_failure_ = false;
   model::DiscreteBeamLaw::Kind kind_ = model::DiscreteBeamLaw::Kind::Axes;
   double axial_stiffness_ = 0;  ///< E A of a cable [force]
   double area_ = 0;             ///< of a cable with a curve of stresses
   double ramp_time_ = 0;
+  Unloading unloading_ = Unloading::None;
+  double permanent_share_ = 0;
+  bool joint_failure_ = false;
   double steepest_stress_ = 0;
   SlopedCurve stress_;
   std::array<Direction, discrete_directions> directions_;

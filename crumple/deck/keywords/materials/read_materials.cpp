@@ -90,8 +90,14 @@ constexpr Field damaged_card[] = {
 };
 
 constexpr Field damaged_rate_card[] = {
-    real("C", 0, not_negative),     real("P", 0, not_negative), reference("LCSS"), reference("LCSR"),
-    real("EPPFR", 0, not_negative), viscoplastic_field,         reference("LCDM", IdKind::Function), real("NUMINT"),
+    real("C", 0, not_negative),
+    real("P", 0, not_negative),
+    reference("LCSS"),
+    reference("LCSR"),
+    real("EPPFR", 0, not_negative),
+    viscoplastic_field,
+    reference("LCDM", IdKind::Function),
+    real("NUMINT"),
 };
 
 constexpr Field strain_card[] = {real("EPS1", 0, not_negative), real("EPS2", 0, not_negative),
