@@ -156,10 +156,10 @@ Pulled pull(const Pull& given) {
 TEST(CohesiveSolids, FollowTheirLawAndTakeItsEnergy) {
   const std::string element = "one cohesive solid: ";
   test::Largest traction(element + "tractions over their peak, error", "closed form", 1e-9);
-  test::Largest opening(element + "energy over area in mode I over GIC, error", "exact", 1e-3);
-  test::Largest sliding(element + "energy over area in mode II over GIIC, error", "exact", 1e-3);
+  test::Largest opening(element + "energy over area in mode I over GIC, error", "exact", 1e-5);
+  test::Largest sliding(element + "energy over area in mode II over GIIC, error", "exact", 1e-5);
   test::Largest mixed(element + "energy over area in mixed modes, error", "power law, Benzeggagh and Kenane",
-                      1e-3);
+                      1e-5);
   for (const auto& [failure, exponent] :
        {std::pair{Failure::PowerLaw, 1.0}, {Failure::PowerLaw, 1.45}, {Failure::BenzeggaghKenane, 2.0}})
     for (const double degrees : {0.0, 35.0, 65.0, 90.0})
@@ -300,18 +300,19 @@ TEST(CohesiveSolids, MomentaAndEnergyAreKept) {
     for (Index i = 0; i < model.nodes.count(); ++i)
       model.initial_velocities.push_back(
           {.node = i,
-           .velocity = {std::sin(1.0 * i), std::sin(2.0 * i), std::sin(3.0 * i)},
+           .velocity = {10 * std::sin(1.0 * i), 10 * std::sin(2.0 * i), 10 * std::sin(3.0 * i)},
            .angular_velocity = {}});
-    model.control.end_time = 0.1;
+    model.control.end_time = 0.05;
     timeloop::Simulation simulation(model, test::execution());
     test::Conservation kept;
     test::run(simulation, [&](const domain::Domain& domain) { kept.watch(domain); });
     std::printf("thickness %.1f: moment of momentum %.1e, momentum %.1e, energy %.1e, gone %d\n", thickness,
                 kept.turning_drift, kept.momentum_drift, kept.worst_imbalance,
-                simulation.domain().solids[1].eroded);
+                simulation.domain().solids[2].eroded);
+    EXPECT_GT(simulation.domain().solids[2].eroded, 0);
     EXPECT_LT(kept.momentum_drift, 1e-13);
     EXPECT_LT(kept.turning_drift, 1e-12);
-    EXPECT_LT(kept.worst_imbalance, 1e-2);
+    EXPECT_LT(kept.worst_imbalance, 5e-4);
   }
 }
 
@@ -337,14 +338,13 @@ double largest_energy(double stiffness, double density, double thickness, double
   for (long cycle = 0; cycle < cycles; ++cycle) {
     simulation.step();
     largest = test::larger_of(largest, (energy.kinetic + energy.internal) / energy.initial_total);
-    if (!(largest < 1e3)) break;
   }
   return largest;
 }
 
 /// Stiffness from far below to far above that of the blocks, mass from nothing to more than theirs.
 TEST(CohesiveSolids, AreStableAtTheDefaultStep) {
-  test::Largest gain("glued blocks that are struck: energy gained, over that of the blow", "stability", 0.02);
+  test::Largest gain("glued blocks that are struck: energy gained, over that of the blow", "stability", 1e-3);
   for (const double stiffness : {1.0, 100.0, 1e4})
     for (const double density : {1e-10, 1e-6, 1e-4})
       for (const double thickness : {0.0, 0.5, 2.0}) {
@@ -354,7 +354,7 @@ TEST(CohesiveSolids, AreStableAtTheDefaultStep) {
         gain.add(std::max(0.0, found - 1));
       }
   // Nor is the step a fraction of what it could be.
-  EXPECT_GT(largest_energy(1e4, 1e-6, 0, 1.6, 3000), 1e2);
+  EXPECT_THROW(largest_energy(1e4, 1e-6, 0, 1.6, 3000), Error);
 }
 
 TEST(CohesiveSolids, RefuseWhatCannotSoftenAndWhatHasNoArea) {
@@ -379,6 +379,8 @@ TEST(CohesiveSolids, RefuseWhatCannotSoftenAndWhatHasNoArea) {
 TEST(CohesiveSolids, HideFacesFromContactUntilTheyGo) {
   model::Model model = glued_blocks(glue(), 1e-6, 0);
   model.contacts.push_back(model::self_contact(1, "all", {0, 1, 2}));
+  // With a factor of 1 the contact would give as much as the blocks do.
+  model.contacts[0].side[0].stiffness_scale = 10;
   constexpr double apart = 0.1;
   constexpr double together = -0.02;
   model.curves.push_back({1, {0, 0.2, 0.5, 1e6}, {0, apart, together, together}});

@@ -25,11 +25,14 @@ constexpr double cell = 0.5;
 constexpr double crack = 10;
 constexpr double modulus = 70;
 constexpr double toughness = 3e-4;
+// Sixteen times that of aluminium, for longer steps: the arms still swing some 15 times while the crack runs.
+constexpr double density = 4.3e-5;
 
 model::Model double_cantilever() {
   model::Model model =
-      test::one_solid_part({.id = 1, .title = "arms", .density = 2.7e-6, .law = model::Elastic{modulus, 0}});
-  model.solid_sections[0].formulation = model::SolidFormulation::AssumedStrainHexahedron;
+      test::one_solid_part({.id = 1, .title = "arms", .density = density, .law = model::Elastic{modulus, 0}});
+  // In bending ELFORM -2 keeps the volume, which without lateral strain makes two layers a quarter too stiff.
+  model.solid_sections[0].formulation = model::SolidFormulation::SelectiveHexahedron;
   const auto cells = static_cast<Index>(std::lround(arm_length / cell));
   std::array<Index, 2> start{};
   for (const Index arm : {0, 1})
@@ -69,7 +72,7 @@ model::Model double_cantilever() {
     if (x[0] > arm_length - 1e-9)
       model.fixed_nodes.push_back({.node = node, .translation = {true, false, false}, .rotation = {}});
   }
-  model.mass_damping = model::MassDamping{.constant = 3};
+  model.mass_damping = model::MassDamping{.constant = 0.3};
   model.control.end_time = 6;
   return model;
 }
@@ -97,10 +100,10 @@ TEST(DoubleCantilever, ACrackRunsThroughADoubleCantileverBeam) {
   const double bending = modulus * arm_height * arm_height * arm_height / 12;
   const double constant = std::sqrt(toughness * bending * 2.0 / 3 * std::sqrt(toughness / bending));
   test::Largest curve("double cantilever beam: force over opening while the crack runs, error",
-                      "beam theory (Williams 1988)", 0.06);
+                      "beam theory (Williams 1988)", 0.02);
   for (const auto& [at, force] : forces) {
     std::printf("opening %.3f: force %.5f, theory %.5f\n", at, force, constant / std::sqrt(at));
-    if (at > 0.7) curve.compare(force / (constant / std::sqrt(at)), 1);
+    if (at > 0.5) curve.compare(force / (constant / std::sqrt(at)), 1);
   }
   const double cracked = layer.eroded * cell;
   std::printf("gone %d, energy of what is gone over GIC area %.5f, imbalance %.1e\n", layer.eroded,

@@ -103,8 +103,7 @@ constexpr NamedForm forms[] = {
 
 /// The formulation of ELFORM; another than the supported ones is reported.
 model::SolidFormulation formulation_of(const Card& card, Report& report) {
-  constexpr auto fallback = model::SolidFormulation::OnePointHexahedron;
-  if (!card.good("ELFORM")) return fallback;
+  if (!card.good("ELFORM")) return model::SolidFormulation::OnePointHexahedron;
   const std::int64_t number = card.integer("ELFORM");
   const auto form = std::find_if(std::begin(forms), std::end(forms),
                                  [&](const NamedForm& f) { return f.number == number; });
@@ -124,7 +123,9 @@ model::SolidFormulation formulation_of(const Card& card, Report& report) {
                                : fmt::format("{} is {}; {}", number, form->name, form->instead);
   report.code_unsupported(card.where(),
                           {"ELFORM", std::string(card.text("ELFORM")), supported, hint, "value"});
-  return fallback;
+  // Its material is cohesive: that should not be a second error.
+  const bool cohesive = number >= 20 && number <= 22;
+  return cohesive ? model::SolidFormulation::CohesiveHexahedron : model::SolidFormulation::OnePointHexahedron;
 }
 
 /// Nodes that are left out at the end repeat the last one: four make a tetrahedron, five a pyramid. False,

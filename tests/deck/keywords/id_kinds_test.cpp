@@ -15,10 +15,10 @@ namespace {
 /// Whole numbers that are no ids: counts, codes and choices. A new field of a card must be an id, or stand
 /// here.
 constexpr std::string_view not_ids[] = {
-    "CON2",   "ICST",  "K",      "CST",   "DDOF",  "DIR",    "NDS",    "STOP",   "CYCL",   "DEPTH",
-    "DOF",    "DOFRX", "DOFRY",  "DOFRZ", "DOFX",  "DOFY",   "DOFZ",   "ELFORM", "ENDCYC", "ESORT",
-    "INCR",   "IRCS",  "MAXINT", "MPR",   "NEIPH", "NCS",    "NEIPS",  "NIP",    "NPLTC",  "NR",
-    "NUMFIP", "RC",    "SPR",    "STYP",  "TC",    "NPLANE", "NTHICK", "NHISV",  "NINT",   "NSHV",
+    "CON2",   "ICST",  "K",      "CST",    "DDOF",  "DIR",  "NDS",    "STOP",    "CYCL",   "DEPTH", "DOF",
+    "DOFRX",  "DOFRY", "DOFRZ",  "DOFX",   "DOFY",  "DOFZ", "ELFORM", "ENDCYC",  "ESORT",  "INCR",  "IRCS",
+    "MAXINT", "MPR",   "NEIPH",  "NCS",    "NEIPS", "NIP",  "NPLTC",  "NR",      "NUMFIP", "RC",    "SPR",
+    "STYP",   "TC",    "NPLANE", "NTHICK", "NHISV", "NINT", "NSHV",   "INTFAIL",
 };
 
 bool is_listed(std::string_view name) {

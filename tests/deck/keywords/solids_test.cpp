@@ -181,13 +181,13 @@ TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
       message("4"),
       "deck.k:20: error: *SECTION_SOLID card 1 field ELFORM: read \"4\", expected 1 (the hexahedron with "
       "one point), 2 (the selectively reduced hexahedron), 10 (the tetrahedron with one point), 13 (the "
-      "tetrahedron with averaged nodal pressure), 16 (the ten-node tetrahedron); 4 is the tetrahedron with "
-      "rotations at its nodes; take 13, or 10, with four nodes\n");
+      "tetrahedron with averaged nodal pressure), 16 (the ten-node tetrahedron), 19 (the cohesive "
+      "hexahedron); 4 is the tetrahedron with rotations at its nodes; take 13, or 10, with four nodes\n");
   EXPECT_EQ(
       message("15"),
       "deck.k: note: densities and moduli look like the units kg, mm, ms\n"
-      "deck.k:20: warning: *SECTION_SOLID card 1 field ELFORM: read \"15\", expected 1, 2, 10, 13 or 16; of "
-      "the wedge with two points: wedges are computed as hexahedra with equal nodes\n");
+      "deck.k:20: warning: *SECTION_SOLID card 1 field ELFORM: read \"15\", expected 1, 2, 10, 13, 16 or "
+      "19; of the wedge with two points: wedges are computed as hexahedra with equal nodes\n");
   EXPECT_EQ(message("115").find("error"), std::string::npos);
   for (const char* number : {"-1", "-2"}) {
     EXPECT_NE(message(number).find("warning: *SECTION_SOLID card 1 field ELFORM"), std::string::npos);

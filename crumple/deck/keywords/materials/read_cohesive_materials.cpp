@@ -54,7 +54,7 @@ model::Cohesive cohesive_of(const Card& card) {
   model::Cohesive law;
   law.youngs_modulus = card.real("EN");
   law.shear_stiffness = card.real("ET");
-  law.mass_by_area = card.integer("ROFLG") == 1;
+  law.mass_by_area = card.real("ROFLG") == 1;
   const auto points = card.good("INTFAIL") ? static_cast<int>(card.integer("INTFAIL")) : 0;
   law.failed_points = std::abs(points);
   law.at_corners = points <= 0;
