@@ -49,7 +49,7 @@ struct Check {
     Harmless,     ///< one of the values; another one is left out with a warning
   };
   Kind kind = Kind::None;
-  std::array<double, 8> values{};  ///< of Only and Harmless; low and high of Between and Within
+  std::array<double, 12> values{};  ///< of Only and Harmless; low and high of Between and Within
   std::size_t count = 0;
   std::string_view text;  ///< what is expected, or why another value is left out
 };

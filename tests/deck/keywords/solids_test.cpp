@@ -194,11 +194,15 @@ TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
     EXPECT_NE(message(number).find("by assumed strains in elements of any shape"), std::string::npos);
     EXPECT_EQ(message(number).find("error"), std::string::npos);
   }
-  EXPECT_NE(message("3").find("3 is the hexahedron with rotations at its nodes; take 2"), std::string::npos);
+  for (const char* number : {"3", "18"}) {
+    EXPECT_NE(message(number).find("warning: *SECTION_SOLID card 1 field ELFORM"), std::string::npos);
+    EXPECT_NE(message(number).find("computed as 2"), std::string::npos);
+  }
+  EXPECT_NE(message("9").find("9 is the one-point hexahedron for crushed foams; take 2"), std::string::npos);
   EXPECT_NE(message("77").find("read \"77\", expected 1"), std::string::npos);
   EXPECT_EQ(message("0").find("error"), std::string::npos);
   SolidDeck deck;
-  deck.section = "*SECTION_SOLID\n1,3\n";
+  deck.section = "*SECTION_SOLID\n1,9\n";
   ReadOptions options;
   options.allow_unsupported = true;
   const ReadResult result = read_deck_text(deck.text(), options);
@@ -243,6 +247,19 @@ TEST(SolidHourglass, FormsAndCoefficients) {
   EXPECT_EQ(model::hourglass_of(model, model.parts[0]).coefficient, 0.03);
   EXPECT_EQ(model::bulk_viscosity_of(model, model.parts[0]).quadratic, 2.0);
   EXPECT_EQ(model::bulk_viscosity_of(model, model.parts[0]).linear, 0.2);
+}
+
+TEST(SolidHourglass, OtherFormsOfAssumedStrainsAreComputedAsOne) {
+  for (const char* form : {"7", "9", "10"}) {
+    SolidDeck deck;
+    deck.more = "*CONTROL_HOURGLASS\n" + std::string(form) + ",1.0\n";
+    const ReadResult result = read_deck_text(deck.text());
+    ASSERT_TRUE(result.model) << form;
+    EXPECT_EQ(result.model->control.hourglass.solid_form, SolidHourglassForm::AssumedStrain) << form;
+    EXPECT_EQ(result.model->control.hourglass.coefficient, 1) << form;
+    EXPECT_NE(listed(result.diagnostics).find("field IHQ: read \"" + std::string(form) + "\""),
+              std::string::npos);
+  }
 }
 
 TEST(SolidHourglass, AssumedStrainMayHaveTheWholeStiffnessAndIsNotForShells) {
