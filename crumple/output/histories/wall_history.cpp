@@ -27,10 +27,12 @@ class WallHistory : public SampledHistory {
  public:
   explicit WallHistory(const View& view)
       : SampledHistory(rwforc_form, variables), time_(view.domain.clock.time) {
-    // A run that is taken up in another folder begins its rows here.
+    // A run that is taken up in another folder begins its rows here; the kick at the start belongs to the
+    // first row.
+    const bool begins = view.domain.clock.cycle == 0;
     for (const domain::WallReport& wall : view.domain.walls) {
-      impulse_.push_back(wall.impulse);
-      normal_impulse_.push_back(wall.normal_impulse);
+      impulse_.push_back(begins ? math::Vec3{} : wall.impulse);
+      normal_impulse_.push_back(begins ? 0 : wall.normal_impulse);
     }
   }
 
