@@ -97,7 +97,7 @@ std::vector<double> CohesiveLaw::constants(const model::Material& material) {
   found[ShearEnergy] = numbers.shear_energy;
   found[Exponent] = numbers.exponent;
   found[StiffnessExponent] = numbers.stiffness_exponent;
-  constexpr double never = std::numeric_limits<float>::max();
+  constexpr auto never = static_cast<double>(std::numeric_limits<float>::max());
   found[FailedPoints] = law.failed_points > 0 ? law.failed_points : never;
   return found;
 }
