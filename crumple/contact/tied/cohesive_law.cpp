@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "materials/common/brittle_mode.hpp"
 
 namespace crumple::contact {
 namespace {
@@ -63,16 +64,7 @@ double CohesiveLaw::damage(double opening, double sliding, const CohesiveStiffne
 }
 
 const char* CohesiveLaw::brittle_mode(const CohesiveStiffness& stiffness) const {
-  const auto cannot_soften = [](const Range& range) {
-    return range.onset < std::numeric_limits<double>::max() && range.failure <= range.onset;
-  };
-  if (cannot_soften(range(1, 0, stiffness))) return "tension";
-  if (cannot_soften(range(0, 1, stiffness))) return "shear";
-  for (int degrees = 1; degrees < 90; ++degrees) {
-    const double angle = degrees * std::numbers::pi / 180;
-    if (cannot_soften(range(std::cos(angle), std::sin(angle), stiffness))) return "mixed modes";
-  }
-  return "";
+  return materials::brittle_mode(numbers(stiffness));
 }
 
 }  // namespace crumple::contact

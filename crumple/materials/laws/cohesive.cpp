@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "materials/laws/cohesive.hpp"
 
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <variant>
 
+#include "materials/common/brittle_mode.hpp"
 #include "materials/common/checks.hpp"
 
 namespace crumple::materials {
@@ -42,20 +41,6 @@ Numbers numbers_of(const model::Cohesive& law) {
   found.exponent = law.exponent;
   found.stiffness_exponent = law.stiffness_exponent;
   return found;
-}
-
-/// The mode, in words, that would store more up to its strength than it may take in all; empty if there is
-/// none on rays a degree apart.
-std::string brittle_mode(const Numbers& law) {
-  for (int degrees = 0; degrees <= 90; ++degrees) {
-    const double angle = degrees * std::numbers::pi / 180;
-    const double opening = degrees == 90 ? 0 : std::cos(angle) * std::cos(angle);
-    const double sliding = std::sin(angle) * std::sin(angle);
-    const double use = squared_use(law, opening, sliding);
-    if (failure_over_onset(law, opening, sliding, use) > 1) continue;
-    return degrees == 0 ? "tension" : degrees == 90 ? "shear" : "mixed modes";
-  }
-  return "";
 }
 
 }  // namespace
