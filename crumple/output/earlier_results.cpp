@@ -14,6 +14,7 @@
 #include "output/lsdyna/binout.hpp"
 #include "output/lsdyna/dynain.hpp"
 #include "output/lsdyna/text_file.hpp"
+#include "output/paraview/paraview_series.hpp"
 
 namespace crumple::output {
 namespace {
@@ -45,9 +46,8 @@ bool mentions(const std::filesystem::path& path, std::string_view mark) {
   return read_start(path, 2048).find(mark) != std::string::npos;
 }
 
-/// Removes the frames of all runs in the folder: collections that name nothing but files as we name them in
-/// our subfolder, and those files.
-void remove_frames(const std::filesystem::path& folder) {
+/// Collections that name a frame as we name them, with their frames.
+void remove_all_frames(const std::filesystem::path& folder) {
   std::error_code ignored;
   std::vector<std::filesystem::path> collections;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
@@ -55,13 +55,7 @@ void remove_frames(const std::filesystem::path& folder) {
         mentions(entry.path(), "file=\"vtu/" + entry.path().stem().string() + "_000000.vtu\""))
       collections.push_back(entry.path());
   for (const std::filesystem::path& collection : collections) {
-    const std::string name = collection.stem().string();
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "vtu", ignored)) {
-      const std::string file = entry.path().filename().string();
-      const std::string frame = file.substr(0, file.find_last_of('_'));
-      if (entry.path().extension() == ".vtu" && (frame == name || frame == name + "_walls"))
-        std::filesystem::remove(entry.path(), ignored);
-    }
+    remove_frames(folder, collection.stem().string());
     std::filesystem::remove(collection, ignored);
   }
 }
@@ -81,7 +75,7 @@ void remove_earlier_results(const std::filesystem::path& folder) {
     if (mentions(folder / name, program_mark)) std::filesystem::remove(folder / name, ignored);
   if (mentions(folder / binout_name, binout_mark)) std::filesystem::remove(folder / binout_name, ignored);
   if (mentions(folder / dynain_name, dynain_mark)) std::filesystem::remove(folder / dynain_name, ignored);
-  remove_frames(folder);
+  remove_all_frames(folder);
 }
 
 void require_no_output(const std::filesystem::path& folder, std::span<const std::filesystem::path> files) {

@@ -109,6 +109,17 @@ std::string as_attribute(const std::string& text) {
 
 }  // namespace
 
+void remove_frames(const std::filesystem::path& folder, const std::string& name, int first) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "vtu", ignored)) {
+    const std::string file = entry.path().stem().string();
+    const std::size_t end = file.find_last_of('_');
+    const std::string frame = file.substr(0, end);
+    if ((frame != name && frame != name + "_walls") || entry.path().extension() != ".vtu") continue;
+    if (std::atoi(file.c_str() + end + 1) >= first) std::filesystem::remove(entry.path(), ignored);
+  }
+}
+
 ParaviewSeries::ParaviewSeries(std::filesystem::path folder, std::string name, const View& view,
                                Opening opening, bool all_fields)
     : folder_(std::move(folder)), name_(std::move(name)), all_fields_(all_fields), walls_(view) {
@@ -129,26 +140,16 @@ void ParaviewSeries::resume() {
   std::error_code ignored;
   while (!times_.empty() && !std::filesystem::exists(folder_ / frame_name(frames() - 1), ignored))
     times_.pop_back();
-  remove_frames_from(frames());
+  remove_unfinished_files(folder_ / "vtu");
+  remove_frames(folder_, name_, frames());
   if (!times_.empty()) write_atomically(collection(), collection_text());
 }
 
 void ParaviewSeries::remove_earlier_frames() const {
   std::error_code ignored;
   std::filesystem::remove(collection(), ignored);
-  remove_frames_from(0);
-}
-
-void ParaviewSeries::remove_frames_from(int first) const {
-  std::error_code ignored;
   remove_unfinished_files(folder_ / "vtu");
-  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "vtu", ignored)) {
-    const std::string file = entry.path().stem().string();
-    const std::size_t end = file.find_last_of('_');
-    const std::string frame = file.substr(0, end);
-    if ((frame != name_ && frame != name_ + "_walls") || entry.path().extension() != ".vtu") continue;
-    if (std::atoi(file.c_str() + end + 1) >= first) std::filesystem::remove(entry.path(), ignored);
-  }
+  remove_frames(folder_, name_);
 }
 
 void ParaviewSeries::pack_constant_arrays(const View& view) {

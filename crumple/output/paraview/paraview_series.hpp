@@ -13,6 +13,10 @@
 
 namespace crumple::output {
 
+/// Removes the frames of a run from the number `first` on from a folder of results, those of its walls as
+/// well; its collection stays. Other files are left alone.
+void remove_frames(const std::filesystem::path& folder, const std::string& name, int first = 0);
+
 /// The frames of a run for ParaView: `<name>.pvd` and `vtu/<name>_000000.vtu`, `..._000001.vtu`, ... Points
 /// and cells are in the order of the deck. Rigid walls that have a shape are a second part of each frame,
 /// `vtu/<name>_walls_000000.vtu`. Every file is replaced as a whole, so that what lies in the folder
@@ -39,7 +43,6 @@ class ParaviewSeries {
 
  private:
   void remove_earlier_frames() const;
-  void remove_frames_from(int first) const;
   void pack_constant_arrays(const View& view);
   std::vector<VtuArray> point_fields(const View& view);
   std::vector<VtuArray> cell_fields(const View& view);
