@@ -181,6 +181,8 @@ TEST_F(RunTest, AnEnergyRatioOutOfBoundsEndsTheRun) {
   const Result result = run({"run", write("plate.k", falling_plate(control)), "-o", path("out"), "-q"});
   EXPECT_EQ(result.code, ExitCode::Numerical) << result.err;
   EXPECT_NE(record("out")["reason"].get<std::string>().find("ENDENG"), std::string::npos);
+  EXPECT_TRUE(exists("out/restart/last_good.restart"))
+      << "the state is good, and may go on with another limit";
 }
 
 TEST_F(RunTest, AnEarlierRunInTheSameFolderLeavesNoTrace) {
@@ -192,6 +194,38 @@ TEST_F(RunTest, AnEarlierRunInTheSameFolderLeavesNoTrace) {
   ASSERT_EQ(run({"run", deck, "-o", path("out"), "-q"}).code, ExitCode::Normal);
   EXPECT_FALSE(exists("out/vtu/plate_000100.vtu"));
   EXPECT_TRUE(exists("out/vtu/plate_000002.vtu"));
+}
+
+TEST_F(RunTest, FramesOfAnotherDeckGoWhenARunStartsInTheirFolder) {
+  ASSERT_EQ(run({"run", write("plate.k", falling_plate()), "-o", path("out"), "-q"}).code, ExitCode::Normal);
+  ASSERT_EQ(run({"run", write("other.k", falling_plate()), "-o", path("out"), "-q"}).code, ExitCode::Normal);
+  EXPECT_FALSE(exists("out/plate.pvd"));
+  EXPECT_FALSE(exists("out/vtu/plate_000000.vtu"));
+  EXPECT_TRUE(exists("out/vtu/other_000100.vtu"));
+}
+
+TEST_F(RunTest, ADeckWithTheNameOfAResultIsNotOverwritten) {
+  const std::string text = falling_plate();
+  const Result result = run({"run", write("glstat.csv", text), "-o", path("."), "-q"});
+  EXPECT_EQ(result.code, ExitCode::Input) << result.err;
+  EXPECT_NE(result.err.find("would overwrite the input file"), std::string::npos) << result.err;
+  EXPECT_EQ(read("glstat.csv"), text);
+}
+
+TEST_F(RunTest, ARestartBehindItsEndSaysThatItMakesNoStep) {
+  const std::string deck = write("plate.k", falling_plate());
+  ASSERT_EQ(run({"run", deck, "-o", path("out"), "-q", "--restart-every", "1000000"}).code, ExitCode::Normal);
+  const Result result = run({"run", "--restart", path("out/restart"), "--end", "0.5", "-o", path("more")});
+  EXPECT_EQ(result.code, ExitCode::Normal) << result.err;
+  EXPECT_NE(result.err.find("at its end and makes no step"), std::string::npos) << result.err;
+}
+
+TEST_F(RunTest, WhatCannotBePrintedIsAnError) {
+  std::ofstream full("/dev/full");
+  ASSERT_TRUE(full);
+  std::ostringstream err;
+  EXPECT_EQ(run_program({"keywords"}, {full, err, false}), ExitCode::Output);
+  EXPECT_NE(err.str().find("standard output"), std::string::npos) << err.str();
 }
 
 TEST_F(RunTest, PerturbationChangesTheResultAndItsSeedRepeatsIt) {
