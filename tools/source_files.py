@@ -36,6 +36,14 @@ def cpp_files(root, folders=CPP_FOLDERS, endings=CPP_ENDINGS):
     return [name for name in project_files(root) if name.parts[0] in folders and name.suffix in endings]
 
 
+def changed_since(root, commit):
+    """The files that differ from a commit, relative to root; None if git does not know it."""
+    listing = subprocess.run(["git", "diff", "--name-only", "--no-renames", commit, "--"], cwd=root,
+                             capture_output=True, text=True)
+    known = commit and listing.returncode == 0
+    return {Path(name) for name in listing.stdout.split("\n") if name} if known else None
+
+
 def without_comments(text):
     """The text with comments blanked; line numbers stay."""
     def blank(match):

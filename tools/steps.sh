@@ -70,13 +70,15 @@ cellsearch_alone() {
     cmake --build "build/$folder" && sanitized_tests "$folder" && cmake --install "build/$folder"
 }
 
-# static_checks [options of check_tidy]: the static checks of tools/.
+# static_checks [options of check_tidy]: the static checks of tools/; with --since-recorded the slow ones of changed files.
 static_checks() {
+  local since=
+  [[ " $* " != *" --since-recorded "* ]] || since=$(cat .ci/tidied)
   step "layers" tools/check_layers
   step "tools' own tests" python3 -m unittest discover -s tests/tools -p '*_test.py'
   step "style" tools/check_style
   step "format" tools/check_format
-  step "headers" tools/check_headers
+  step "headers" tools/check_headers --since "$since"
   step "documentation" tools/build_docs
   step "tidy" tools/check_tidy "$@"
 }
