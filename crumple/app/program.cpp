@@ -14,14 +14,29 @@
 #include "app/commands/run_command.hpp"
 #include "app/commands/scatter_command.hpp"
 #include "app/console/print.hpp"
+#include "base/error.hpp"
+#include "base/isa.hpp"
 
 namespace crumple::app {
 
 namespace {
 
+/// CRUMPLE_ISA belongs to the call, not to the deck.
+bool has_fit_environment(const Console& console) {
+  try {
+    default_isa();
+    return true;
+  } catch (const Error& fault) {
+    print(console.err, "crumple: error: CRUMPLE_ISA in the environment: {}\n", fault.what());
+    return false;
+  }
+}
+
 ExitCode run_command(const std::vector<std::string>& arguments, const Console& console) {
   try {
     const CommandLine line = parse_command_line(arguments);
+    const bool only_prints = line.command == Command::Help || line.command == Command::Mistake;
+    if (!only_prints && !has_fit_environment(console)) return ExitCode::Usage;
     switch (line.command) {
       case Command::Help:
         console.out << line.text << std::flush;

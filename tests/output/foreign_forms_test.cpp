@@ -55,6 +55,7 @@ class ForeignFormsTest : public SampleTest {
         {.id = 4, .title = "floor", .nodes = {0, 1}, .point = {}, .normal = {0, 0, 1}});
     model.rigid_walls.push_back({.id = 9, .title = "", .nodes = {2}, .point = {}, .normal = {0, 0, 1}});
     model.contacts.push_back(model::self_contact(2, "all", {0}));
+    model.force_transducers.push_back({.id = 12, .title = "pelvis", .side = {}});
     model.output.history_nodes = {5, 0};
     model.rigid_bodies.push_back({.id = 8, .title = "", .parts = {0}, .nodes = {0, 1}});
     model.rigid_bodies.push_back({.id = 10, .title = "", .parts = {}, .nodes = {2, 3}});
@@ -241,6 +242,8 @@ TEST_F(ForeignFormsTest, BinoutTellsWhatTheNumbersBelongTo) {
   EXPECT_EQ(binout.integers("/rwforc/forces/metadata/legend_ids"), (Ids{4}));
   EXPECT_EQ(binout.integers("/rcforc/metadata/ids"), (Ids{2, 5, 5, 12}));
   EXPECT_EQ(binout.integers("/rcforc/metadata/side"), (Ids{0, 0, 1, 0}));
+  EXPECT_EQ(binout.integers("/rcforc/metadata/legend_ids"), (Ids{2, 12}));
+  EXPECT_EQ(binout.characters("/rcforc/metadata/legend").substr(70, 7), "pelvis ");
   EXPECT_EQ(binout.integers("/rbdout/metadata/ids"), (Ids{8, 10}));
   EXPECT_EQ(binout.integers("/rbdout/metadata/num_nodal"), (Ids{1}));
   EXPECT_EQ(binout.integers("/swforc/metadata/types"), (Ids{0, 0}));

@@ -59,7 +59,7 @@ constexpr const char* examples = R"(Examples:
 Exit codes:
   0 normal termination    1 faulty deck, nothing written    2 wrong command line
   3 the run went wrong or reached a limit set in the deck   4 results could not be written
-  5 stopped by sw1 in d3kil    130 stopped by Ctrl-C        143 stopped by SIGTERM
+  5 stopped by sw1 in d3kil    129 by SIGHUP (the terminal was closed), 130 by Ctrl-C, 143 by SIGTERM
 
 While it runs: Ctrl-C ends with the last state written; a file named d3kil, in the working folder or in that of
 the results, holding sw1 (stop), sw2 (status line), sw3 (write a restart file) or sw4 (write a frame) does as in LS-DYNA. Whatever

@@ -24,8 +24,7 @@ constexpr const char* normal_termination = " N o r m a l    t e r m i n a t i o 
 constexpr const char* error_termination = " E r r o r    t e r m i n a t i o n";
 
 ExitCode end_with(ExitCode code, const Console& console) {
-  const bool good = code == ExitCode::Normal || code == ExitCode::Stopped || code == ExitCode::Interrupt ||
-                    code == ExitCode::Terminate;
+  const bool good = code == ExitCode::Normal || code == ExitCode::Stopped || is_of_signal(code);
   print(console.out, "\n{}\n", good ? normal_termination : error_termination);
   console.out.flush();
   return code;
@@ -94,7 +93,7 @@ ExitCode run_with(const Options& options, const std::filesystem::path& changes, 
   if (page) {
     // Where nothing could be run, the board does not know yet.
     if (board.read().state != live::RunState::Ended) board.end("error");
-    page->wait_for_readers(code == ExitCode::Interrupt || code == ExitCode::Terminate);
+    page->wait_for_readers(is_of_signal(code));
   }
   return code;
 }

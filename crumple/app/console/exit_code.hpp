@@ -11,8 +11,14 @@ enum class ExitCode {
   Numerical = 3,  ///< the run went wrong, or reached a limit that the deck sets; results up to there are kept
   Output = 4,     ///< a result could not be written
   Stopped = 5,    ///< ended before its time by sw1 in a d3kil file
+  Hangup = 129,   ///< ended by SIGHUP: the terminal was closed
   Interrupt = 130,  ///< ended by SIGINT (Ctrl-C)
   Terminate = 143,  ///< ended by SIGTERM
 };
+
+/// True if a signal ended the run.
+constexpr bool is_of_signal(ExitCode code) {
+  return code == ExitCode::Hangup || code == ExitCode::Interrupt || code == ExitCode::Terminate;
+}
 
 }  // namespace crumple::app

@@ -229,8 +229,7 @@ void RunSession::observe() {
 
 std::optional<Ending> RunSession::asked_to_stop() {
   if (const int signal = signals_ ? signals_->received() : 0; signal != 0)
-    return Ending{"interrupted", signal == SIGINT ? "Ctrl-C (SIGINT)." : "SIGTERM.",
-                  signal == SIGINT ? ExitCode::Interrupt : ExitCode::Terminate};
+    return Ending{"interrupted", name_of_signal(signal) + std::string("."), code_of_signal(signal)};
   const std::optional<Switch> thrown =
       signals_ && signals_->asked_for_restart() ? Switch::Restart : switches_.poll();
   if (!thrown) return std::nullopt;

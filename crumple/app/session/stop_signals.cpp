@@ -30,6 +30,8 @@ StopSignals::StopSignals() {
   action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
   sigaction(SIGINT, &action, &earlier_interrupt_);
   sigaction(SIGTERM, &action, &earlier_terminate_);
+  sigaction(SIGHUP, &action, &earlier_hangup_);
+  if (earlier_hangup_.sa_handler == SIG_IGN) sigaction(SIGHUP, &earlier_hangup_, nullptr);
   restart_asked_for = 0;
   action.sa_handler = remember_restart;
   action.sa_flags = SA_RESTART;
@@ -42,6 +44,7 @@ StopSignals::StopSignals() {
 StopSignals::~StopSignals() {
   sigaction(SIGINT, &earlier_interrupt_, nullptr);
   sigaction(SIGTERM, &earlier_terminate_, nullptr);
+  sigaction(SIGHUP, &earlier_hangup_, nullptr);
   sigaction(SIGUSR1, &earlier_user_, nullptr);
   sigaction(SIGXFSZ, &earlier_file_size_, nullptr);
 }
@@ -65,6 +68,28 @@ bool StopSignals::asked_for_restart() {
 
 int StopSignals::received() const {
   return signal_received;
+}
+
+const char* name_of_signal(int signal) {
+  switch (signal) {
+    case SIGINT:
+      return "Ctrl-C (SIGINT)";
+    case SIGHUP:
+      return "SIGHUP: the terminal was closed";
+    default:
+      return "SIGTERM";
+  }
+}
+
+ExitCode code_of_signal(int signal) {
+  switch (signal) {
+    case SIGINT:
+      return ExitCode::Interrupt;
+    case SIGHUP:
+      return ExitCode::Hangup;
+    default:
+      return ExitCode::Terminate;
+  }
 }
 
 }  // namespace crumple::app

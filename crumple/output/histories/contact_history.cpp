@@ -63,6 +63,8 @@ class ContactHistory : public SampledHistory {
   static std::string title_of(const View& view, UserId id) {
     for (const model::Contact& contact : view.model.contacts)
       if (contact.id == id) return contact.title;
+    for (const model::ForceTransducer& transducer : view.model.force_transducers)
+      if (transducer.id == id) return transducer.title;
     return {};
   }
 };

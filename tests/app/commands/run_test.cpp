@@ -240,6 +240,19 @@ TEST_F(RunTest, PerturbationChangesTheResultAndItsSeedRepeatsIt) {
   EXPECT_NE(hash("d", "0", "1"), hash("a", "1e-9", "1"));
 }
 
+/// It is no fault of the deck.
+TEST_F(RunTest, AnInstructionSetThatDoesNotExistIsAMistakeOfTheCall) {
+  const std::string deck = write("plate.k", falling_plate());
+  setenv("CRUMPLE_ISA", "z80", 1);
+  const Result result = run({"run", deck, "-o", path("out")});
+  unsetenv("CRUMPLE_ISA");
+  EXPECT_EQ(result.code, ExitCode::Usage);
+  EXPECT_EQ(result.err.find("crumple: error: CRUMPLE_ISA in the environment: The instruction set \"z80\""),
+            0U)
+      << result.err;
+  EXPECT_FALSE(exists("out"));
+}
+
 /// Runs that would last for hours, ended from outside once they write.
 class StopTest : public ProgramTest {
  protected:
@@ -279,6 +292,23 @@ TEST_F(StopTest, Sigterm) {
   const Result result = run_until([] { kill(getpid(), SIGTERM); });
   EXPECT_EQ(result.code, ExitCode::Terminate);
   expect_complete("SIGTERM");
+}
+
+/// The terminal was closed, or the connection to it broke.
+TEST_F(StopTest, Sighup) {
+  const Result result = run_until([] { kill(getpid(), SIGHUP); });
+  EXPECT_EQ(result.code, ExitCode::Hangup);
+  expect_complete("SIGHUP");
+}
+
+TEST_F(StopTest, SighupIsIgnoredWhereItWasBefore) {
+  const auto before = std::signal(SIGHUP, SIG_IGN);
+  const Result result = run_until([] {
+    kill(getpid(), SIGHUP);
+    kill(getpid(), SIGTERM);
+  });
+  std::signal(SIGHUP, before);
+  EXPECT_EQ(result.code, ExitCode::Terminate);
 }
 
 TEST_F(StopTest, SwitchOne) {
