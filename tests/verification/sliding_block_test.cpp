@@ -140,5 +140,58 @@ std::string name_of(const ::testing::TestParamInfo<Plate>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Plates, SlidingBlock, ::testing::Values(Plate::Shells, Plate::Solids), name_of);
 
+/// A block flies along a plate and comes down on it, over many elements of the plate in the time of a touch.
+/// mm, ms, kg.
+model::Model skidding(double along, bool mass_stiffness) {
+  model::Model model = test::one_solid_part(test::elastic_steel());
+  model.shell_sections.push_back(test::shell_section(1.0, 3));
+  test::add_grid(model, test::add_shell_part(model), 24, 8, [](double u, double v) {
+    return test::Point{120 * u - 20, 40 * v - 20, -0.6};
+  });
+  const Index block = model.nodes.count();
+  test::hold(model, 0, block);
+  test::add_box(model, 0, 4, 4, 2, [](double u, double v, double w) {
+    return test::Point{side * (u - 0.5), side * (v - 0.5), height * w};
+  });
+  test::set_moving(model, block, {along, 0, -2});
+  test::touch_all(model, friction).mass_stiffness = mass_stiffness;
+  model.control.end_time = 0.6;
+  return model;
+}
+
+/// Mean velocity of the nodes that are not held.
+math::Vec3 velocity_of_block(const domain::Domain& domain) {
+  double mass = 0;
+  math::Vec3 momentum;
+  for (Index i = 0; i < domain.nodes.count(); ++i) {
+    if (domain.nodes.fixed[i] != 0) continue;
+    mass += domain.nodes.mass[i];
+    momentum += domain.nodes.mass[i] * domain.nodes.velocity[i];
+  }
+  return (1 / mass) * momentum;
+}
+
+/// Exact (Coulomb): while it slides it loses mu times the impulse of the plate along its normal.
+TEST(SkiddingBlock, LosesMuTimesTheNormalImpulse) {
+  for (const double along : {20.0, 100.0})
+    for (const bool mass_stiffness : {false, true}) {
+      const model::Model model = skidding(along, mass_stiffness);
+      timeloop::Simulation simulation(model, test::execution());
+      test::run(simulation);
+      const math::Vec3 velocity = velocity_of_block(simulation.domain());
+      const double share = (along - velocity.x) / (velocity.z + 2);
+      const double error = simulation.domain().energy.error();
+      std::printf(
+          "%.0f m/s%s: rebounds with %.4f of 2 m/s, friction over normal impulse %.4f of %.1f, "
+          "energy error %.1e\n",
+          along, mass_stiffness ? ", SOFT 2" : "", velocity.z, share, friction, error);
+      EXPECT_LT(error, 1e-5);
+      EXPECT_GT(velocity.z, 1) << "it has left the plate";
+      test::verified("block comes down onto a plate at 20 and 100 m/s: friction over normal impulse",
+                     "Coulomb")
+          .near(share, friction, 0.002);
+    }
+}
+
 }  // namespace
 }  // namespace crumple::sliding_block_test

@@ -15,6 +15,7 @@ constexpr int lines_per_run = 20;
 constexpr double seconds_between_lines = 10;
 constexpr double seconds_between_bars = 0.2;
 constexpr double seconds_between_words = 0.2;
+constexpr double told_fall = 0.01;
 
 }  // namespace
 
@@ -57,6 +58,7 @@ void Monitor::observe() {
   const domain::Clock& clock = simulation_.domain().clock;
   speed_.observe(now, clock.time, clock.cycle);
   if (!quiet_) print_due(now);
+  if (!quiet_) print_fall_of_step();
   if (listener_ && now >= next_word_seconds_) {
     listener_(progress());
     next_word_seconds_ = now + seconds_between_words;
@@ -79,6 +81,21 @@ void Monitor::print_due(double now) {
     bar_shown_ = true;
     next_bar_seconds_ = now + seconds_between_bars;
   }
+}
+
+void Monitor::print_fall_of_step() {
+  const double limit = simulation_.domain().clock.element_limit;
+  if (first_limit_ == 0) told_limit_ = first_limit_ = limit;
+  if (limit >= told_fall * told_limit_) return;
+  told_limit_ = limit;
+  clear_bar();
+  const domain::ControllingElement controlling = progress().controlling;
+  print(
+      console_.out,
+      "note: the stable step has fallen from {:.3e} to {:.3e}, at time {:.4g} by {} {} of part {}; DTMIN of "
+      "*CONTROL_TERMINATION would end the run\n",
+      first_limit_, limit, simulation_.domain().clock.time, controlling.kind, controlling.element,
+      controlling.part);
 }
 
 }  // namespace crumple::app

@@ -13,7 +13,8 @@
 namespace crumple::app {
 
 /// Tells how far a run is: a line every twentieth of the run and every ten seconds; on a terminal also a bar,
-/// written over five times a second. Quiet, it prints nothing.
+/// written over five times a second; and when the step of the elements has fallen to a hundredth, and to a
+/// hundredth of that, which of them it is. Quiet, it prints nothing.
 class Monitor {
  public:
   /// `earlier_seconds`: wall time that the cycles before a restart took [s].
@@ -39,6 +40,7 @@ class Monitor {
 
  private:
   void print_due(double now);
+  void print_fall_of_step();
 
   const timeloop::Simulation& simulation_;
   const Console& console_;
@@ -52,6 +54,8 @@ class Monitor {
   double next_bar_seconds_ = 0;   ///< wall time [s]
   double next_word_seconds_ = 0;  ///< to the listener, wall time [s]
   long line_cycle_ = -1;          ///< of the last line
+  double first_limit_ = 0;        ///< of the elements when the run began, or was taken up [time]
+  double told_limit_ = 0;         ///< the one that was printed last [time]
   RunSpeed speed_;
 };
 

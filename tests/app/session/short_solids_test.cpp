@@ -60,6 +60,20 @@ TEST_F(ShortSolids, GoWithErodeAndTheRunGoesOn) {
   }
 }
 
+/// Without DTMIN a run goes on however short its steps, and says by what.
+TEST_F(ShortSolids, AreNamedOnceWhereNothingEndsTheRun) {
+  deck::test::CubeDeck deck = pressed("0");
+  deck.termination = "*CONTROL_TERMINATION\n1.103e-3\n*CONTROL_TIMESTEP\n0,0.9\n";
+  const Result result = run({"run", write("deck.k", deck.text()), "-o", path("out")});
+  const std::string note = "note: the stable step has fallen from ";
+  const std::size_t place = result.out.find(note);
+  ASSERT_NE(place, std::string::npos) << result.out << result.err;
+  EXPECT_NE(result.out.find("by solid 22 of part 1; DTMIN", place), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find(note, place + 1), std::string::npos);
+  // At a hundredth of the height, 0.99 / 900.
+  EXPECT_NE(result.out.find("at time 0.0011 ", place), std::string::npos) << result.out;
+}
+
 /// A shell on the cube is pressed as well: it stays, and its step ends the run.
 TEST_F(ShortSolids, LeaveTheEndToOtherElements) {
   deck::test::CubeDeck deck = pressed("1");
