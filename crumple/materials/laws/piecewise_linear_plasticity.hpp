@@ -104,17 +104,6 @@ struct TabulatedRate {
   }
 };
 
-/// The number of failed points that make a shell fail.
-struct FailingPoints {
-  double points, share;  ///< 0: all of them; the share goes first
-
-  CRUMPLE_INLINE double of(int count) const {
-    const double all = count;
-    const double least = share > 0 ? share * all : points;
-    return least > 0 && least < all ? least : all;
-  }
-};
-
 /// J2 plasticity with tabulated isotropic hardening and rate effects
 /// (docs/theory/plane_stress_plasticity.md).
 struct PiecewiseLinearPlasticityLaw {

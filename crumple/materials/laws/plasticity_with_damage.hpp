@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "materials/laws/failing_points.hpp"
 #include "materials/laws/piecewise_linear_plasticity.hpp"
 
 namespace crumple::materials {
@@ -48,40 +49,21 @@ struct PlasticityWithDamageLaw : PiecewiseLinearPlasticityLaw {
 
   /// A shell goes with a number of its points.
   template <class Pack>
-  struct Update : Fading<Pack, PiecewiseLinearPlasticityLaw::Update<Pack>> {
+  struct Update : PointsThatFail<Pack, Fading<Pack, PiecewiseLinearPlasticityLaw::Update<Pack>>, 2> {
     using Base = Fading<Pack, PiecewiseLinearPlasticityLaw::Update<Pack>>;
+    using Counted = PointsThatFail<Pack, Base, 2>;
+    using Counted::failed;
     using typename Base::History;
-    using typename Base::Mask;
     using typename Base::Real;
-    using typename Base::Strain;
-    using typename Base::Stress;
-    using typename Base::Trial;
-
-    FailingPoints count;
 
     CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
-        : Base(task), count{task.constants[FailedPoints], task.constants[FailedShare]} {}
+        : Counted(task, {task.constants[FailedPoints], task.constants[FailedShare]}) {}
 
-    CRUMPLE_INLINE static Real* failed(const History& history) {
-      return history.at(2 * history.points + history.point);
-    }
-    CRUMPLE_INLINE static Mask intact(const History& history) {
-      return load<Pack>(failed(history)) == Pack(Real(0));
-    }
-    CRUMPLE_INLINE Trial trial(const Stress& stress, const Strain& strain, const History& history) const {
-      Trial t = Base::trial(stress, strain, history);
-      t.radius = select<Pack>(intact(history), t.radius, Pack(Base::unreachable));
-      return t;
-    }
     CRUMPLE_INLINE Pack judge(const History& history) const {
       const Pack mark = select<Pack>(Base::intact(history), load<Pack>(failed(history)), Pack(Real(1)));
       store(failed(history), mark);
       return mark;
     }
-    CRUMPLE_INLINE static void fail(const History& history, const Mask& mask) {
-      store(failed(history), select<Pack>(mask, Pack(Real(1)), load<Pack>(failed(history))));
-    }
-    CRUMPLE_INLINE Real failing_points(int all) const { return static_cast<Real>(count.of(all)); }
   };
 };
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "materials/common/deformation.hpp"
+#include "materials/laws/failing_points.hpp"
 #include "materials/laws/piecewise_linear_plasticity.hpp"
 
 namespace crumple::materials {
@@ -22,23 +23,20 @@ struct StrainLimitedPlasticityLaw : PiecewiseLinearPlasticityLaw {
   enum Limit { Thinning, Major, Points, Share, Limits };
 
   template <class Pack>
-  struct Update : PiecewiseLinearPlasticityLaw::Update<Pack> {
+  struct Update : PointsThatFail<Pack, PiecewiseLinearPlasticityLaw::Update<Pack>, 4> {
     using Base = PiecewiseLinearPlasticityLaw::Update<Pack>;
+    using Counted = PointsThatFail<Pack, Base, 4>;
+    using Counted::failed;
     using typename Base::History;
-    using typename Base::Mask;
     using typename Base::Real;
     using typename Base::Strain;
-    using typename Base::Stress;
-    using typename Base::Trial;
 
     Real thinning, major;  ///< at failure
-    FailingPoints count;
 
     CRUMPLE_INLINE explicit Update(const MaterialTask<Real>& task)
-        : Base(rest_of(task)),
+        : Counted(rest_of(task), {task.constants[Points], task.constants[Share]}),
           thinning(static_cast<Real>(task.constants[Thinning])),
-          major(static_cast<Real>(task.constants[Major])),
-          count{task.constants[Points], task.constants[Share]} {}
+          major(static_cast<Real>(task.constants[Major])) {}
     CRUMPLE_INLINE static MaterialTask<Real> rest_of(MaterialTask<Real> task) {
       task.constants += Limits;
       return task;
@@ -47,23 +45,12 @@ struct StrainLimitedPlasticityLaw : PiecewiseLinearPlasticityLaw {
     CRUMPLE_INLINE static Real* thinned(const History& history) {
       return history.at(2 * history.points + history.point);
     }
-    CRUMPLE_INLINE static Real* failed(const History& history) {
-      return history.at(4 * history.points + history.point);
-    }
     /// xx, yy and xy of the strain in the plane.
     CRUMPLE_INLINE static Real* plane_strain(const History& history, int component) {
       return history.at(5 * history.points + 3 * history.point + component);
     }
 
     CRUMPLE_INLINE static bool fails() { return true; }
-    CRUMPLE_INLINE static Mask intact(const History& history) {
-      return load<Pack>(failed(history)) == Pack(Real(0));
-    }
-    CRUMPLE_INLINE Trial trial(const Stress& stress, const Strain& strain, const History& history) const {
-      Trial t = Base::trial(stress, strain, history);
-      t.radius = select<Pack>(intact(history), t.radius, Pack(Base::unreachable));
-      return t;
-    }
 
     CRUMPLE_INLINE void follow(const History& history, const Strain& strain) const {
       const Pack* const growth[] = {&strain.xx, &strain.yy, &strain.xy};
@@ -92,10 +79,6 @@ struct StrainLimitedPlasticityLaw : PiecewiseLinearPlasticityLaw {
       store(failed(history), mark);
       return mark;
     }
-    CRUMPLE_INLINE static void fail(const History& history, const Mask& mask) {
-      store(failed(history), select<Pack>(mask, Pack(Real(1)), load<Pack>(failed(history))));
-    }
-    CRUMPLE_INLINE Real failing_points(int all) const { return static_cast<Real>(count.of(all)); }
   };
 };
 
