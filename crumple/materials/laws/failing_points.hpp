@@ -18,9 +18,9 @@ struct FailingPoints {
 };
 
 /// The law `Law` of shells whose points fail each by itself, and which go when some of their points have
-/// failed. The history has a mark for each point, 1 where it has failed, behind `ahead` numbers a point. What
+/// failed. The history has a mark for each point, 1 where it has failed, behind `Ahead` numbers a point. What
 /// derives from it has judge(), which sets the marks.
-template <class Pack, class Law, int ahead>
+template <class Pack, class Law, int Ahead>
 struct PointsThatFail : Law {
   using typename Law::History;
   using typename Law::Mask;
@@ -35,7 +35,7 @@ struct PointsThatFail : Law {
   CRUMPLE_INLINE PointsThatFail(const Task& task, const FailingPoints& points) : Law(task), count(points) {}
 
   CRUMPLE_INLINE static Real* failed(const History& history) {
-    return history.at(ahead * history.points + history.point);
+    return history.at(Ahead * history.points + history.point);
   }
   CRUMPLE_INLINE static Mask intact(const History& history) {
     return load<Pack>(failed(history)) == Pack(Real(0));
