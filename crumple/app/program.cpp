@@ -21,8 +21,12 @@ namespace crumple::app {
 
 namespace {
 
-/// CRUMPLE_ISA belongs to the call, not to the deck.
-bool has_fit_environment(const Console& console) {
+/// True if the kernels that CRUMPLE_ISA names can be used, or it is not asked. It belongs to the call, not to
+/// the deck, whose reader would report it otherwise.
+bool has_kernels(const CommandLine& line, const Console& console) {
+  const bool computes = line.command == Command::Run || line.command == Command::Check ||
+                        line.command == Command::Scatter || line.command == Command::Bench;
+  if (!computes || line.options.isa) return true;
   try {
     default_isa();
     return true;
@@ -35,8 +39,7 @@ bool has_fit_environment(const Console& console) {
 ExitCode run_command(const std::vector<std::string>& arguments, const Console& console) {
   try {
     const CommandLine line = parse_command_line(arguments);
-    const bool only_prints = line.command == Command::Help || line.command == Command::Mistake;
-    if (!only_prints && !has_fit_environment(console)) return ExitCode::Usage;
+    if (!has_kernels(line, console)) return ExitCode::Usage;
     switch (line.command) {
       case Command::Help:
         console.out << line.text << std::flush;

@@ -189,6 +189,20 @@ class Faults(unittest.TestCase):
         self.assertEqual(again.returncode, 0, again.stderr)
         self.check_same_end(self.folder)
 
+    def test_a_scatter_whose_terminal_is_closed_ends_its_runs(self):
+        """The runs are in process groups of their own and do not get the signal of the terminal."""
+        scatter = subprocess.Popen([PROGRAM, "scatter", DECK, "-q", "-o", self.folder, "--runs", "2", "-t", "2"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        deadline = time.monotonic() + 30
+        while len(list(self.folder.glob("run_*/glstat.csv"))) < 2 and time.monotonic() < deadline:
+            time.sleep(0.01)
+        scatter.send_signal(signal.SIGHUP)
+        _, said = scatter.communicate(timeout=30)
+        self.assertEqual(scatter.returncode, 129, said)
+        for number in range(2):
+            record = json.loads((self.folder / f"run_{number:03d}" / "run.json").read_text())
+            self.assertIn("SIGHUP", record["reason"])
+
     def test_threads_wait_briefly_unless_the_user_chooses(self):
         def spins(**chosen):
             surroundings = {name: value for name, value in os.environ.items()

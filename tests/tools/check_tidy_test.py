@@ -56,7 +56,7 @@ class Since(unittest.TestCase):
         return self.git("rev-parse", "HEAD")
 
     def chosen(self):
-        changed = check_tidy.changed_since(self.root, self.first)
+        changed = check_tidy.changed_under_the_same_rules(self.root, self.first)
         entries = {str(self.root / "crumple" / "deck" / name): {} for name in ("a.cpp", "b.cpp")}
         return changed and [Path(file).name for file in check_tidy.chosen_since(entries, changed, check_tidy.Sources(self.root))]
 
@@ -72,10 +72,10 @@ class Since(unittest.TestCase):
         self.assertEqual(self.chosen(), ["a.cpp", "b.cpp"])
 
     def test_all_if_the_rules_changed_or_the_commit_is_unknown(self):
-        self.assertIsNone(check_tidy.changed_since(self.root, "0" * 40))
-        self.assertIsNone(check_tidy.changed_since(self.root, ""))
+        self.assertIsNone(check_tidy.changed_under_the_same_rules(self.root, "0" * 40))
+        self.assertIsNone(check_tidy.changed_under_the_same_rules(self.root, ""))
         self.write(".clang-tidy", "Checks: '-*'\n")
-        self.assertIsNone(check_tidy.changed_since(self.root, self.first))
+        self.assertIsNone(check_tidy.changed_under_the_same_rules(self.root, self.first))
 
 
 @unittest.skipUnless(shutil.which("clang-tidy-14") or shutil.which("clang-tidy"), "clang-tidy is missing")

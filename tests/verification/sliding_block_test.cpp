@@ -21,6 +21,7 @@ namespace {
 
 constexpr double side = 20;    // of the block, mm
 constexpr double height = 10;  // of the block, mm
+constexpr double block_mass = side * side * height * 7.85e-6;
 constexpr double pressure = 0.01;
 constexpr double friction = 0.2;
 constexpr double speed = 15;
@@ -105,11 +106,10 @@ class SlidingBlock : public ::testing::TestWithParam<Plate> {};
 TEST_P(SlidingBlock, StopsWhereCoulombSays) {
   const model::Model model = block_on(GetParam());
   const Slide found = slide(model);
-  const double mass = side * side * height * 7.85e-6;
-  const double slowing = friction * pressure * side * side / mass;
+  const double slowing = friction * pressure * side * side / block_mass;
   const double left = speed - 0.5 * slowing * rise;
   const double exact = speed * rise - slowing * rise * rise / 6 + left * left / (2 * slowing);
-  const double kinetic = 0.5 * mass * speed * speed;
+  const double kinetic = 0.5 * block_mass * speed * speed;
   std::printf(
       "distance %.5f of %.5f mm (%.5f), velocity left %.1e, friction / kinetic energy %.5f, error %.1e\n",
       found.distance, exact, found.distance / exact, found.rest / speed, found.energy.friction / kinetic,
@@ -159,18 +159,6 @@ model::Model skidding(double along, bool mass_stiffness) {
   return model;
 }
 
-/// Mean velocity of the nodes that are not held.
-math::Vec3 velocity_of_block(const domain::Domain& domain) {
-  double mass = 0;
-  math::Vec3 momentum;
-  for (Index i = 0; i < domain.nodes.count(); ++i) {
-    if (domain.nodes.fixed[i] != 0) continue;
-    mass += domain.nodes.mass[i];
-    momentum += domain.nodes.mass[i] * domain.nodes.velocity[i];
-  }
-  return (1 / mass) * momentum;
-}
-
 /// Exact (Coulomb): while it slides it loses mu times the impulse of the plate along its normal.
 TEST(SkiddingBlock, LosesMuTimesTheNormalImpulse) {
   for (const double along : {20.0, 100.0})
@@ -178,7 +166,8 @@ TEST(SkiddingBlock, LosesMuTimesTheNormalImpulse) {
       const model::Model model = skidding(along, mass_stiffness);
       timeloop::Simulation simulation(model, test::execution());
       test::run(simulation);
-      const math::Vec3 velocity = velocity_of_block(simulation.domain());
+      // The plate is held, so that all momentum is the block's.
+      const math::Vec3 velocity = (1 / block_mass) * test::momentum(simulation.domain());
       const double share = (along - velocity.x) / (velocity.z + 2);
       const double error = simulation.domain().energy.error();
       std::printf(

@@ -19,6 +19,7 @@
 #include "app/commands/run_command.hpp"
 #include "app/console/print.hpp"
 #include "app/preparation/preparation.hpp"
+#include "app/session/stop_signals.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "compare/comparison.hpp"
@@ -42,7 +43,8 @@ void remember_signal(int signal) {
   signal_seen = signal;
 }
 
-/// While this exists, SIGINT and SIGTERM only interrupt the wait, so that they can be forwarded to the runs.
+/// While this exists, SIGINT, SIGTERM and SIGHUP only interrupt the wait, so that they can be forwarded to
+/// the runs, which have process groups of their own. A SIGHUP that is ignored stays so, as in StopSignals.
 class NotedSignals {
  public:
   NotedSignals() {
@@ -51,17 +53,21 @@ class NotedSignals {
     action.sa_handler = remember_signal;
     sigaction(SIGINT, &action, &interrupt_);
     sigaction(SIGTERM, &action, &terminate_);
+    sigaction(SIGHUP, &action, &hangup_);
+    if (hangup_.sa_handler == SIG_IGN) sigaction(SIGHUP, &hangup_, nullptr);
   }
   NotedSignals(const NotedSignals&) = delete;
   NotedSignals& operator=(const NotedSignals&) = delete;
   ~NotedSignals() {
     sigaction(SIGINT, &interrupt_, nullptr);
     sigaction(SIGTERM, &terminate_, nullptr);
+    sigaction(SIGHUP, &hangup_, nullptr);
   }
 
  private:
   struct sigaction interrupt_ {};
   struct sigaction terminate_ {};
+  struct sigaction hangup_ {};
 };
 
 struct PerturbedRun {
@@ -261,8 +267,7 @@ ExitCode scatter_good_deck(const Options& options, const Console& console) {
   }
   const std::vector<compare::CurveSet> results = finished_results(runs, console);
   const bool has_bands = write_bands(folder / report::bands_file, results, options, console);
-  const ExitCode code = signal_seen == SIGINT           ? ExitCode::Interrupt
-                        : signal_seen == SIGTERM        ? ExitCode::Terminate
+  const ExitCode code = signal_seen != 0                ? code_of_signal(signal_seen)
                         : results.size() == runs.size() ? ExitCode::Normal
                                                         : ExitCode::Numerical;
   return options.report && has_bands ? end_with_report(folder, options.quiet, code, console) : code;

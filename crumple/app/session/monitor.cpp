@@ -15,7 +15,7 @@ constexpr int lines_per_run = 20;
 constexpr double seconds_between_lines = 10;
 constexpr double seconds_between_bars = 0.2;
 constexpr double seconds_between_words = 0.2;
-constexpr double told_fall = 0.01;
+constexpr double noted_fall = 0.01;
 
 }  // namespace
 
@@ -85,9 +85,9 @@ void Monitor::print_due(double now) {
 
 void Monitor::print_fall_of_step() {
   const double limit = simulation_.domain().clock.element_limit;
-  if (first_limit_ == 0) told_limit_ = first_limit_ = limit;
-  if (limit >= told_fall * told_limit_) return;
-  told_limit_ = limit;
+  if (first_limit_ == 0) noted_limit_ = first_limit_ = limit;
+  if (limit >= noted_fall * noted_limit_) return;
+  noted_limit_ = limit;
   clear_bar();
   const domain::ControllingElement controlling = progress().controlling;
   print(

@@ -55,7 +55,7 @@ class Monitor {
   double next_word_seconds_ = 0;  ///< to the listener, wall time [s]
   long line_cycle_ = -1;          ///< of the last line
   double first_limit_ = 0;        ///< of the elements when the run began, or was taken up [time]
-  double told_limit_ = 0;         ///< the one that was printed last [time]
+  double noted_limit_ = 0;        ///< the one of the last note; at first that of the start [time]
   RunSpeed speed_;
 };
 
