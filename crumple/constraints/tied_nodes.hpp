@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "base/aligned_array.hpp"
 #include "constraints/kinetic_change.hpp"
+#include "constraints/tie_links.hpp"
 #include "domain/domain.hpp"
 #include "model/model.hpp"
 
@@ -13,15 +15,17 @@ namespace crumple::constraints {
 
 /// Nodes that follow the segments that they are tied to (J.O. Hallquist, LS-DYNA Theory Manual, chapter on
 /// tied contact): the force and the mass of a tied node are shared out among the nodes of its segment by its
-/// weights there, and its motion is the weighted mean of theirs (docs/theory/tied.md). A node of a segment
-/// may itself be tied to another one.
+/// weights there, and its motion is the weighted mean of theirs (docs/theory/tied.md). A node that is tied at
+/// a height over its segment stands on a lever (tie_lever.hpp). A node of a segment may itself be tied to
+/// another one.
 ///
 /// A step calls, in this order: release(), remember(), the kick of all nodes by their own masses, share(),
 /// whatever else changes velocities, follow(), and place_nodes() when the nodes have drifted.
 class TiedNodes {
  public:
-  /// Takes over domain.ties, whose nodes have been put onto their segments, and makes velocities at time zero
-  /// fit: momentum is kept. Throws Error for a node that something else holds or moves, naming both.
+  /// Takes over those of domain.ties that can follow (find_tie_links()) and makes velocities at time zero
+  /// fit: momentum is kept. Throws Error for a node of a tie by constraint that something else holds or
+  /// moves.
   TiedNodes(const model::Model& model, domain::Domain& domain);
 
   bool empty() const { return links_.empty(); }
@@ -41,8 +45,9 @@ class TiedNodes {
   /// translational one see carried_energy().
   KineticChange share(domain::Domain& domain);
 
-  /// Makes the tied nodes follow; forces go to domain.ties. `interval` is that of the kick.
-  void follow(domain::Domain& domain, double interval);
+  /// Makes the tied nodes follow, so that after the next step they are at their places; forces are added to
+  /// those of domain.ties. `interval` is that of the kick.
+  void follow(domain::Domain& domain, double interval, double next_step);
 
   /// Puts the tied nodes, which are there to round-off, where they belong. Returns how far it moved any of
   /// them at most [length].
@@ -65,25 +70,19 @@ class TiedNodes {
   void share_masses(domain::Domain& domain);
 
  private:
-  struct Link {
-    Index node = no_index;           ///< in members_
-    std::array<Index, 4> corner{};   ///< in members_; of weight zero where a triangle repeats its last
-    std::array<double, 4> weight{};  ///< their sum is 1
-    Index tie = no_index;            ///< in domain.ties
-    Index at = no_index;             ///< in Tie::nodes
-    Index level = 0;                 ///< 0: its corners are tied to nothing, else one more than theirs
-    bool rotates = false;            ///< the node turns with the segment
-    Index block = no_index;          ///< of the segment's element
-    Index element = no_index;
+  /// Of a place on a segment.
+  struct Motion {
+    math::Vec3 velocity;  ///< [length/time]
+    math::Vec3 spin;      ///< [rad/time]
   };
 
-  void add_links(const model::Model& model, const domain::Domain& domain);
-  void order_links(const model::Model& model, const domain::Domain& domain);
-  void check_corners(const model::Model& model, const domain::Domain& domain) const;
+  std::array<math::Vec3, 4> corners(const domain::NodeFields& nodes, const TieLink& link) const;
+  Motion motion_of_segment(const domain::NodeFields& nodes, const TieLink& link, double step) const;
+  void pass_on(const domain::NodeFields& nodes, const TieLink& link);
   void share_velocities(domain::Domain& domain);
-  void copy_velocities(domain::Domain& domain) const;
+  void copy_velocities(domain::Domain& domain, double step) const;
 
-  std::vector<Link> links_;               ///< those whose nodes carry nothing first
+  std::vector<TieLink> links_;            ///< those whose nodes carry nothing first
   std::vector<std::int32_t> active_;      ///< 1 or 0, by link
   std::vector<Index> members_;            ///< domain nodes that take part, ascending
   std::vector<Index> tied_by_;            ///< active link of a member, or no_index

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -26,6 +27,8 @@ struct TiedNode {
   Index block = no_index;          ///< of the segment's element, in Domain::blocks()
   Index element = no_index;        ///< its place in the block
   UserId segment = 0;              ///< user's number of that element
+  bool follows = false;            ///< the node follows the segment by constraint; else a spring holds it
+  bool turns = false;              ///< it follows, and turns with the segment
 };
 
 /// A node that was to be tied and is too far away.
@@ -55,6 +58,10 @@ struct Tie {
   double opening = 0;  ///< largest stretch of a spring now [length]
 
   std::string name() const { return "Tied contact " + std::to_string(id); }
+  Index springs() const {
+    return static_cast<Index>(
+        std::count_if(nodes.begin(), nodes.end(), [](const TiedNode& tied) { return !tied.follows; }));
+  }
 };
 
 /// Whether an element has eroded.

@@ -13,7 +13,8 @@ namespace crumple::model {
 /// How the nodes of the first side are held on the segments of the second.
 enum class TieMethod {
   Constraint,  ///< they are moved onto their segment and follow its nodes exactly
-  Penalty,     ///< springs hold them where they are, gaps stay (OFFSET and TIEBREAK in LS-DYNA)
+  Offset,      ///< gaps stay; they follow as far as nothing else holds them or their segment, else springs
+  Penalty,     ///< springs hold them where they are, gaps stay (TIEBREAK in LS-DYNA)
 };
 
 /// When the tie of a node breaks: (N/S_n)^n + (S/S_s)^s reaches 1 with the tension N and the shear S on the
@@ -50,6 +51,7 @@ struct TiedContact {
   std::string title;
   TieMethod method = TieMethod::Constraint;
   bool ties_rotations = false;  ///< of shells, too (SHELL_EDGE)
+  bool turns_on_faces = false;  ///< with ties_rotations: on faces of solids, too (SHELL_EDGE_TO_SOLID)
   std::array<ContactSide, 2> side;
   double tolerance = 0;  ///< distance up to which a node is tied [length]; 0: by thickness and segment
   std::optional<TieFailure> failure;

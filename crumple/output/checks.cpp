@@ -270,7 +270,10 @@ std::vector<std::string> energy_warnings(const View& view, const PeakValues& pea
   const std::vector<PartEnergy> parts = energy_by_part(view);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double own = peaks.largest_internal_energy(static_cast<Index>(i));
-    // Parts that absorb next to nothing are left out: their ratio says nothing about the result.
+    // Parts that absorb next to nothing are left out: their ratio says nothing about the result. So are those
+    // that stay elastic and whose hourglass stress is that of the material: it is their bending.
+    const model::Material& material = view.model.materials[view.model.parts[i].material];
+    if (resists_as_material(view, i) && model::is_elastic(material.law)) continue;
     if (own > 0.01 * internal && ratio_of(parts[i].hourglass, own, least) > 0.1)
       warnings.push_back(fmt::format("Hourglass energy of part {} is {:.1f} % of its internal energy{}.",
                                      view.model.parts[i].id, 100 * parts[i].hourglass / own,

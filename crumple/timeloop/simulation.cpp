@@ -79,7 +79,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
     domain_.transducers.back().mass = transducers_.back().mass();
   }
   for (Index tie = 0; tie < static_cast<Index>(domain_.ties.size()); ++tie)
-    if (domain_.ties[tie].method == model::TieMethod::Penalty) tie_springs_.emplace_back(model, domain_, tie);
+    if (domain_.ties[tie].springs() > 0) tie_springs_.emplace_back(model, domain_, tie);
   if (!model.output.history_nodes.empty()) keep_accelerations();
   initial_stress_energy_ = initial_stress_energy(model, domain_);
 }

@@ -112,6 +112,7 @@ void Simulation::compute_forces(StartLoss* start) {
   add_contact_forces();
   for (std::size_t i = 0; i < transducers_.size(); ++i)
     domain_.transducers[i].force = transducers_[i].measure(contacts_);
+  for (domain::Tie& tie : domain_.ties) tie.force = {};
   for (contact::TieSprings& springs : tie_springs_) springs.add_forces(domain_);
   joints_.add_forces(domain_);
   joint_stiffnesses_.add_forces(domain_);
@@ -215,7 +216,7 @@ void Simulation::kick(double interval) {
   join_nodes(interval);
   impose_motions(interval);
   stop_at_walls(interval);
-  tied_nodes_.follow(domain_, interval);
+  tied_nodes_.follow(domain_, interval, next_step_);
   sum_kinetic_energy();
   rigid_bodies_.carry_nodes(domain_, interval, next_step_);
 }

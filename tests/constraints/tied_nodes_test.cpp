@@ -55,7 +55,7 @@ class TiedNodesTest : public ::testing::Test {
     tied.remember(domain_);
     for (std::size_t i = 0; i < change.size(); ++i) domain_.nodes.velocity[i] += change[i];
     tied.share(domain_);
-    tied.follow(domain_, 0.5);
+    tied.follow(domain_, 0.5, 0.5);
   }
   Vec3 momentum() const {
     Vec3 sum;
@@ -109,7 +109,7 @@ TEST_F(TiedNodesTest, RotationsFollowWhereTheyAreTied) {
   tied.remember(domain_);
   domain_.nodes.angular_velocity[4] = {0, 3, 0};
   tied.share(domain_);
-  tied.follow(domain_, 1);
+  tied.follow(domain_, 1, 1);
   double moment = 0;
   for (Index i = 0; i < 4; ++i)
     moment += domain_.nodes.moving_inertia(i) * domain_.nodes.angular_velocity[i].y;

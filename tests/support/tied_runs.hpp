@@ -35,20 +35,30 @@ inline Reflection reflection(const model::Model& model) {
 }
 
 struct Deflection {
-  double largest = 0;  ///< of the loaded edge, along y [length]
+  double largest = 0;  ///< of the loaded edge [length]
   double energy_error = 0;
 };
 
-/// Runs shell_joint().
-inline Deflection deflection(const model::Model& model) {
+/// The largest of the loaded nodes along an axis.
+inline Deflection deflection_along(const model::Model& model, int axis) {
   timeloop::Simulation simulation(model, execution());
   Deflection found;
   run(simulation, [&](const domain::Domain& domain) {
     for (const model::NodalLoad& load : model.nodal_loads)
-      found.largest = larger_of(found.largest, std::fabs(displacement(domain, load.node).y));
+      found.largest = larger_of(found.largest, std::fabs(displacement(domain, load.node)[axis]));
   });
   found.energy_error = simulation.domain().energy.error();
   return found;
+}
+
+/// Runs shell_joint().
+inline Deflection deflection(const model::Model& model) {
+  return deflection_along(model, 1);
+}
+
+/// Of a strip in the plane z = 0.
+inline Deflection tip_deflection(const model::Model& model) {
+  return deflection_along(model, 2);
 }
 
 /// Shakes the model for a time of 0.1: momentum and moment of momentum are kept to round-off, the energy to

@@ -45,7 +45,7 @@ inline model::Model two_blocks(Index coarse, Index fine, Index along,
 /// Two bars of 100 x 4 x 4, the first with a pulse of one sign that runs into the second, all of it there at
 /// the end time.
 inline model::Model two_bars(Index first_cells, Index second_cells,
-                             model::TieMethod method = model::TieMethod::Constraint) {
+                             model::TieMethod method = model::TieMethod::Constraint, double gap = 0) {
   model::Model model =
       one_solid_part({.id = 1, .title = "steel", .density = density, .law = model::Elastic{modulus, 0}});
   model.solid_sections[0].formulation = model::SolidFormulation::SelectiveHexahedron;
@@ -56,7 +56,7 @@ inline model::Model two_bars(Index first_cells, Index second_cells,
     });
   };
   add(0, first_cells, 0);
-  add(1, second_cells, 100);
+  add(1, second_cells, 100 + gap);
   add_tie(model, method);
   // A push at the free end for the time in which a wave runs 40 mm.
   const double wave_speed = std::sqrt(modulus / density);

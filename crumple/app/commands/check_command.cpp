@@ -132,6 +132,7 @@ ExitCode check_deck(const Options& options, const Console& console) {
     try {
       timeloop::Simulation simulation(*deck.model, choose_execution(options, *deck.model));
       simulation.start();
+      warn_of_ties(console.err, *deck.model, simulation.domain());
       print_model(console.out, *deck.model, simulation.domain());
       print_steps(console.out, simulation);
       const auto warnings = deck.diagnostics.size();

@@ -88,45 +88,59 @@ void print_rigid_bodies(std::ostream& out, const model::Model& model, const doma
   if (count > rows) print(out, "  ... and {} more\n", count - rows);
 }
 
+/// "1 node is", "3 nodes are".
+std::string nodes_are(Index count) {
+  return count == 1 ? "1 node is" : fmt::format("{} nodes are", count);
+}
+
 /// Nodes that were meant to be tied and are too far away, furthest first.
-void print_untied(std::ostream& out, const domain::Tie& tie) {
+void warn_of_untied(std::ostream& err, const domain::Tie& tie) {
   constexpr std::size_t shown = 5;
   if (tie.tied_elsewhere > 0)
-    print(out, "    WARNING: {} tied by an earlier contact already, left out here\n",
-          tie.tied_elsewhere == 1 ? "1 node is" : fmt::format("{} nodes are", tie.tied_elsewhere));
+    print(err, "warning: {}: {} tied by an earlier contact already, left out here\n", tie.name(),
+          nodes_are(tie.tied_elsewhere));
   if (tie.untied.empty()) return;
-  print(out, "    WARNING: {} not tied, too far away:",
-        tie.untied.size() == 1 ? "1 node is" : fmt::format("{} nodes are", tie.untied.size()));
+  print(err, "warning: {}: {} not tied, too far away:", tie.name(),
+        nodes_are(static_cast<Index>(tie.untied.size())));
   for (std::size_t i = 0; i < std::min(shown, tie.untied.size()); ++i)
-    print(out, "{} {} by {:.4g}", i == 0 ? "" : ",", tie.untied[i].node, tie.untied[i].distance);
-  print(out, "{}\n", tie.untied.size() > shown ? ", ..." : "");
+    print(err, "{} {} by {:.4g}", i == 0 ? "" : ",", tie.untied[i].node, tie.untied[i].distance);
+  print(err, "{}\n", tie.untied.size() > shown ? ", ..." : "");
 }
 
 /// Nodes that the contact would turn with segments that do not turn.
-void print_hinges(std::ostream& out, const domain::Domain& domain, const domain::Tie& tie) {
+void warn_of_hinges(std::ostream& err, const model::TiedContact& given, const domain::Domain& domain,
+                    const domain::Tie& tie) {
   const auto hinged = [&](const domain::TiedNode& tied) {
     for (std::size_t k = 0; k < 4; ++k)
-      if (tied.weight[k] != 0 && !contact::has_rotation(domain, tied.corner[k]))
+      if (!tied.turns && tied.weight[k] != 0 && !contact::has_rotation(domain, tied.corner[k]))
         return domain.nodes.inertia[tied.node] > 0;
     return false;
   };
-  const auto count = std::count_if(tie.nodes.begin(), tie.nodes.end(), hinged);
+  const auto count = static_cast<Index>(std::count_if(tie.nodes.begin(), tie.nodes.end(), hinged));
   if (count > 0)
-    print(out, "    WARNING: {} free to turn: the segments, of solids, have no rotations\n",
-          count == 1 ? "1 node is" : fmt::format("{} nodes are", count));
+    print(
+        err, "warning: {}: {} free to turn, as on a hinge: {}\n", tie.name(), nodes_are(count),
+        given.turns_on_faces
+            ? "too heavy against their segments, or held by springs"
+            : "the segments, of solids, have no rotations; *CONTACT_TIED_SHELL_EDGE_TO_SOLID passes moments "
+              "on to their nodes");
 }
 
-void print_ties(std::ostream& out, const model::Model& model, const domain::Domain& domain) {
-  for (std::size_t i = 0; i < domain.ties.size(); ++i) {
-    const domain::Tie& tie = domain.ties[i];
-    const bool constraint = tie.method == model::TieMethod::Constraint;
-    print(out, "  tied contact {:<8} by {}, {} to {}", tie.id, constraint ? "constraint" : "penalty",
-          counted(tie.nodes.size(), "node"), counted(tie.segments, "segment"));
+std::string describe(const domain::Tie& tie) {
+  const Index springs = tie.springs();
+  if (springs == 0) return "by constraint";
+  if (tie.method != model::TieMethod::Offset || springs == static_cast<Index>(tie.nodes.size()))
+    return "by penalty";
+  return fmt::format("by constraint, {} by penalty", counted(springs, "node"));
+}
+
+void print_ties(std::ostream& out, const domain::Domain& domain) {
+  for (const domain::Tie& tie : domain.ties) {
+    print(out, "  tied contact {:<8} {}, {} to {}", tie.id, describe(tie), counted(tie.nodes.size(), "node"),
+          counted(tie.segments, "segment"));
     if (tie.largest_move > 0)
       print(out, ", moved by up to {:.4g} (node {})", tie.largest_move, tie.moved_node);
     print(out, "\n");
-    print_untied(out, tie);
-    if (model.tied_contacts[i].ties_rotations) print_hinges(out, domain, tie);
   }
 }
 
@@ -197,9 +211,17 @@ void print_model(std::ostream& out, const model::Model& model, const domain::Dom
   print(out, "  box                   x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}\n",
         box.lowest[0], box.highest[0], box.lowest[1], box.highest[1], box.lowest[2], box.highest[2]);
   print_conditions(out, model);
-  print_ties(out, model, domain);
+  print_ties(out, domain);
   print_parts(out, model, domain);
   print_rigid_bodies(out, model, domain);
+}
+
+void warn_of_ties(std::ostream& err, const model::Model& model, const domain::Domain& domain) {
+  for (std::size_t i = 0; i < domain.ties.size(); ++i) {
+    warn_of_untied(err, domain.ties[i]);
+    if (model.tied_contacts[i].ties_rotations)
+      warn_of_hinges(err, model.tied_contacts[i], domain, domain.ties[i]);
+  }
 }
 
 }  // namespace crumple::app

@@ -86,6 +86,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   else
     take_up(*restart);
   const domain::Domain& domain = simulation_.domain();
+  warn_of_ties(console.err, *deck.model, domain);
   if (!options.quiet) {
     print_model(console.out, *deck.model, domain);
     print_run_settings(console.out, simulation_, folder_);

@@ -176,20 +176,39 @@ void print_energies(std::ostream& out, const domain::EnergyLedger& energy, doubl
     print(out, "  {:<26} {:>13.4f} %  of internal\n", "hourglass", 100 * energy.hourglass / energy.internal);
 }
 
-/// Which parts have lost shells, if any.
+std::string_view plural_of(model::ElementKind kind) {
+  switch (kind) {
+    case model::ElementKind::Shell:
+      return "shells";
+    case model::ElementKind::Solid:
+      return "solids";
+    case model::ElementKind::Beam:
+      return "beams";
+    case model::ElementKind::Discrete:
+      return "discrete elements";
+  }
+  return "";
+}
+
+/// Which parts have lost elements, if any; few beams, which may be welds, by their numbers.
 void print_eroded(std::ostream& out, const output::View& view) {
+  constexpr Index named = 10;
   bool first = true;
-  for (const domain::ShellBlock& block : view.domain.shells) {
+  for (const domain::ElementBlock* const each : view.domain.blocks()) {
+    const domain::ElementBlock& block = *each;
     if (block.eroded == 0) continue;
-    if (first) print(out, "\nEroded shells\n");
+    if (first) print(out, "\nEroded elements\n");
     first = false;
-    const bool triangles = model::is_triangular(block.formulation);
-    print(out, "  part {:<21} {:>13} of {}{}, with the energy {:.6e}\n", view.model.parts[block.part].id,
-          block.eroded, block.elements,
-          !triangles            ? ""
-          : block.elements == 1 ? " triangle"
-                                : " triangles",
-          block.eroded_energy);
+    const model::Part& part = view.model.parts[block.part];
+    const model::ElementKind kind = model::kind_of(part);
+    print(out, "  part {:<21} {:>13} of {} {}, with the energy {:.6e}\n", part.id, block.eroded,
+          block.elements, plural_of(kind), block.eroded_energy);
+    const domain::StateItem* const active = block.find("active");
+    if (kind != model::ElementKind::Beam || block.eroded > named || active == nullptr) continue;
+    print(out, "    beams");
+    for (Index e = 0; e < block.elements; ++e)
+      if (block.state(e, active->first) == 0) print(out, " {}", view.model.beams[block.element[e]].id);
+    print(out, "\n");
   }
 }
 

@@ -265,12 +265,12 @@ void put_onto_segments(const model::Model& model, domain::Domain& domain) {
 void find_ties(const model::Model& model, domain::Domain& domain) {
   std::vector<char> taken(static_cast<std::size_t>(domain.nodes.count()), 0);
   domain.ties.resize(model.tied_contacts.size());
-  // Springs measure their gaps when all that constraints move is in its place.
-  for (const model::TieMethod method : {model::TieMethod::Constraint, model::TieMethod::Penalty}) {
+  // Gaps are measured when all that constraints move is in its place.
+  for (const bool constraint : {true, false}) {
     for (std::size_t i = 0; i < model.tied_contacts.size(); ++i)
-      if (model.tied_contacts[i].method == method)
+      if ((model.tied_contacts[i].method == model::TieMethod::Constraint) == constraint)
         domain.ties[i] = find_tie(model, domain, model.tied_contacts[i], taken);
-    if (method == model::TieMethod::Constraint) put_onto_segments(model, domain);
+    if (constraint) put_onto_segments(model, domain);
   }
 }
 

@@ -58,8 +58,8 @@ SpringSums sum_springs(const domain::Domain& domain) {
   SpringSums sums{std::vector<double>(static_cast<std::size_t>(domain.nodes.count()), 0.0),
                   std::vector<Index>(domain.rigid_bodies.size(), 0)};
   for (const domain::Tie& tie : domain.ties) {
-    if (tie.method != model::TieMethod::Penalty) continue;
     for (const domain::TiedNode& tied : tie.nodes) {
+      if (tied.follows) continue;
       const std::array<double, 4> gain = gains(domain.nodes, tied);
       sums.at_node[tied.node] += 1;
       for (std::size_t k = 0; k < 4; ++k) sums.at_node[tied.corner[k]] += gain[k];
@@ -96,8 +96,10 @@ TieSprings::TieSprings(const model::Model& model, const domain::Domain& domain, 
   const std::vector<domain::TiedNode>& nodes = domain.ties[tie].nodes;
   springs_.reserve(nodes.size());
   active_.reserve(nodes.size());
-  for (const domain::TiedNode& tied : nodes) {
-    Spring spring{.tied = tied};
+  for (std::size_t at = 0; at < nodes.size(); ++at) {
+    const domain::TiedNode& tied = nodes[at];
+    if (tied.follows) continue;
+    Spring spring{.tied = tied, .at = at};
     spring.tied.stiffness *= tolerances::tie_over_contact_stiffness;
     set_limits(domain, sums, spring);
     springs_.push_back(spring);
@@ -305,7 +307,6 @@ void TieSprings::add_forces(domain::Domain& domain) {
     for (Index i = part * piece; i < std::min((part + 1) * piece, count); ++i)
       loads_[i] = active_[i] != 0 ? evaluate(domain, static_cast<std::size_t>(i), step) : Load{};
   });
-  tie.force = Vec3{};
   tie.opening = 0;
   double held = 0;
   for (std::size_t i = 0; i < springs_.size(); ++i) {
@@ -313,7 +314,7 @@ void TieSprings::add_forces(domain::Domain& domain) {
     if (active_[i] == 0 && previous_[i].opening == 0) continue;
     const bool breaks = load.share >= 1;
     if (active_[i] != 0 && (breaks || ends_now(domain, springs_[i], look))) {
-      active_[i] = tie.holds[i] = 0;
+      active_[i] = tie.holds[springs_[i].at] = 0;
       load = Load{};
       ++tie.released;
       if (breaks) ++tie.broken;

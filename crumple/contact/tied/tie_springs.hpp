@@ -5,11 +5,12 @@
 // at time zero, by the distance of the node from the nearest segment (tie_search.hpp), with the tolerances of
 // LS-DYNA's Keyword User's Manual.
 //
-//           o  node           by constraint (TIED without OFFSET): the node is put onto its segment and
-//           |                 follows it; constraints/tied_nodes.hpp
-//           |  h
-//           |                 by penalty (OFFSET, TIEBREAK): the gap stays. A spring holds the node to
-//     ------+------ segment   a = sum of w_k x_k + h n, at its own height over the segment
+//           o  node           TIED without OFFSET: the node is put onto its segment and follows it
+//           |                 (constraints/tied_nodes.hpp)
+//           |  h              OFFSET: the gap stays, the node follows a = sum of w_k x_k + h n, at its own
+//           |                 height over the segment; a spring holds it there where something else
+//     ------+------ segment   holds the node or its segment
+//                             TIEBREAK: a spring holds it there, until it breaks
 //
 // The forces on the corners are the derivatives of the spring's energy by their positions, so that force and
 // moment of force sum to zero and no rigid motion makes a force (own derivation, docs/theory/tied.md). The
@@ -17,8 +18,8 @@
 // TIEBREAK a tie ends where tension and shear exceed its strength, or is damaged from there until it has
 // taken its energy (cohesive_law.hpp); all ties end with their segment, or when their time is over.
 //
-// Order of calls: find_ties() before the elements are prepared, as it moves nodes; a TieSprings for each tie
-// by penalty; add_forces() in every step.
+// Order of calls: find_ties() before the elements are prepared, as it moves nodes; constraints::TiedNodes,
+// which takes the nodes that follow; a TieSprings for each tie that has others; add_forces() in every step.
 
 #include <array>
 #include <cstdint>
@@ -38,17 +39,19 @@ struct SpringSums {
   std::vector<Index> at_body;   ///< springs to segments of the body
 };
 
-/// Nodes that springs hold to segments (tied contact with OFFSET, TIEBREAK). The other end of a spring stands
-/// at the height of the node over its segment, on the segment's normal, and moves with it: forces on the
-/// corners are the derivatives of the spring's energy by their places, so that force and moment of force add
-/// up to zero and no rigid motion makes a force (docs/theory/tied.md). Bodies may be rigid on either side.
+/// Nodes that springs hold to segments: those of a tie that do not follow (TiedNode::follows). The other end
+/// of a spring stands at the height of the node over its segment, on the segment's normal, and moves with it:
+/// forces on the corners are the derivatives of the spring's energy by their places, so that force and moment
+/// of force add up to zero and no rigid motion makes a force (docs/theory/tied.md). Bodies may be rigid on
+/// either side.
 class TieSprings {
  public:
   /// `tie` is the place of the contact in Model::tied_contacts and domain.ties.
   TieSprings(const model::Model& model, const domain::Domain& domain, Index tie);
 
-  /// Adds the forces at time n to nodes.force and ends ties that are overloaded, whose segment has eroded or
-  /// whose time is over. Work since the last call goes into the tie's energy, by the trapezoidal rule.
+  /// Adds the forces at time n to nodes.force and Tie::force, and ends ties that are overloaded, whose
+  /// segment has eroded or whose time is over. Work since the last call goes into the tie's energy, by the
+  /// trapezoidal rule.
   void add_forces(domain::Domain& domain);
 
   /// The longest step for which ties that soften keep the stiffness of their first step: cutting it later
@@ -61,6 +64,7 @@ class TieSprings {
   static constexpr std::size_t ends = 5;  ///< the node and four corners
   struct Spring {
     domain::TiedNode tied;
+    std::size_t at = 0;            ///< in Tie::nodes
     double inverse_mass = 0;       ///< bound on 1/m* with shared masses [1/mass]
     double turning_stiffness = 0;  ///< 0: rotations are free [force * length]
     double inverse_inertia = 0;    ///< as inverse_mass [1/(mass * length^2)]

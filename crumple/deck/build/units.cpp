@@ -126,6 +126,12 @@ std::string doubt(double density, double modulus) {
   const auto modulus_in = [](const System& system) { return steel_modulus / system.stress(); };
   const System& by_density = nearest(density, density_in);
   const System& by_modulus = nearest(modulus, modulus_in);
+  if (&by_density == &by_modulus)
+    return fmt::format(
+        "the density {:g} and the modulus {:g} go together in no usual system of units; steel has the "
+        "density "
+        "{:.3g} where its modulus is {:.3g} ({})",
+        density, modulus, density_in(by_density), modulus_in(by_density), by_density.name);
   return fmt::format(
       "the density {:g} and the modulus {:g} go together in no usual system of units; steel has the density "
       "{:.3g} where its modulus is {:.3g} ({}), and {:.3g} where it is {:.3g} ({})",
@@ -153,7 +159,8 @@ std::vector<std::string> unit_doubts(const model::Model& model) {
     std::string& told = doubts.emplace_back();
     const double modulus = modulus_of(material);
     if (std::holds_alternative<model::NullMaterial>(material.law) || has_no_modulus(material.law)) continue;
-    if (!(material.density > 0 && modulus > 0)) continue;
+    // Of a rigid body the density is whatever gives it its mass.
+    if (material.rigid || !(material.density > 0 && modulus > 0)) continue;
     const bool fits = std::any_of(systems.begin(), systems.end(), [&](const System& system) {
       // Beside a metal that tells the system, trim of any softness may be modelled as plastic.
       const bool certain = std::any_of(model.materials.begin(), model.materials.end(),

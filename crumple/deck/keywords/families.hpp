@@ -344,6 +344,7 @@ void read_define_friction(Cards& cards, RawDeck& deck);
 void read_contact_tied(Cards& cards, RawDeck& deck);
 void read_contact_tied_offset(Cards& cards, RawDeck& deck);
 void read_contact_tied_shell_edge(Cards& cards, RawDeck& deck);
+void read_contact_tied_shell_edge_to_solid(Cards& cards, RawDeck& deck);
 void read_contact_tied_shell_edge_beam_offset(Cards& cards, RawDeck& deck);
 void read_contact_automatic_tiebreak(Cards& cards, RawDeck& deck);
 void read_contact_automatic_one_way_tiebreak(Cards& cards, RawDeck& deck);

@@ -380,6 +380,7 @@ constexpr Keyword table[] = {
     {"CONTACT_TIED_SURFACE_TO_SURFACE", read_contact_tied, identity},
     {"CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET", read_contact_tied_offset, identity},
     {"CONTACT_TIED_SHELL_EDGE_TO_SURFACE", read_contact_tied_shell_edge, identity},
+    {"CONTACT_TIED_SHELL_EDGE_TO_SOLID", read_contact_tied_shell_edge_to_solid, identity},
     {"CONTACT_SPOTWELD", read_contact_tied_shell_edge, identity},
     {"CONTACT_SPOTWELD_WITH_TORSION", read_contact_tied_shell_edge, identity},
     {"CONTACT_TIED_SHELL_EDGE_TO_SURFACE_OFFSET", read_contact_tied_offset, identity},

@@ -79,13 +79,19 @@ TEST(Tied, Forms) {
   };
   EXPECT_EQ(form("NODES_TO_SURFACE").tolerance, 0.4);
   EXPECT_EQ(form("NODES_TO_SURFACE").side[0].contact_thickness, 0);
-  EXPECT_EQ(form("NODES_TO_SURFACE_OFFSET").method, model::TieMethod::Penalty);
-  EXPECT_EQ(form("SURFACE_TO_SURFACE_OFFSET").method, model::TieMethod::Penalty);
+  EXPECT_EQ(form("NODES_TO_SURFACE_OFFSET").method, model::TieMethod::Offset);
+  EXPECT_EQ(form("SURFACE_TO_SURFACE_OFFSET").method, model::TieMethod::Offset);
   EXPECT_TRUE(form("SHELL_EDGE_TO_SURFACE").ties_rotations);
   EXPECT_EQ(form("SHELL_EDGE_TO_SURFACE").method, model::TieMethod::Constraint);
   EXPECT_FALSE(form("SHELL_EDGE_TO_SURFACE_OFFSET").ties_rotations);
   EXPECT_TRUE(form("SHELL_EDGE_TO_SURFACE_BEAM_OFFSET").ties_rotations);
-  EXPECT_EQ(form("SHELL_EDGE_TO_SURFACE_BEAM_OFFSET").method, model::TieMethod::Penalty);
+  EXPECT_EQ(form("SHELL_EDGE_TO_SURFACE_BEAM_OFFSET").method, model::TieMethod::Offset);
+  EXPECT_FALSE(form("SHELL_EDGE_TO_SURFACE_BEAM_OFFSET").turns_on_faces);
+  EXPECT_TRUE(form("SHELL_EDGE_TO_SOLID").turns_on_faces);
+  EXPECT_TRUE(form("SHELL_EDGE_TO_SOLID").ties_rotations);
+  EXPECT_EQ(tied("*CONTACT_TIED_SURFACE_TO_SURFACE_OFFSET\n2,1,3,3\n\n0.5\n").method,
+            model::TieMethod::Penalty)
+      << "SFS asks for softer springs";
 }
 
 TEST(Tied, Tiebreak) {
@@ -194,7 +200,6 @@ TEST(Tied, Faults) {
   among("9,1,0,,1,1\n", "field SFLS: read \"0\", expected a number above zero");
   has("*CONTACT_TIEBREAK_SURFACE_TO_SURFACE\n9,1,4,3\n\n\n1,1\n*SET_NODE_LIST\n9\n5,6\n",
       "nodes alone have no area");
-  has("*CONTACT_TIED_SHELL_EDGE_TO_SURFACE_CONSTRAINED_OFFSET\n2,1,3,3\n\n\n", "springs");
 }
 
 }  // namespace

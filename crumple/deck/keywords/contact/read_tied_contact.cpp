@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // *CONTACT_TIED_..., *CONTACT_TIEBREAK_..., *CONTACT_AUTOMATIC_..._TIEBREAK.
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -165,10 +166,9 @@ void finish(Cards& cards, RawDeck& deck, RawTiedContact raw, bool good) {
 void read_tie(Cards& cards, RawDeck& deck, model::TieMethod method, bool rotations) {
   bool good = false;
   RawTiedContact raw = read_first_cards(cards, good);
-  if (cards.where().keyword.find("_CONSTRAINED_OFFSET") != std::string_view::npos)
-    cards.report().warning(raw.where, "springs",
-                           "springs hold what is tied with an offset, softer than constraints");
-  raw.tied.method = method;
+  const auto softened = [](const model::ContactSide& side) { return side.stiffness_scale < 1; };
+  const bool soft = std::ranges::any_of(raw.tied.side, softened);
+  raw.tied.method = soft && method == model::TieMethod::Offset ? model::TieMethod::Penalty : method;
   raw.tied.ties_rotations = rotations;
   raw.afterwards.reset();
   finish(cards, deck, std::move(raw), good);
@@ -265,7 +265,7 @@ void read_contact_tied(Cards& cards, RawDeck& deck) {
 }
 
 void read_contact_tied_offset(Cards& cards, RawDeck& deck) {
-  read_tie(cards, deck, model::TieMethod::Penalty, false);
+  read_tie(cards, deck, model::TieMethod::Offset, false);
 }
 
 void read_contact_tied_shell_edge(Cards& cards, RawDeck& deck) {
@@ -273,7 +273,13 @@ void read_contact_tied_shell_edge(Cards& cards, RawDeck& deck) {
 }
 
 void read_contact_tied_shell_edge_beam_offset(Cards& cards, RawDeck& deck) {
-  read_tie(cards, deck, model::TieMethod::Penalty, true);
+  read_tie(cards, deck, model::TieMethod::Offset, true);
+}
+
+void read_contact_tied_shell_edge_to_solid(Cards& cards, RawDeck& deck) {
+  const std::size_t before = deck.tied_contacts.size();
+  read_tie(cards, deck, model::TieMethod::Constraint, true);
+  if (deck.tied_contacts.size() > before) deck.tied_contacts.back().tied.turns_on_faces = true;
 }
 
 void read_contact_automatic_tiebreak(Cards& cards, RawDeck& deck) {
