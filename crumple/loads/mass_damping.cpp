@@ -54,12 +54,30 @@ MassDamping::MassDamping(const model::Model& model, const domain::Domain& domain
   }
 }
 
+void MassDamping::relax(const domain::Domain& domain, double share) {
+  static const model::MassDamping of_all_motion;
+  if (dampings_.empty() || dampings_.back().given != &of_all_motion) {
+    Damping relaxing;
+    relaxing.given = &of_all_motion;
+    for (std::size_t body = 0; body < domain.rigid_bodies.size(); ++body)
+      relaxing.bodies.push_back(static_cast<Index>(body));
+    relaxing.on_nodes.resize(static_cast<std::size_t>(domain.nodes.count()));
+    relaxing.on_bodies.resize(relaxing.bodies.size());
+    dampings_.push_back(std::move(relaxing));
+  }
+  dampings_.back().lost_in_step = share;
+}
+
+/// D(t) at time n [1/time].
+double MassDamping::factor_of(const Damping& damping, const domain::Clock& clock) const {
+  if (damping.lost_in_step > 0) return clock.step > 0 ? damping.lost_in_step / clock.step : 0;
+  const model::MassDamping& given = *damping.given;
+  return given.curve == no_index ? given.constant : given.scale * model_->curves[given.curve].at(clock.time);
+}
+
 void MassDamping::add_forces(domain::Domain& domain) {
   for (Damping& damping : dampings_) {
-    const model::MassDamping& given = *damping.given;
-    damping.factor = given.curve == no_index
-                         ? given.constant
-                         : given.scale * model_->curves[given.curve].at(domain.clock.time);
+    damping.factor = factor_of(damping, domain.clock);
     domain.energy.damping += damp_nodes(damping, domain) + damp_bodies(damping, domain);
   }
 }
@@ -139,7 +157,9 @@ double MassDamping::stable_share(double undamped_step) {
 void MassDamping::declare(domain::StateList& list) {
   for (std::size_t i = 0; i < dampings_.size(); ++i) {
     // Several have the number of each in their names, apart from that of all.
-    const std::string which = dampings_[i].of_all ? "mass_damping" : "part_damping_" + std::to_string(i);
+    const std::string which = dampings_[i].lost_in_step > 0 ? "relaxation"
+                              : dampings_[i].of_all         ? "mass_damping"
+                                                            : "part_damping_" + std::to_string(i);
     list.keep_list(which + "_nodes", "force", domain::Entity::Node, 6, dampings_[i].on_nodes);
     list.keep_list(which + "_bodies", "force", domain::Entity::RigidBody, 6, dampings_[i].on_bodies);
   }

@@ -19,6 +19,10 @@ class MassDamping {
   /// The model must outlive the loads.
   MassDamping(const model::Model& model, const domain::Domain& domain);
 
+  /// From now on all motion loses `share` of its velocity in each step, besides other dampings (dynamic
+  /// relaxation): v(n+1/2) = (1 - share) v(n-1/2) + step f(n) / m where the step does not change.
+  void relax(const domain::Domain& domain, double share);
+
   /// Adds the forces at time n and, by the trapezoidal rule, what they took since time n-1 to the ledger's
   /// damping energy. On entry velocities are those of n-1/2 and clock.step is the step between.
   void add_forces(domain::Domain& domain);
@@ -41,6 +45,7 @@ class MassDamping {
   struct Damping {
     const model::MassDamping* given = nullptr;
     bool of_all = true;
+    double lost_in_step = 0;      ///< of the velocity, where the step sets the factor; else 0 [-]
     NodeShares selection;         ///< unless of all
     std::vector<Index> bodies;    ///< in the domain
     double factor = 0;            ///< D(t) at time n [1/time]
@@ -48,6 +53,7 @@ class MassDamping {
     std::vector<Push> on_bodies;  ///< the same
   };
 
+  double factor_of(const Damping& damping, const domain::Clock& clock) const;
   double damp_nodes(Damping& damping, domain::Domain& domain);
   static double damp_bodies(Damping& damping, domain::Domain& domain);
 

@@ -12,6 +12,7 @@
 #include "model/control.hpp"
 #include "model/control_volume.hpp"
 #include "model/curve.hpp"
+#include "model/dynamic_relaxation.hpp"
 #include "model/equation_of_state.hpp"
 #include "model/joint.hpp"
 #include "model/material.hpp"
@@ -84,6 +85,7 @@ struct Model {
   std::vector<ForceTransducer> force_transducers;
   std::vector<TiedContact> tied_contacts;
   std::vector<Termination> terminations;
+  std::optional<DynamicRelaxation> relaxation;  ///< before the run
   Control control;
   OutputRequests output;
   SearchSettings search;

@@ -19,15 +19,33 @@
 namespace crumple::output {
 namespace {
 
-constexpr std::string_view names[] = {"run.json",         "report.html",          "initial_penetrations.csv",
-                                      "glstat.csv",       "timestep.csv",         "matsum.csv",
-                                      "rwforc.csv",       "rwmotion.csv",         "rcforc.csv",
-                                      "ties.csv",         "rbdout.csv",           "swforc.csv",
-                                      "nodout.csv",       "energy_residual.csv",  "sleout.csv",
-                                      "deforc.csv",       "spcforc.csv",          "elout_shells.csv",
-                                      "elout_solids.csv", "elout_beams.csv",      "secforc.csv",
-                                      "ncforc.csv",       "jntforc.csv",          "jntstiff.csv",
-                                      "abstat.csv",       "elout_beam_points.csv"};
+constexpr std::string_view names[] = {"run.json",
+                                      "report.html",
+                                      "initial_penetrations.csv",
+                                      "glstat.csv",
+                                      "timestep.csv",
+                                      "matsum.csv",
+                                      "rwforc.csv",
+                                      "rwmotion.csv",
+                                      "rcforc.csv",
+                                      "ties.csv",
+                                      "rbdout.csv",
+                                      "swforc.csv",
+                                      "nodout.csv",
+                                      "energy_residual.csv",
+                                      "sleout.csv",
+                                      "deforc.csv",
+                                      "spcforc.csv",
+                                      "elout_shells.csv",
+                                      "elout_solids.csv",
+                                      "elout_beams.csv",
+                                      "secforc.csv",
+                                      "ncforc.csv",
+                                      "jntforc.csv",
+                                      "jntstiff.csv",
+                                      "abstat.csv",
+                                      "elout_beam_points.csv",
+                                      "relax.csv"};
 
 /// LS-DYNA writes files of the same names: of these only our own are removed. All start with whose they are.
 constexpr std::array<std::string_view, 15> shared_names{"glstat",  "matsum", "rwforc", "rcforc",  "nodout",

@@ -133,6 +133,15 @@ Json ties_of(const std::vector<domain::Tie>& ties) {
   return list;
 }
 
+/// Null if there was none.
+Json relaxation_of(const RelaxationRecord& record) {
+  if (record.cycles == 0) return nullptr;
+  return {{"cycles", record.cycles},  {"converged", record.converged != 0},
+          {"time", record.time},      {"ratio", record.ratio},
+          {"factor", record.factor},  {"energy_error", record.energy_error},
+          {"seconds", record.seconds}};
+}
+
 Json parts_of(const model::Model& model) {
   Json list = Json::array();
   for (const model::Part& part : model.parts) list.push_back({{"id", part.id}, {"title", part.title}});
@@ -268,6 +277,7 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
       {"loop_seconds", record.loop_seconds},
       {"ns_per_element_cycle", nanoseconds_per_element_cycle(domain, record.loop_seconds)},
       {"peak_memory_bytes", record.peak_memory_bytes},
+      {"dynamic_relaxation", relaxation_of(record.relaxation)},
       {"energy", energy_of(domain.energy)},
       {"energy_trace", energy_trace_of(view)},
       {"added_mass", domain.added_mass},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "output/checks.hpp"
+#include "output/relaxation_record.hpp"
 #include "output/results/view.hpp"
 
 namespace crumple::output {
@@ -47,6 +48,7 @@ struct RunRecord {
   std::vector<RunParameter> parameters;
   double perturbation = 0;  ///< largest random move of a node over the diagonal of the model [-]
   std::uint64_t seed = 0;   ///< of these moves
+  RelaxationRecord relaxation;
   std::string units;        ///< guess, such as "kg, mm, ms"; empty if there is none
   std::string termination;  ///< "normal", "error" or "interrupted"
   std::string reason;

@@ -6,9 +6,11 @@
 #include "base/error.hpp"
 #include "contact/tied/tie_search.hpp"
 #include "domain/build.hpp"
+#include "domain/state_snapshot.hpp"
 #include "elements/elements.hpp"
 #include "materials/common/shell_material.hpp"
 #include "timeloop/guards.hpp"
+#include "timeloop/initial_motion.hpp"
 
 namespace crumple::timeloop {
 namespace {
@@ -122,6 +124,26 @@ domain::StateList Simulation::state() {
   terminations_.declare(list);
   if (energy_trace_) energy_trace_->declare(list);
   return list;
+}
+
+/// What a dynamic relaxation leaves behind.
+domain::StateList Simulation::deformation() {
+  domain::StateList list;
+  domain_.declare(list);
+  for (contact::Interface& contact : contacts_) contact.declare(list);
+  for (contact::TieSprings& springs : tie_springs_) springs.declare(list);
+  joints_.declare(list);
+  joint_stiffnesses_.declare(list);
+  tied_nodes_.declare(list);
+  return list;
+}
+
+void Simulation::begin_with(Simulation& relaxed) {
+  const InitialMotion motion(domain_);
+  domain::StateSnapshot(relaxed.deformation()).put_back(deformation());
+  motion.put_back(domain_);
+  resume();
+  begins_relaxed_ = true;
 }
 
 void Simulation::declare_reports(domain::StateList& list) {

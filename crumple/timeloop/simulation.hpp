@@ -24,8 +24,9 @@
 //
 // Simulation owns the domain and one object for each actor of the step. An actor that remembers something
 // from step to step declares it in state(); what follows from that state is rebuilt in resume(). Order of
-// calls: constructor, start() (or resume() after a restart), then step() until finished(). Between two calls
-// of step() an observer sees one moment, with velocities half a step ahead.
+// calls: constructor, start() (or resume() after a restart), then step() until finished(). A dynamic
+// relaxation (dynamic_relaxation.hpp) is a simulation of its own before start(), which begin_with() takes
+// over. Between two calls of step() an observer sees one moment, with velocities half a step ahead.
 
 #include <cstdint>
 #include <optional>
@@ -93,6 +94,14 @@ class Simulation {
   /// any number of threads.
   void resume();
 
+  /// Before start(), instead of the undeformed model: places, stresses, masses, and what contacts, ties and
+  /// joints remember, from another simulation of the same model with other loads, the end of its dynamic
+  /// relaxation. Velocities and the clock stay those of time zero. Throws Error if the models differ.
+  void begin_with(Simulation& relaxed);
+
+  /// From now on all motion loses `share` of its velocity in each step (dynamic relaxation).
+  void relax(double share) { mass_damping_.relax(domain_, share); }
+
   /// Forces, energies and the first step size at time zero; velocities then are half a step ahead.
   void start();
 
@@ -142,6 +151,7 @@ class Simulation {
   double next_step() const { return next_step_; }
 
  private:
+  domain::StateList deformation();
   void compute_forces(StartLoss* start = nullptr);
   void scale_masses();
   void limit_step_without_elements();
@@ -196,6 +206,7 @@ class Simulation {
   KickSums kick_sums_;                          ///< of the last kick, walls included
   bool keeps_accelerations_ = false;
   bool guards_contact_energy_ = true;
+  bool begins_relaxed_ = false;       ///< begin_with() has been called
   double initial_stress_energy_ = 0;  ///< see guards.hpp [energy]
   std::optional<elements::EnergyTrace> energy_trace_;
   double start_loss_ = 0;    ///< see start_loss.hpp; the ledger has it from cycle 1 on [energy]

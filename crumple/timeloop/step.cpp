@@ -67,8 +67,9 @@ void Simulation::start() {
   domain_.energy.initial_total = domain_.energy.total();
   kick(0.5 * next_step_);
   const StartLoss::Left left = start_loss.of_kick(domain_, 0.5 * next_step_);
-  start_loss_ = left.inner;
-  start_work_ = left.loads;
+  // What holds the balance of a relaxed model dissipates nothing in that.
+  start_loss_ = begins_relaxed_ ? 0 : left.inner;
+  start_work_ = begins_relaxed_ ? left.loads + left.inner : left.loads;
 }
 
 void Simulation::step() {

@@ -6,6 +6,7 @@
 
 #include "app/preparation/preparation.hpp"
 #include "app/session/run_limits.hpp"
+#include "timeloop/dynamic_relaxation.hpp"
 
 namespace crumple::python {
 
@@ -18,6 +19,7 @@ class BareLoop : public Loop {
       : simulation_(*deck.result.model, app::choose_execution(options, *deck.result.model)) {
     if (options.allow_negative_contact_energy) simulation_.allow_negative_contact_energy();
     if (options.accelerations) simulation_.keep_accelerations();
+    timeloop::begin_relaxed(simulation_);
     simulation_.start();
     const domain::Domain& domain = simulation_.domain();
     start_.first_step = simulation_.next_step();

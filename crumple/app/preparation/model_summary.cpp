@@ -159,6 +159,7 @@ void print_conditions(std::ostream& out, const model::Model& model) {
     print(out, "  loads on rigid bodies {}\n", model.rigid_body_loads.size());
   if (!model.prescribed_motions.empty())
     print(out, "  prescribed motions    {}\n", model.prescribed_motions.size());
+  if (model.relaxation) print(out, "  dynamic relaxation    before the run\n");
   if (!model.spot_welds.empty()) print(out, "  spot welds            {}\n", model.spot_welds.size());
   if (!model.rivets.empty()) print(out, "  rivets                {}\n", model.rivets.size());
   if (!model.constrained_node_sets.empty())

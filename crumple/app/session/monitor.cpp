@@ -21,9 +21,7 @@ constexpr double noted_fall = 0.01;
 
 Monitor::Monitor(const timeloop::Simulation& simulation, const Console& console, bool quiet,
                  double earlier_seconds)
-    : simulation_(simulation), console_(console), quiet_(quiet), earlier_seconds_(earlier_seconds) {
-  if (!quiet_) print(console_.out, "\n{}\n", status_header());
-}
+    : simulation_(simulation), console_(console), quiet_(quiet), earlier_seconds_(earlier_seconds) {}
 
 Progress Monitor::progress() const {
   Progress progress;
@@ -43,6 +41,8 @@ void Monitor::clear_bar() {
 
 void Monitor::print_line() {
   clear_bar();
+  if (!header_shown_) print(console_.out, "\n{}\n", status_header());
+  header_shown_ = true;
   line_cycle_ = simulation_.domain().clock.cycle;
   print(console_.out, "{}\n", status_line(simulation_.domain(), progress()));
   console_.out.flush();

@@ -24,6 +24,8 @@ class Monitor {
   /// `listener` hears how far the run is with the next observe and then five times a second, quiet or not.
   void tell(std::function<void(const Progress&)> listener) { listener_ = std::move(listener); }
 
+  /// The cycles begin now, and not when this was made.
+  void begin() { since_start_.restart(); }
   /// To be called once at time zero and after every step.
   void observe();
   /// Prints a line at once.
@@ -47,6 +49,7 @@ class Monitor {
   bool quiet_;
   std::function<void(const Progress&)> listener_;
   bool bar_shown_ = false;
+  bool header_shown_ = false;
   double earlier_seconds_ = 0;
   Stopwatch since_start_;
   double next_line_time_ = 0;     ///< [time]

@@ -82,14 +82,14 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   if (options.allow_negative_contact_energy) simulation_.allow_negative_contact_energy();
   const Restart* const restart = around.restart;
   if (restart == nullptr)
-    begin();
+    prepare();
   else
     take_up(*restart);
   const domain::Domain& domain = simulation_.domain();
   warn_of_ties(console.err, *deck.model, domain);
   if (!options.quiet) {
     print_model(console.out, *deck.model, domain);
-    print_run_settings(console.out, simulation_, folder_);
+    print_run_settings(console.out, relaxation_ ? relaxation_->simulation() : simulation_, folder_);
   }
   restart_settings_.options = options;
   restart_settings_.texts = deck.texts;
@@ -98,6 +98,7 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
   output::make_folder(folder_);
   lock_ = std::make_unique<output::FolderLock>(folder_);
   open_files(restart);
+  if (relaxation_) relaxation_->open(folder_);
   restart_writer_ = std::make_unique<RestartWriter>(folder_ / restart_folder, deck.model->output.restart,
                                                     options.restart_every, domain.clock);
   if (restart != nullptr && lies_in(restart->file, folder_ / restart_folder))
@@ -109,6 +110,15 @@ RunSession::RunSession(const Options& options, const deck::ReadResult& deck, con
     });
 }
 
+/// A relaxation takes its steps where the run takes them, and the run begins with its end.
+void RunSession::prepare() {
+  if (!deck_.model->relaxation) return begin();
+  relaxation_ = std::make_unique<RelaxationPhase>(*deck_.model, simulation_.domain().execution, console_,
+                                                  options_.quiet);
+  if (options_.allow_negative_contact_energy) relaxation_->simulation().allow_negative_contact_energy();
+}
+
+/// The run, at time zero.
 void RunSession::begin() {
   if (options_.dynain) earlier_.keep(simulation_.domain().nodes);
   simulation_.start();
@@ -169,6 +179,7 @@ domain::StateList RunSession::own_state() {
   list.keep("first_step", "time", domain::Entity::Run, first_step_);
   list.keep("total_mass", "mass", domain::Entity::Run, total_mass_);
   list.keep("loop_seconds", "s", domain::Entity::Run, loop_seconds_);
+  list.keep("relaxation", "by item", domain::Entity::Run, relaxed_);
   simulation_.declare_reports(list);
   return list;
 }
@@ -186,6 +197,7 @@ void RunSession::write_restart(RestartKind kind) {
 
 /// What ends before its time can be taken up again; what ends in time too, if there are restart files at all.
 void RunSession::save_for_restart(Ending& ending) {
+  if (relaxation_) return;
   const bool wanted = ending.code == ExitCode::Normal && restart_writer_->wanted();
   if (!wanted && ending.termination != "interrupted") return;
   try {
@@ -228,6 +240,13 @@ void RunSession::observe() {
   monitor_->observe();
 }
 
+/// Neither restart files nor frames are of a relaxation: true, with a note, while there is one.
+bool RunSession::refuse_while_relaxing(std::string_view what) {
+  if (!relaxation_) return false;
+  print(console_.err, "note: no {} is written during the dynamic relaxation\n", what);
+  return true;
+}
+
 std::optional<Ending> RunSession::asked_to_stop() {
   if (const int signal = signals_ ? signals_->received() : 0; signal != 0)
     return Ending{"interrupted", name_of_signal(signal) + std::string("."), code_of_signal(signal)};
@@ -239,13 +258,15 @@ std::optional<Ending> RunSession::asked_to_stop() {
     case Switch::Stop:
       return Ending{"interrupted", "sw1 in d3kil.", ExitCode::Stopped};
     case Switch::Status:
-      monitor_->print_line();
+      relaxation_ ? relaxation_->print_line() : monitor_->print_line();
       break;
     case Switch::Restart:
+      if (refuse_while_relaxing("restart file")) break;
       write_restart(RestartKind::Newest);
       print(console_.out, "Restart file {}\n", restart_writer_->newest().string());
       break;
     case Switch::Frame:
+      if (refuse_while_relaxing("frame")) break;
       recorder_->write_frame(view());
       break;
     case Switch::Unknown:
@@ -262,8 +283,47 @@ std::optional<Ending> RunSession::limit_passed() const {
   return Ending{"error", *reason, ExitCode::Numerical};
 }
 
+/// One round of the loop before the run.
+std::optional<Ending> RunSession::relax() {
+  if (auto ending = asked_to_stop()) return ending;
+  relaxation_->step();
+  if (relaxation_->finished()) end_relaxation();
+  return std::nullopt;
+}
+
+void RunSession::end_relaxation() {
+  relaxation_->close();
+  relaxed_ = relaxation_->record();
+  if (!options_.quiet) print_relaxation(console_, relaxed_);
+  const model::RelaxationSettings& settings = deck_.model->relaxation->settings;
+  if (relaxed_.converged == 0)
+    warn(
+        fmt::format("the dynamic relaxation has not converged at DRTERM = {:.6g}: its ratio is {:.4g}, and "
+                    "DRTOL {:.4g}; the run goes on from there, as LS-DYNA does",
+                    settings.end_time, relaxed_.ratio, settings.tolerance));
+  constexpr double most = 0.01;
+  if (relaxed_.energy_error > most)
+    warn(fmt::format("the energy error of the dynamic relaxation is {:.4g} % (limit 1 %)",
+                     100 * relaxed_.energy_error));
+  simulation_.begin_with(relaxation_->simulation());
+  relaxation_.reset();
+  monitor_->begin();
+  begin();
+}
+
+/// What it has come to is shown as the state of time zero, in a run that does not begin.
+void RunSession::abandon_relaxation() {
+  relaxation_->close();
+  relaxed_ = relaxation_->record();
+  timeloop::Simulation& left = relaxation_->simulation();
+  if (!positions_are_finite(left.domain().nodes)) return;
+  simulation_.begin_with(left);
+  simulation_.domain().energy = left.domain().energy;
+}
+
 /// One round of the loop.
 std::optional<Ending> RunSession::follow() {
+  if (relaxation_) return relax();
   observe();
   if (simulation_.finished())
     return Ending{
@@ -295,6 +355,7 @@ std::optional<Ending> RunSession::follow_guarded() {
 /// Goes back to the last state before the error, for the frames and histories, and for whoever wants to look
 /// at the step that failed.
 Ending RunSession::gone_wrong(const std::string& reason) {
+  if (relaxation_) return {"error", "In the dynamic relaxation: " + reason, ExitCode::Numerical};
   Ending ending{"error", reason, ExitCode::Numerical};
   if (!good_state_.return_before(simulation_.domain().clock.cycle, simulation_)) return ending;
   ending.reason += fmt::format(" The last state before it, of cycle {}, is the last frame.",
@@ -319,6 +380,7 @@ void RunSession::write_record(const Ending& ending) {
     record.parameters.push_back({parameter.name, parameter.value, parameter.is_preset});
   record.perturbation = restart_settings_.options.perturbation;
   record.seed = restart_settings_.options.seed;
+  record.relaxation = relaxed_;
   record.units = deck::guess_units(simulation_.model());
   record.termination = ending.termination;
   record.reason = ending.reason;
@@ -335,6 +397,7 @@ void RunSession::write_record(const Ending& ending) {
 
 std::vector<std::filesystem::path> RunSession::written_files() const {
   std::vector<std::filesystem::path> files = recorder_->files();
+  if (relaxed_.cycles > 0) files.push_back(folder_ / relaxation_file);
   for (std::filesystem::path& file : restart_writer_->files()) files.push_back(std::move(file));
   if (dynain_) files.push_back(*dynain_);
   return files;
@@ -392,6 +455,7 @@ ExitCode RunSession::close() {
   Ending& ending = *ending_;
   loop_seconds_ = monitor_->seconds();
   save_for_restart(ending);
+  if (relaxation_) abandon_relaxation();
   monitor_->clear_bar();
   if (!options_.quiet && ending.code != ExitCode::Output) monitor_->print_last_line();
   for (const deck::Diagnostic& diagnostic : deck_.diagnostics)

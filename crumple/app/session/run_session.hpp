@@ -13,6 +13,7 @@
 #include "app/session/good_state.hpp"
 #include "app/session/inspection_times.hpp"
 #include "app/session/monitor.hpp"
+#include "app/session/relaxation_phase.hpp"
 #include "app/session/restart_settings.hpp"
 #include "app/session/restart_writer.hpp"
 #include "app/session/stop_signals.hpp"
@@ -52,7 +53,8 @@ struct Surroundings {
 };
 
 /// One run of a model, from time zero or a restart file to its end, with all that is printed and written on
-/// the way. It owns the loop, or a caller has it advance step by step.
+/// the way; before it the dynamic relaxation, if the model has one, step by step as well. It owns the loop,
+/// or a caller has it advance step by step.
 class RunSession {
  public:
   /// Builds the simulation, prints what it holds and makes the folder of the results. The deck, whose model
@@ -82,6 +84,7 @@ class RunSession {
 
  private:
   output::View view() const;
+  void prepare();
   void begin();
   void take_up(const Restart& restart);
   void open_files(const Restart* restart);
@@ -91,10 +94,14 @@ class RunSession {
   void save_for_restart(Ending& ending);
   Ending gone_wrong(const std::string& reason);
   std::optional<Ending> follow();
+  std::optional<Ending> relax();
+  void end_relaxation();
+  void abandon_relaxation();
   std::optional<Ending> follow_guarded();
   void inspect_during_run();
   void observe();
   std::optional<Ending> asked_to_stop();
+  bool refuse_while_relaxing(std::string_view what);
   std::optional<Ending> limit_passed() const;
   void finish(Ending& ending);
   void write_record(const Ending& ending);
@@ -108,7 +115,9 @@ class RunSession {
   live::StatusBoard* board_;
   std::filesystem::path folder_;
   timeloop::Simulation simulation_;
-  std::unique_ptr<output::FolderLock> lock_;  ///< longer than all that writes into the folder
+  std::unique_ptr<RelaxationPhase> relaxation_;  ///< while it lasts; then the run has not begun
+  output::RelaxationRecord relaxed_;             ///< once it has ended
+  std::unique_ptr<output::FolderLock> lock_;     ///< longer than all that writes into the folder
   std::unique_ptr<output::Recorder> recorder_;
   std::unique_ptr<Monitor> monitor_;
   std::unique_ptr<StopSignals> signals_;  ///< null if they are left to the caller

@@ -205,7 +205,9 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_tied_contacts(build);
   check_contact_of_null_shells(build);
   build_terminations(build);
-  check_short_curves(build, options.end_time.value_or(build.model.control.end_time));
+  const double end_time = options.end_time.value_or(build.model.control.end_time);
+  build_relaxation(build, end_time);
+  check_short_curves(build, end_time);
   finish_time_curves(build);
   check_idle_loads(build);
   build_output(build);

@@ -96,6 +96,7 @@ class Build {
   std::vector<std::vector<Index>> discrete_sets;  ///< likewise
   std::vector<std::int32_t> shells_of_part;       ///< number of shells, by index of the part
   std::vector<std::int32_t> solids_of_part;       ///< number of solids, by index of the part
+  model::DynamicRelaxation relaxation;            ///< what acts in a dynamic relaxation, if there is one
   std::map<std::vector<double>, Index> layups;    ///< of elements, by materials and shares of their layers
   std::vector<std::int32_t> lines_of_part;  ///< number of beams or discrete elements, by index of the part
 
@@ -267,14 +268,19 @@ std::vector<Index> bodies_of_nodes(const Build& build);
 // build_motions.cpp
 /// Prescribed motions and loads on rigid bodies.
 void build_motions(Build& build);
+// build_relaxation.cpp
+/// The phases that loads and motions by a curve act in (SIDR).
+RawCurve::Phase phase_of_load(const Build& build, Index curve);
+/// Deals the loads and motions out to a dynamic relaxation and the run, by SIDR of their curves, and refuses
+/// what the relaxation cannot have. `end_time`: of the run [time]. When all loads and motions are there.
+void build_relaxation(Build& build, double end_time);
 // short_curves.cpp
 /// Warns once of each curve of a load, velocity or acceleration that ends before the run and goes on with
 /// another value than zero. `end_time`: of the run [time].
 void check_short_curves(Build& build, double end_time);
 // time_curves.cpp
-/// Delays what goes over time by curves with OFFA above zero, leaves out what is of a relaxation alone
-/// (SIDR = 1), and warns of curves that begin late or displacements that begin elsewhere than at zero. When
-/// all loads and motions are there.
+/// Delays what goes over time by curves with OFFA above zero, and warns of curves that begin late or
+/// displacements that begin elsewhere than at zero. When all loads and motions are there.
 void finish_time_curves(Build& build);
 // idle_loads.cpp
 /// Warns of moments on nodes without rotations and of forces on nodes without mass.

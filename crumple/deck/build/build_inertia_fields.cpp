@@ -23,13 +23,32 @@ std::optional<std::vector<Index>> loaded_parts(Build& build) {
   return all;
 }
 
+/// Adds a load of the run, and to a relaxation by its curve for that (LCIDDR), or by its own if SIDR says so.
+template <class Load>
+void add_to_phases(const Load& load, Index relaxation_curve, Build& build,
+                   std::vector<Load> model::Model::*run,
+                   std::vector<Load> model::DynamicRelaxation::*relaxing) {
+  (build.model.*run).push_back(load);
+  if (relaxation_curve == no_index) {
+    if (phase_of_load(build, load.curve) == RawCurve::Phase::Run) return;
+    relaxation_curve = load.curve;
+  }
+  (build.relaxation.*relaxing).push_back(load);
+  (build.relaxation.*relaxing).back().curve = relaxation_curve;
+}
+
+Index relaxation_curve_of(UserId curve, std::string_view field, const Where& where, Build& build) {
+  return curve == 0 ? no_index : build.find(Item::Curve, {curve, field, where});
+}
+
 /// A load along an axis of all the model has a form of its own.
 void build_body_load(const RawBodyLoad& raw, const std::optional<std::vector<Index>>& parts, Build& build) {
   model::BodyLoad load = raw.load;
   load.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
   if (load.curve == no_index) return;
+  const Index relaxing = relaxation_curve_of(raw.relaxation_curve, "LCIDDR", raw.where, build);
   if (!parts && raw.system == 0) {
-    build.model.body_loads.push_back(load);
+    add_to_phases(load, relaxing, build, &model::Model::body_loads, &model::DynamicRelaxation::body_loads);
     return;
   }
   Vector along{};
@@ -41,7 +60,9 @@ void build_body_load(const RawBodyLoad& raw, const std::optional<std::vector<Ind
   field.acceleration = *acceleration;
   field.of_all = !parts;
   if (parts) field.parts = *parts;
-  if (field.of_all || !field.parts.empty()) build.model.inertia_fields.push_back(field);
+  if (field.of_all || !field.parts.empty())
+    add_to_phases(field, relaxing, build, &model::Model::inertia_fields,
+                  &model::DynamicRelaxation::inertia_fields);
 }
 
 std::vector<Index> nodes_in_range(const RawInertiaField& raw, Build& build) {
@@ -86,7 +107,9 @@ void build_inertia_field(const RawInertiaField& raw, const std::optional<std::ve
   if (!choose_masses(raw, parts, build, field) || field.curve == no_index || !acceleration || !spin) return;
   field.acceleration = *acceleration;
   field.spin = *spin;
-  build.model.inertia_fields.push_back(field);
+  const Index relaxing = relaxation_curve_of(raw.relaxation_curve, "LCIDDR", raw.where, build);
+  add_to_phases(field, relaxing, build, &model::Model::inertia_fields,
+                &model::DynamicRelaxation::inertia_fields);
 }
 
 void build_mass_damping(Build& build) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What LS-DYNA makes of curves because a load or motion goes by them over time: OFFA delays it, and SIDR may
-// leave it to a relaxation before the run, which is not made here.
+// What LS-DYNA makes of curves because a load or motion goes by them over time: OFFA delays it.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,50 +8,21 @@
 #include <vector>
 
 #include "deck/build/build.hpp"
+#include "deck/build/timed_lists.hpp"
 
 namespace crumple::deck {
 
 namespace {
 
-/// Calls `visit(list)` with every list of loads and motions whose `curve` is over time.
-template <class Visit>
-void for_each_list(model::Model& model, const Visit& visit) {
-  visit(model.nodal_loads);
-  visit(model.pressure_loads);
-  visit(model.body_loads);
-  visit(model.inertia_fields);
-  visit(model.rigid_body_loads);
-  visit(model.prescribed_motions);
-}
-
 /// The curves of the deck that loads and motions go by, by the places in Model::curves.
 std::vector<char> curves_over_time(Build& build) {
   std::vector<char> used(build.model.curves.size(), 0);
-  for_each_list(build.model, [&](const auto& list) {
+  for_each_timed_list(build.model, [&](const auto& list) {
     for (const auto& item : list)
       if (item.curve != no_index) used[static_cast<std::size_t>(item.curve)] = 1;
   });
   used.resize(std::min(used.size(), build.deck.curves.size()));
   return used;
-}
-
-/// What goes by curves of the relaxation alone does not act in the run.
-void leave_out_relaxation(const std::vector<char>& used, Build& build) {
-  const auto only_relaxes = [&](Index curve) {
-    const auto at = static_cast<std::size_t>(curve);
-    return curve != no_index && at < used.size() && build.deck.curves[at].of_relaxation_only;
-  };
-  for (std::size_t i = 0; i < used.size(); ++i)
-    if (used[i] != 0 && only_relaxes(static_cast<Index>(i)))
-      build.report.warning(
-          build.deck.curves[i].where, "relaxation " + std::to_string(build.deck.curves[i].curve.id),
-          fmt::format("curve {} has SIDR = 1: it is of the dynamic relaxation before the run, which is not "
-                      "made; the loads and motions by it are left out, also the state that they would have "
-                      "given",
-                      build.deck.curves[i].curve.id));
-  for_each_list(build.model, [&](auto& list) {
-    std::erase_if(list, [&](const auto& item) { return only_relaxes(item.curve); });
-  });
 }
 
 /// The share of the delay up to which the ordinate is zero: LS-DYNA adds points with ordinate zero at the
@@ -78,7 +48,7 @@ void delay_curves(const std::vector<char>& used, Build& build) {
     build.model.curves.push_back(std::move(curve));
   }
   if (delayed.empty()) return;
-  for_each_list(build.model, [&](auto& list) {
+  for_each_timed_list(build.model, [&](auto& list) {
     for (auto& item : list)
       if (const auto found = delayed.find(item.curve); found != delayed.end()) item.curve = found->second;
   });
@@ -89,8 +59,7 @@ void check_late_curves(const std::vector<char>& used, Build& build) {
   for (std::size_t i = 0; i < used.size(); ++i) {
     const RawCurve& raw = build.deck.curves[i];
     const model::Curve& curve = build.model.curves[i];
-    if (used[i] == 0 || !raw.function.empty() || raw.of_relaxation_only || curve.abscissa.size() < 2 ||
-        is_delayed(raw, curve))
+    if (used[i] == 0 || !raw.function.empty() || curve.abscissa.size() < 2 || is_delayed(raw, curve))
       continue;
     if (curve.abscissa.front() > 0 && curve.ordinate.front() != 0)
       build.report.warning(
@@ -123,7 +92,6 @@ void check_first_displacements(const std::vector<char>& used, Build& build) {
 
 void finish_time_curves(Build& build) {
   const std::vector<char> used = curves_over_time(build);
-  leave_out_relaxation(used, build);
   check_late_curves(used, build);
   delay_curves(used, build);
   check_first_displacements(used, build);

@@ -132,7 +132,8 @@ struct RawCurve {
   model::Curve curve;
   std::string function;  ///< of TIME, instead of points
   double delay = 0;      ///< SFA OFFA: before it what the curve drives over time is zero [abscissa]
-  bool of_relaxation_only = false;  ///< SIDR = 1
+  enum class Phase { Run, Relaxation, Both };
+  Phase phase = Phase::Run;  ///< SIDR, where loads and motions by it act
   Where where;
 };
 
@@ -242,6 +243,7 @@ struct RawVelocity {
   bool of_whole_bodies = false;  ///< IVATN: of the nodes tied to these, too
   UserId system = 0;             ///< ICID, of velocities and spins; 0 is global axes
   UserId box = 0;                ///< only nodes in it; 0 is all
+  bool begins_at_once = false;   ///< PHASE = 0: with a dynamic relaxation, if there is one
   Where where;
 };
 
@@ -483,6 +485,8 @@ struct RawDeck {
   bool warping_stiffness = false;  ///< BWC: Belytschko-Tsay shells are Belytschko-Wong-Chiang ones
   bool lobatto_points = false;     ///< CONTROL_SHELL's INTGRD
   std::optional<Where> termination;
+  std::string end_time_text;  ///< of ENDTIM, as the deck has it
+  std::optional<RawRelaxation> relaxation;
   std::optional<Where> control_shell;
   std::optional<Where> control_hourglass;
   RawDistortedShells distorted_shells;

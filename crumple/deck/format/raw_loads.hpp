@@ -80,7 +80,15 @@ struct RawPrescribedMotion {
 struct RawBodyLoad {
   model::BodyLoad load;
   UserId curve = 0;
-  UserId system = 0;  ///< CID; 0 is global axes
+  UserId relaxation_curve = 0;  ///< LCIDDR, instead in a dynamic relaxation; 0 is none
+  UserId system = 0;            ///< CID; 0 is global axes
+  Where where;
+};
+
+/// *CONTROL_DYNAMIC_RELAXATION.
+struct RawRelaxation {
+  int flag = 0;  ///< IDRFLG
+  model::RelaxationSettings settings;
   Where where;
 };
 
@@ -89,8 +97,9 @@ struct RawInertiaField {
   enum class On { All, Part, PartSet, NodeSet, NodeRange };
   model::InertiaField field;
   UserId curve = 0;
-  UserId system = 0;  ///< CID, of acceleration and spin; 0 is global axes
-  On on = On::All;    ///< All: but for what *LOAD_BODY_PARTS says
+  UserId relaxation_curve = 0;  ///< LCIDDR, DRLCID or LCDR, instead in a dynamic relaxation; 0 is none
+  UserId system = 0;            ///< CID, of acceleration and spin; 0 is global axes
+  On on = On::All;              ///< All: but for what *LOAD_BODY_PARTS says
   UserId target = 0;
   UserId last = 0;  ///< of a range
   Where where;

@@ -171,8 +171,10 @@ void read_control_energy(Cards& cards, RawDeck& deck);
 void read_control_hourglass(Cards& cards, RawDeck& deck);
 void read_control_bulk_viscosity(Cards& cards, RawDeck& deck);
 void read_control_accuracy(Cards& cards, RawDeck& deck);
-void read_control_dynamic_relaxation(Cards& cards, RawDeck& deck);
 void read_control_implicit_general(Cards& cards, RawDeck& deck);
+
+// read_relaxation.cpp
+void read_control_dynamic_relaxation(Cards& cards, RawDeck& deck);
 
 // read_control_shell.cpp
 void read_control_shell(Cards& cards, RawDeck& deck);

@@ -19,8 +19,7 @@ using namespace row;
 
 constexpr Field curve_card[] = {
     id("LCID"),
-    harmless("SIDR", {0, 1},
-             "there is no dynamic relaxation before the run; the curve acts in the run alone"),
+    only("SIDR", {0, 1, 2}, "0 acts in the run, 1 in a dynamic relaxation before it, 2 in both"),
     real_or_default("SFA", 1.0),
     real_or_default("SFO", 1.0),
     real("OFFA"),
@@ -31,8 +30,7 @@ constexpr Field curve_card[] = {
 
 constexpr Field function_card[] = {
     id("LCID"),
-    harmless("SIDR", {0, 1},
-             "there is no dynamic relaxation before the run; the curve acts in the run alone"),
+    only("SIDR", {0, 1, 2}, "0 acts in the run, 1 in a dynamic relaxation before it, 2 in both"),
 };
 
 constexpr Field table_card[] = {id("TBID"), real_or_default("SFA", 1.0), real("OFFA")};
@@ -43,6 +41,11 @@ constexpr Field value_curve_card[] = {sized(20, real("VALUE")), sized(20, id("CU
 
 constexpr Field point_card[] = {sized(20, real("A")), sized(20, real("O"))};
 
+RawCurve::Phase phase_of(const Card& card) {
+  if (card.real("SIDR") == 1) return RawCurve::Phase::Relaxation;
+  return card.real("SIDR") == 2 ? RawCurve::Phase::Both : RawCurve::Phase::Run;
+}
+
 }  // namespace
 
 void read_define_curve(Cards& cards, RawDeck& deck) {
@@ -52,7 +55,7 @@ void read_define_curve(Cards& cards, RawDeck& deck) {
   raw.curve.id = card.integer("LCID");
   raw.where = card.where();
   raw.delay = card.real("SFA") * card.real("OFFA");
-  raw.of_relaxation_only = card.real("SIDR") == 1;
+  raw.phase = phase_of(card);
   while (cards.more()) {
     const Card point = cards.next_filled(point_card);
     if (!point.good("A") || !point.good("O")) continue;
@@ -113,7 +116,7 @@ void read_define_curve_function(Cards& cards, RawDeck& deck) {
   RawCurve raw;
   raw.curve.id = card.integer("LCID");
   raw.where = card.where();
-  raw.of_relaxation_only = card.real("SIDR") == 1;
+  raw.phase = phase_of(card);
   constexpr std::size_t last_column = 80;
   do raw.function += cards.text_line("a function of TIME").substr(0, last_column);
   while (cards.more());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What loads and motions make of curves over time: offsets, relaxation, late and displaced beginnings.
+// What loads and motions make of curves over time: offsets, phases, late and displaced beginnings.
 #include "deck/small_deck.hpp"
 
 namespace crumple::deck::test::time_curves_test {
@@ -44,18 +44,31 @@ TEST(TimeCurves, OfTheRelaxationAloneDoNotActInTheRun) {
   deck.more =
       "*LOAD_NODE_POINT\n1,1,4,1.0\n*LOAD_NODE_POINT\n2,1,5,1.0\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n3,1,0,4\n"
       "*DEFINE_CURVE\n4,1\n0.0,1.0\n9.0,1.0\n*DEFINE_CURVE\n5,0\n0.0,1.0\n9.0,1.0\n";
-  expect_one(deck, "curve 4 has SIDR = 1");
-  const model::Model model = *read_deck_text(deck.text(), {}).model;
+  const model::Model model = read_clean(deck.text());
   ASSERT_EQ(model.nodal_loads.size(), 1U);
   EXPECT_EQ(model.nodal_loads[0].node, 1);
   EXPECT_TRUE(model.prescribed_motions.empty());
+  ASSERT_TRUE(model.relaxation.has_value());
+  ASSERT_EQ(model.relaxation->nodal_loads.size(), 1U);
+  EXPECT_EQ(model.relaxation->nodal_loads[0].node, 0);
+  EXPECT_EQ(model.relaxation->prescribed_motions.size(), 1U);
 }
 
-TEST(TimeCurves, OfBothPhasesActInTheRunWithAWarning) {
+TEST(TimeCurves, OfTheRelaxationThatIsTurnedOffAreLeftOutWithAWarning) {
   SmallDeck deck;
-  deck.more = "*LOAD_NODE_POINT\n1,1,4,1.0\n*DEFINE_CURVE\n4,2\n0.0,1.0\n9.0,1.0\n";
-  expect_one(deck, "warning: *DEFINE_CURVE card 1 field SIDR: read \"2\"");
-  EXPECT_EQ(read_deck_text(deck.text(), {}).model->nodal_loads.size(), 1U);
+  deck.more =
+      "*LOAD_NODE_POINT\n1,1,4,1.0\n*DEFINE_CURVE\n4,1\n0.0,1.0\n9.0,1.0\n"
+      "*CONTROL_DYNAMIC_RELAXATION\n,,,,,,,-999\n";
+  expect_one(deck, "curve 4 has SIDR = 1");
+  const model::Model model = *read_deck_text(deck.text(), {}).model;
+  EXPECT_TRUE(model.nodal_loads.empty());
+  EXPECT_FALSE(model.relaxation.has_value());
+}
+
+TEST(TimeCurves, OfBothPhasesActInBoth) {
+  const model::Model model = read_with("*LOAD_NODE_POINT\n1,1,4,1.0\n*DEFINE_CURVE\n4,2\n0.0,1.0\n9.0,1.0\n");
+  EXPECT_EQ(model.nodal_loads.size(), 1U);
+  EXPECT_EQ(model.relaxation.value().nodal_loads.size(), 1U);
 }
 
 TEST(TimeCurves, OfTheRelaxationStillGiveStresses) {

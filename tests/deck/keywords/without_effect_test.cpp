@@ -161,7 +161,7 @@ TEST(WithoutEffect, DefaultHeadersPass) {
 
 TEST(WithoutEffect, WhatWouldChangeTheRunIsRefused) {
   EXPECT_TRUE(
-      has(messages_with("*CONTROL_DYNAMIC_RELAXATION\n250,0.001,0.995,1E20,0,0,0.04,1\n"), "field IDRFLG"));
+      has(messages_with("*CONTROL_DYNAMIC_RELAXATION\n250,0.001,0.995,1E20,0,0,0.04,5\n"), "field IDRFLG"));
   EXPECT_TRUE(has(messages_with("*CONTROL_IMPLICIT_GENERAL\n         1\n"), "field IMFLAG"));
 }
 

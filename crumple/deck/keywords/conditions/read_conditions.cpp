@@ -89,16 +89,27 @@ constexpr Field generation_card_1[] = {
 constexpr Check given_velocities =
     check_of(Check::Kind::Only, {0, 1}, "1 goes before the velocities of *PART_INERTIA, 0 does not");
 
-// There is no dynamic relaxation before the run after which velocities could begin (PHASE).
 constexpr Field generation_card_2[] = {
-    point(real("XC")), point(real("YC")), point(real("ZC")), spin(real("NX")),
-    spin(real("NY")),  spin(real("NZ")),  unused("PHASE"),   real("IRIGID", 0, given_velocities),
+    point(real("XC")),
+    point(real("YC")),
+    point(real("ZC")),
+    spin(real("NX")),
+    spin(real("NY")),
+    spin(real("NZ")),
+    only("PHASE", {0, 1}, "0 is with a dynamic relaxation, 1 after it"),
+    real("IRIGID", 0, given_velocities),
 };
 
 // The same with the axis along those of ICID.
 constexpr Field local_generation_card_2[] = {
-    point(real("XC")), point(real("YC")), point(real("ZC")), real("NX"),
-    real("NY"),        real("NZ"),        unused("PHASE"),   real("IRIGID", 0, given_velocities),
+    point(real("XC")),
+    point(real("YC")),
+    point(real("ZC")),
+    real("NX"),
+    real("NY"),
+    real("NZ"),
+    only("PHASE", {0, 1}, "0 is with a dynamic relaxation, 1 after it"),
+    real("IRIGID", 0, given_velocities),
 };
 
 enum class SupportTimes { WholeRun, Given };
@@ -231,6 +242,7 @@ void read_initial_velocity_generation(Cards& cards, RawDeck& deck) {
       velocity.target = targets[static_cast<std::size_t>(first.integer("STYP") - 1)];
     velocity.velocity = {first.real("VX"), first.real("VY"), first.real("VZ")};
     velocity.is_generation = true;
+    velocity.begins_at_once = second.real("PHASE") == 0;
     velocity.replaces_given = second.real("IRIGID") == 1;
     velocity.of_whole_bodies = first.real("IVATN") == 1;
     velocity.where = first.where();

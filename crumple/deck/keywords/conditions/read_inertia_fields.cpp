@@ -9,20 +9,20 @@ namespace {
 
 using namespace row;
 
-// Curves of a dynamic relaxation before the run (LCIDDR, DRLCID, LCDR) have no effect: there is none.
-
 constexpr Field rotating_card[] = {
     axes(id("LCID")),  // the axis is in the keyword
-    real_or_default("SF", 1.0), unused("LCIDDR"),
+    real_or_default("SF", 1.0), reference("LCIDDR", IdKind::Function),
     point(real("XC")),          point(real("YC")),
     point(real("ZC")),          only("CID", {0}, "the axis of rotation is along a global one"),
 };
 
 constexpr Field along_vector_card[] = {
-    id("LCID"),       real_or_default("SF", 1.0),
-    unused("LCIDDR"),
+    id("LCID"),
+    real_or_default("SF", 1.0),
+    reference("LCIDDR", IdKind::Function),
     unused("XC"),  // of the loads by rotation
-    unused("YC"),     unused("ZC"),
+    unused("YC"),
+    unused("ZC"),
     reference("CID"),
 };
 
@@ -42,7 +42,7 @@ constexpr Field generalized_card_1[] = {
     id("N1", kind_of_loaded),
     reference("N2", kind_of_loaded),
     id("LCID"),
-    unused("DRLCID"),
+    reference("DRLCID", IdKind::Function),
     point(real("XC")),
     point(real("YC")),
     point(real("ZC")),
@@ -68,7 +68,7 @@ constexpr Field gravity_card[] = {
     axes(integer("DOF", 0, within(1, 3, "1, 2, 3 are x, y, z"))),
     id("LC", IdKind::Function),
     real("ACCEL"),
-    unused("LCDR"),
+    reference("LCDR", IdKind::Function),
     only("STGA", {0}, "there are no stages of construction"),
     only("STGR", {0}, "there are no stages of construction"),
 };
@@ -78,6 +78,7 @@ void read_rotating(Cards& cards, RawDeck& deck, std::size_t axis) {
     const Card card = cards.next_filled(rotating_card);
     RawInertiaField raw;
     raw.curve = card.integer("LCID");
+    raw.relaxation_curve = card.integer("LCIDDR");
     raw.field.spin[axis] = card.real("SF");
     raw.field.centre = {card.real("XC"), card.real("YC"), card.real("ZC")};
     raw.where = card.where();
@@ -94,6 +95,7 @@ void read_generalized(Cards& cards, RawDeck& deck, RawInertiaField::On on) {
     raw.target = first.integer("N1");
     raw.last = first.integer("N2");
     raw.curve = first.integer("LCID");
+    raw.relaxation_curve = first.integer("DRLCID");
     raw.field.centre = {first.real("XC"), first.real("YC"), first.real("ZC")};
     raw.field.acceleration = {second.real("AX"), second.real("AY"), second.real("AZ")};
     raw.field.spin = {second.real("OMX"), second.real("OMY"), second.real("OMZ")};
@@ -117,6 +119,7 @@ void read_gravity(Cards& cards, RawDeck& deck, RawInertiaField::On on) {
     raw.on = on;
     raw.target = card.integer("PID");
     raw.curve = card.integer("LC");
+    raw.relaxation_curve = card.integer("LCDR");
     raw.field.acceleration[static_cast<std::size_t>(card.integer("DOF") - 1)] = card.real("ACCEL");
     raw.where = card.where();
     deck.inertia_fields.push_back(raw);
@@ -145,6 +148,7 @@ void read_load_body_vector(Cards& cards, RawDeck& deck) {
     const Vector given = {second.real("V1"), second.real("V2"), second.real("V3")};
     RawInertiaField raw;
     raw.curve = card.integer("LCID");
+    raw.relaxation_curve = card.integer("LCIDDR");
     raw.system = card.integer("CID");
     raw.where = card.where();
     const double length = length_of(given);

@@ -30,8 +30,8 @@ constexpr Field motion_offset_card[] = {
 constexpr Field body_load_card[] = {
     local(axes(id("LCID"))),  // the axis is in the keyword
     real_or_default("SF", 1.0),
-    unused("LCIDDR"),  // there is no dynamic relaxation before the run
-    unused("XC"),      // of the loads by rotation
+    reference("LCIDDR", IdKind::Function),
+    unused("XC"),  // of the loads by rotation
     unused("YC"),
     unused("ZC"),
     reference("CID"),
@@ -142,9 +142,10 @@ void read_body_loads(Cards& cards, RawDeck& deck, int axis) {
     RawBodyLoad raw;
     raw.load = {axis, no_index, card.real("SF")};
     raw.curve = card.integer("LCID");
+    raw.relaxation_curve = card.integer("LCIDDR");
     raw.system = card.integer("CID");
     raw.where = card.where();
-    if (card.good("LCID") && card.good("CID")) deck.body_loads.push_back(raw);
+    if (card.good("LCID") && card.good("LCIDDR") && card.good("CID")) deck.body_loads.push_back(raw);
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 using namespace row;
 
 constexpr Field termination_card[] = {
-    real("ENDTIM", 0, above_zero),
+    real("ENDTIM", 0, not_negative),
     integer("ENDCYC", 0, not_negative),
     real("DTMIN", 0, not_negative),
     real("ENDENG", 0, not_negative),
@@ -84,17 +84,6 @@ constexpr Field solid_card[] = {
     unused("TET13K"),  // of implicit runs
 };
 
-constexpr Field relaxation_card[] = {
-    unused("NRCYCK"),
-    unused("DRTOL"),
-    unused("DRFCTR"),
-    unused("DRTERM"),
-    unused("TSSFDR"),
-    unused("IRELAL"),
-    unused("EDTTL"),
-    only("IDRFLG", {0, -999}, "there is no dynamic relaxation before the run; 0 and -999 are without it"),
-};
-
 constexpr Field implicit_card[] = {
     only("IMFLAG", {0}, "the run is explicit"),
     unused("DT0"),
@@ -118,6 +107,7 @@ void read_title(Cards& cards, RawDeck& deck) {
 void read_control_termination(Cards& cards, RawDeck& deck) {
   const Card card = cards.next(termination_card);
   deck.control.end_time = card.real("ENDTIM");
+  deck.end_time_text = card.text("ENDTIM");
   deck.control.end_cycle = card.integer("ENDCYC");
   deck.control.minimum_step_factor = card.real("DTMIN");
   deck.control.end_energy_ratio = card.real("ENDENG");
@@ -166,12 +156,6 @@ void read_control_bulk_viscosity(Cards& cards, RawDeck& deck) {
 
 void read_control_accuracy(Cards& cards, RawDeck&) {
   cards.next_or_default(accuracy_card);
-}
-
-/// The following card is about implicit relaxation.
-void read_control_dynamic_relaxation(Cards& cards, RawDeck&) {
-  cards.next_or_default(relaxation_card);
-  cards.skip_rest();
 }
 
 void read_control_implicit_general(Cards& cards, RawDeck&) {
