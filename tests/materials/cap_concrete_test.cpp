@@ -31,7 +31,7 @@ double peak(const model::Material& material, Isa isa, double axial, double press
 TEST_P(CapConcrete, DefaultParametersGiveTheStrengthThatTheyStandFor) {
   const std::string what = "concrete by f'c, unconfined compression: strength over ";
   test::Largest form(what + "that of the surface, 20 to 58 MPa, error", "failure surface and cap", 1e-4);
-  test::Largest middle(what + "f'c of 28 to 46 MPa, error", "f'c of *MAT_CSCM_CONCRETE", 0.05);
+  test::Largest middle(what + "f'c of 28 to 46 MPa, error", "f'c of *MAT_CSCM_CONCRETE", 0.03);
   test::Largest ends(what + "f'c of 20 and 58 MPa, error", "f'c of *MAT_CSCM_CONCRETE", 0.16);
   for (const double strength : {20.0, 28.0, 30.0, 38.0, 46.0, 58.0}) {
     const model::Material material = concrete(strength);

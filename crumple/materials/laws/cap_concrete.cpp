@@ -8,8 +8,6 @@
 namespace crumple::materials {
 namespace {
 
-using math::Vec3;
-
 /// Volume of a hexahedron, of six tetrahedra around a diagonal: exact for plane faces.
 double volume_of(const SolidCorners& x) {
   constexpr int around[6][2] = {{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}};
