@@ -31,6 +31,7 @@
 #include "materials/eos/linear_polynomial.hpp"
 #include "materials/laws/bilkhu_dubois_foam.hpp"
 #include "materials/laws/blatz_ko.hpp"
+#include "materials/laws/cap_concrete.hpp"
 #include "materials/laws/cohesive.hpp"
 #include "materials/laws/composite_damage.hpp"
 #include "materials/laws/crushable_foam.hpp"
@@ -106,6 +107,7 @@ using SolidLaws = LawList<         //
     ViscousFoamLaw,                //
     SimplifiedRubberLaw,           //
     BilkhuDuboisFoamLaw,           //
+    CapConcreteLaw,                //
     CohesiveLaw>;
 
 /// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp

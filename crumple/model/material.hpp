@@ -9,6 +9,7 @@
 
 #include "base/index.hpp"
 #include "model/cohesive_material.hpp"
+#include "model/concrete_material.hpp"
 #include "model/damage.hpp"
 #include "model/erosion.hpp"
 #include "model/foam_material.hpp"
@@ -393,7 +394,7 @@ using ConstitutiveLaw =
                  OrthotropicElastic, CompositeDamage, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo,
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
                  DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric,
-                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive>;
+                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive, CapConcrete>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

@@ -76,12 +76,13 @@ class SolidDriver : public TileDriver<Real, domain::SolidBlock, solid_components
   using Base = TileDriver<Real, domain::SolidBlock, solid_components>;
 
  public:
-  SolidDriver(const model::Material& material, Isa isa, int points = 1)
+  SolidDriver(const model::Material& material, Isa isa, int points = 1,
+              const SolidCorners& corners = unit_corners())
       : Base(material, points), update_(solid_material_update<Real>(isa, solid_material_kind(material.law))) {
     this->history_ = declare_solid_history(material.law, this->block_);
     this->allocate(solid_material_constants(material), static_cast<std::size_t>(points));
     for (Index place = 0; place < tile_lanes; ++place)
-      prepare_solid_element(material.law, unit_corners(), 1, this->block_, this->history_, place);
+      prepare_solid_element(material.law, corners, 1, this->block_, this->history_, place);
     turn_.assign(static_cast<std::size_t>(points) * 9 * tile_lanes, Real(0));
   }
 

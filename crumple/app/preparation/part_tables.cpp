@@ -154,6 +154,9 @@ struct RateWords {
   std::string operator()(const model::BilkhuDuboisFoam& law) const {
     return law.rate_factor.abscissa.empty() ? "none" : "factors by rate";
   }
+  std::string operator()(const model::CapConcrete& law) const {
+    return law.has_rate_effects ? "overstress by rate" : "none";
+  }
   std::string operator()(const model::JohnsonCook& law) const {
     return law.rate_coefficient > 0 ? with_option("C ln(rate)", law.viscoplastic) : "none";
   }

@@ -2,12 +2,10 @@
 #include "deck/keywords/keywords.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "deck/keywords/keyword_names.hpp"
 
 namespace crumple::deck {
-
 namespace {
 
 constexpr HeadingKind none = HeadingKind::None;
@@ -127,6 +125,10 @@ constexpr Keyword table[] = {
     {"MAT_062", read_mat_viscous_foam, title},
     {"MAT_SIMPLIFIED_RUBBER/FOAM", read_mat_simplified_rubber, title},
     {"MAT_181", read_mat_simplified_rubber, title},
+    {"MAT_CSCM", read_mat_cscm, title},
+    {"MAT_159", read_mat_cscm, title},
+    {"MAT_CSCM_CONCRETE", read_mat_cscm_concrete, title},
+    {"MAT_159_CONCRETE", read_mat_cscm_concrete, title},
     {"MAT_COHESIVE_MIXED_MODE", read_mat_cohesive_mixed_mode, title},
     {"MAT_138", read_mat_cohesive_mixed_mode, title},
     {"MAT_COHESIVE_ELASTIC", read_mat_cohesive_elastic, title},
@@ -457,8 +459,7 @@ constexpr Keyword table[] = {
 };
 
 const Keyword* find_exact(std::string_view name) {
-  const auto found =
-      std::find_if(std::begin(table), std::end(table), [&](const Keyword& k) { return k.name == name; });
+  const auto* const found = std::ranges::find(table, name, &Keyword::name);
   return found == std::end(table) ? nullptr : found;
 }
 
@@ -468,7 +469,7 @@ const Keyword* find_in_any_order(std::string_view name) {
   if (const Keyword* keyword = find_exact(name)) return keyword;
   for (const std::string_view family : {"MAT_", "EOS_", "CONTROL_"})
     if (name.starts_with(family)) return nullptr;
-  const std::vector<std::string> words = words_in_order(name);
+  const auto words = words_in_order(name);
   const auto found = std::find_if(std::begin(table), std::end(table), [&](const Keyword& keyword) {
     return keyword.name.size() == name.size() && words_in_order(keyword.name) == words;
   });

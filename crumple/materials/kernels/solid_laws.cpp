@@ -7,6 +7,13 @@
 #include "materials/solid_update.hpp"
 
 namespace crumple::materials {
+
+// The longest law has a file of its own, cap_concrete.cpp, that both are compiled at the same time.
+extern template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
+    const SolidMaterialTask<float>& task);
+extern template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
+    const SolidMaterialTask<double>& task);
+
 namespace {
 
 template <class Law, class Real>

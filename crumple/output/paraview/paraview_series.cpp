@@ -83,7 +83,8 @@ SolidCell cell_of(const model::SolidNodes& node) {
 
 bool has_damage(const domain::Domain& domain) {
   const auto damaged = [](const domain::ElementBlock& block) {
-    return block.damage.has_value() || block.find("cohesive_damage") != nullptr;
+    return block.damage.has_value() || block.find("cohesive_damage") != nullptr ||
+           block.find("brittle_damage") != nullptr;
   };
   return std::any_of(domain.shells.begin(), domain.shells.end(), damaged) ||
          std::any_of(domain.solids.begin(), domain.solids.end(), damaged);

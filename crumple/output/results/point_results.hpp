@@ -22,8 +22,11 @@ inline double plastic_strain_of(const domain::ElementBlock& block, Index place, 
 /// Largest damage of all points of an element [-]; zero of a material without.
 inline double damage_of(const domain::ElementBlock& block, Index place) {
   double largest = 0;
-  if (const domain::StateItem* const item = block.find(block.damage ? "damage" : "cohesive_damage"))
-    for (Index i = 0; i < item->count; ++i) largest = std::max(largest, block.state(place, item->first + i));
+  for (const char* const name :
+       {block.damage ? "damage" : "cohesive_damage", "brittle_damage", "ductile_damage"})
+    if (const domain::StateItem* const item = block.find(name))
+      for (Index i = 0; i < item->count; ++i)
+        largest = std::max(largest, block.state(place, item->first + i));
   return largest;
 }
 

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Concrete, apart from the other laws of the list (solid_laws.cpp), for the time of compilation alone.
+#include "materials/laws/cap_concrete.hpp"
+
+#include "base/isa_variants.hpp"
+#include "materials/solid_update.hpp"
+
+namespace crumple::materials {
+
+template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
+    const SolidMaterialTask<float>& task);
+template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
+    const SolidMaterialTask<double>& task);
+
+}  // namespace crumple::materials

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/concrete_material.hpp"
+
+#include <cmath>
+
+namespace crumple::model {
+namespace {
+
+/// A quadratic of the strength.
+struct StrengthFit {
+  double square, linear, constant;
+
+  double at(double strength) const { return (square * strength + linear) * strength + constant; }
+};
+
+/// Base value of the fracture energy [N/mm]: through 0.025, 0.030 and 0.058 at 8, 16 and 32 mm (CEB-FIP Model
+/// Code 1990, table 2.1.4).
+constexpr StrengthFit base_energy{4.6875e-5, -5e-4, 0.026};
+
+CapConcrete::Strength scaled_strength(const CapConcrete::Strength& of, double stress) {
+  return {of.constant / stress, of.linear, of.nonlinear / stress, of.exponent * stress};
+}
+CapConcrete::Strength scaled_ratio(const CapConcrete::Strength& of, double stress) {
+  return {of.constant, of.linear * stress, of.nonlinear, of.exponent * stress};
+}
+CapConcrete::Fluidity scaled_fluidity(const CapConcrete::Fluidity& of, const ConcreteUnits& units) {
+  return {of.coefficient / std::pow(units.time, 1 - of.exponent), of.exponent, of.limit / units.stress};
+}
+
+/// In MPa, mm, s.
+CapConcrete metric_concrete(double strength, double aggregate) {
+  CapConcrete law;
+  constexpr double modulus = 18275;  // E of 10 MPa
+  constexpr double poisson = 0.15;
+  const double youngs = modulus * std::cbrt(strength / 10);
+  law.shear_modulus = youngs / (2 * (1 + poisson));
+  law.bulk_modulus = youngs / (3 * (1 - 2 * poisson));
+  const auto fit = [&](const StrengthFit& of) { return of.at(strength); };
+  law.compression = {fit({-0.003, 0.3169747, 7.7047}), fit({1.3216e-5, 2.3548e-3, 0.2140058}), 10.5,
+                     1.929e-2};
+  law.torsion = {0.74735, fit({-4.0856e-7, -1.2132e-6, 1.5593e-3}), 0.17,
+                 fit({-1.9972e-5, 2.2655e-4, 8.1748e-2})};
+  law.extension = {0.66, fit({-4.8697e-7, -1.8883e-6, 1.8822e-3}), 0.16,
+                   fit({-1.9972e-5, 2.2655e-4, 8.2748e-2})};
+  law.cap_ratio = 5;
+  law.cap_start = fit({8.769178e-3, -7.3302306e-2, 84.85});
+  law.crush_volume = 0.05;
+  law.crush_linear = 2.5e-4;
+  law.crush_quadratic = 3.49e-7;
+  law.ductile_shape = 100;
+  law.brittle_shape = 0.1;
+  law.tension_energy = base_energy.at(aggregate) * std::pow(strength / 10, 0.7);
+  law.compression_energy = 100 * law.tension_energy;
+  law.shear_energy = law.tension_energy;
+  law.compression_power = 5;
+  law.tension_power = 1;
+  const double psi = strength / 0.00689475729;
+  const double limit = fit({1.309663e-2, -0.3927659, 21.45});
+  law.compression_rate = {StrengthFit{1.2772337e-11, -1.0613722e-7, 3.203497e-4}.at(psi), 0.78, limit};
+  law.tension_rate = {StrengthFit{8.0614774e-13, -9.77736719e-10, 5.0752351e-5}.at(psi), 0.48, limit};
+  law.shear_fluidity = 1;
+  law.energy_power = 1;
+  return law;
+}
+
+}  // namespace
+
+CapConcrete normal_strength_concrete(double strength, double aggregate, const ConcreteUnits& units) {
+  CapConcrete law = metric_concrete(strength, aggregate);
+  const double energy = units.stress * units.length;
+  law.shear_modulus /= units.stress;
+  law.bulk_modulus /= units.stress;
+  law.compression = scaled_strength(law.compression, units.stress);
+  law.torsion = scaled_ratio(law.torsion, units.stress);
+  law.extension = scaled_ratio(law.extension, units.stress);
+  law.cap_start /= units.stress;
+  law.crush_linear *= units.stress;
+  law.crush_quadratic *= units.stress * units.stress;
+  law.compression_energy /= energy;
+  law.tension_energy /= energy;
+  law.shear_energy /= energy;
+  law.compression_rate = scaled_fluidity(law.compression_rate, units);
+  law.tension_rate = scaled_fluidity(law.tension_rate, units);
+  set_elastic(law);
+  return law;
+}
+
+void set_elastic(CapConcrete& law) {
+  const double g = law.shear_modulus;
+  const double k = law.bulk_modulus;
+  if (!(g > 0 && k > 0)) return;
+  law.youngs_modulus = 9 * k * g / (3 * k + g);
+  law.poissons_ratio = (3 * k - 2 * g) / (2 * (3 * k + g));
+}
+
+}  // namespace crumple::model
