@@ -272,11 +272,11 @@ void read_contact_tied_shell_edge(Cards& cards, RawDeck& deck) {
   read_tie(cards, deck, model::TieMethod::Constraint, true);
 }
 
-void read_contact_tied_shell_edge_beam_offset(Cards& cards, RawDeck& deck) {
+void read_contact_tied_edge_offset(Cards& cards, RawDeck& deck) {
   read_tie(cards, deck, model::TieMethod::Offset, true);
 }
 
-void read_contact_tied_shell_edge_to_solid(Cards& cards, RawDeck& deck) {
+void read_contact_tied_edge_to_solid(Cards& cards, RawDeck& deck) {
   const std::size_t before = deck.tied_contacts.size();
   read_tie(cards, deck, model::TieMethod::Constraint, true);
   if (deck.tied_contacts.size() > before) deck.tied_contacts.back().tied.turns_on_faces = true;
