@@ -146,6 +146,13 @@ bool resists_as_material(const View& view, std::size_t part) {
          (kind == model::ElementKind::Solid && model::is_elastic(view.model.materials[of.material].law));
 }
 
+/// Whether a part does so and stays elastic.
+bool bends_elastically(const View& view, std::size_t part) {
+  const Index material = view.model.parts[part].material;  // springs and laminates have none
+  return material != no_index && resists_as_material(view, part) &&
+         model::is_elastic(view.model.materials[material].law);
+}
+
 /// By part, with the hourglass energy that is artificial; and all of that.
 std::pair<std::vector<PartEnergy>, double> artificial_energies(const View& view) {
   std::vector<PartEnergy> parts = energy_by_part(view);
@@ -272,8 +279,7 @@ std::vector<std::string> energy_warnings(const View& view, const PeakValues& pea
     const double own = peaks.largest_internal_energy(static_cast<Index>(i));
     // Parts that absorb next to nothing are left out: their ratio says nothing about the result. So are those
     // that stay elastic and whose hourglass stress is that of the material: it is their bending.
-    const model::Material& material = view.model.materials[view.model.parts[i].material];
-    if (resists_as_material(view, i) && model::is_elastic(material.law)) continue;
+    if (bends_elastically(view, i)) continue;
     if (own > 0.01 * internal && ratio_of(parts[i].hourglass, own, least) > 0.1)
       warnings.push_back(fmt::format("Hourglass energy of part {} is {:.1f} % of its internal energy{}.",
                                      view.model.parts[i].id, 100 * parts[i].hourglass / own,
