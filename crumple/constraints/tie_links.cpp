@@ -211,6 +211,7 @@ void order_links(const model::Model& model, const Domain& domain, TieLinks& foun
 
 TieLinks find_tie_links(const model::Model& model, Domain& domain) {
   TieLinks found;
+  if (domain.ties.empty()) return found;
   found.links = LinkSearch(model, domain).find();
   std::vector<Index>& members = found.members;
   for (const TieLink& link : found.links) {

@@ -56,7 +56,7 @@ MassDamping::MassDamping(const model::Model& model, const domain::Domain& domain
 
 void MassDamping::relax(const domain::Domain& domain, double share) {
   static const model::MassDamping of_all_motion;
-  if (dampings_.empty() || dampings_.back().given != &of_all_motion) {
+  if (dampings_.empty() || !dampings_.back().lost_in_step) {
     Damping relaxing;
     relaxing.given = &of_all_motion;
     for (std::size_t body = 0; body < domain.rigid_bodies.size(); ++body)
@@ -70,7 +70,7 @@ void MassDamping::relax(const domain::Domain& domain, double share) {
 
 /// D(t) at time n [1/time].
 double MassDamping::factor_of(const Damping& damping, const domain::Clock& clock) const {
-  if (damping.lost_in_step > 0) return clock.step > 0 ? damping.lost_in_step / clock.step : 0;
+  if (damping.lost_in_step) return clock.step > 0 ? *damping.lost_in_step / clock.step : 0;
   const model::MassDamping& given = *damping.given;
   return given.curve == no_index ? given.constant : given.scale * model_->curves[given.curve].at(clock.time);
 }
@@ -157,9 +157,9 @@ double MassDamping::stable_share(double undamped_step) {
 void MassDamping::declare(domain::StateList& list) {
   for (std::size_t i = 0; i < dampings_.size(); ++i) {
     // Several have the number of each in their names, apart from that of all.
-    const std::string which = dampings_[i].lost_in_step > 0 ? "relaxation"
-                              : dampings_[i].of_all         ? "mass_damping"
-                                                            : "part_damping_" + std::to_string(i);
+    const std::string which = dampings_[i].lost_in_step ? "relaxation"
+                              : dampings_[i].of_all     ? "mass_damping"
+                                                        : "part_damping_" + std::to_string(i);
     list.keep_list(which + "_nodes", "force", domain::Entity::Node, 6, dampings_[i].on_nodes);
     list.keep_list(which + "_bodies", "force", domain::Entity::RigidBody, 6, dampings_[i].on_bodies);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "domain/domain.hpp"
@@ -45,12 +46,12 @@ class MassDamping {
   struct Damping {
     const model::MassDamping* given = nullptr;
     bool of_all = true;
-    double lost_in_step = 0;      ///< of the velocity, where the step sets the factor; else 0 [-]
-    NodeShares selection;         ///< unless of all
-    std::vector<Index> bodies;    ///< in the domain
-    double factor = 0;            ///< D(t) at time n [1/time]
-    std::vector<Push> on_nodes;   ///< at time n
-    std::vector<Push> on_bodies;  ///< the same
+    std::optional<double> lost_in_step;  ///< of the velocity, where the step sets the factor [-]
+    NodeShares selection;                ///< unless of all
+    std::vector<Index> bodies;           ///< in the domain
+    double factor = 0;                   ///< D(t) at time n [1/time]
+    std::vector<Push> on_nodes;          ///< at time n
+    std::vector<Push> on_bodies;         ///< the same
   };
 
   double factor_of(const Damping& damping, const domain::Clock& clock) const;

@@ -94,7 +94,8 @@ bool Simulation::finished() const {
          (control.end_cycle > 0 && clock.cycle >= control.end_cycle);
 }
 
-domain::StateList Simulation::state() {
+/// What a dynamic relaxation leaves behind, and the first part of all that a run can be taken up from.
+domain::StateList Simulation::deformation() {
   domain::StateList list;
   domain_.declare(list);
   for (contact::Interface& contact : contacts_) contact.declare(list);
@@ -102,6 +103,11 @@ domain::StateList Simulation::state() {
   joints_.declare(list);
   joint_stiffnesses_.declare(list);
   tied_nodes_.declare(list);
+  return list;
+}
+
+domain::StateList Simulation::state() {
+  domain::StateList list = deformation();
   prescribed_motions_.declare(list);
   local_constraints_.declare(list);
   list.add("next_step", "time", domain::Entity::Run, 1, std::span(&next_step_, 1));
@@ -123,18 +129,6 @@ domain::StateList Simulation::state() {
   relative_dampings_.declare(list);
   terminations_.declare(list);
   if (energy_trace_) energy_trace_->declare(list);
-  return list;
-}
-
-/// What a dynamic relaxation leaves behind.
-domain::StateList Simulation::deformation() {
-  domain::StateList list;
-  domain_.declare(list);
-  for (contact::Interface& contact : contacts_) contact.declare(list);
-  for (contact::TieSprings& springs : tie_springs_) springs.declare(list);
-  joints_.declare(list);
-  joint_stiffnesses_.declare(list);
-  tied_nodes_.declare(list);
   return list;
 }
 

@@ -42,6 +42,13 @@ inline model::Model two_blocks(Index coarse, Index fine, Index along,
   return model;
 }
 
+/// Two blocks, 4 elements long, tied over a gap.
+inline model::Model offset_blocks(model::TieMethod method, Index coarse, Index fine, double gap) {
+  model::Model model = two_blocks(coarse, fine, 4, method, gap);
+  model.tied_contacts[0].tolerance = 2 * gap;
+  return model;
+}
+
 /// Two bars of 100 x 4 x 4, the first with a pulse of one sign that runs into the second, all of it there at
 /// the end time.
 inline model::Model two_bars(Index first_cells, Index second_cells,

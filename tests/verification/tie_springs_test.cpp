@@ -18,15 +18,9 @@ namespace {
 
 using math::Vec3;
 
-model::Model offset_blocks(Index coarse, Index fine, double gap) {
-  model::Model model = test::two_blocks(coarse, fine, 4, model::TieMethod::Penalty, gap);
-  model.tied_contacts[0].tolerance = 2 * gap;
-  return model;
-}
-
 /// Two rigid blocks that turn as one: the springs pull what the turning needs.
 TEST(TieSprings, RigidBodiesTurnAsOne) {
-  model::Model model = offset_blocks(2, 3, 0.5);
+  model::Model model = test::offset_blocks(model::TieMethod::Penalty, 2, 3, 0.5);
   const double spin = 2.0;  // rad/ms
   for (Index i = 0; i < model.nodes.count(); ++i) {
     const auto& x = model.nodes.position[i];
@@ -55,7 +49,7 @@ TEST(TieSprings, RigidBodiesTurnAsOne) {
 }
 
 TEST(TieSprings, RigidPlacementIsFreeOfForce) {
-  model::Model model = offset_blocks(2, 3, 0.5);
+  model::Model model = test::offset_blocks(model::TieMethod::Penalty, 2, 3, 0.5);
   model.control.end_time = 1e-6;
   timeloop::Simulation simulation(model, test::execution());
   simulation.start();
@@ -83,7 +77,7 @@ TEST(TieSprings, RigidPlacementIsFreeOfForce) {
 }
 
 TEST(TieSprings, MomentaAndEnergyAreKept) {
-  test::expect_kept_when_shaken(offset_blocks(2, 3, 0.5));
+  test::expect_kept_when_shaken(test::offset_blocks(model::TieMethod::Penalty, 2, 3, 0.5));
 }
 
 TEST(TieSprings, WavesPassTheJoint) {

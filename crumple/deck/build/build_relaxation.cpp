@@ -24,16 +24,13 @@ const RawCurve* raw_curve(const Build& build, Index curve) {
 /// A load or motion by a curve of the relaxation (SIDR 1, 2); null if there is none.
 const RawCurve* curve_that_asks(Build& build) {
   const RawCurve* found = nullptr;
-  for_each_list_of_phase(build.model, [&](const auto& list) {
+  const auto search = [&](const auto& list) {
     for (const auto& item : list)
       if (found == nullptr && phase_of_load(build, item.curve) != RawCurve::Phase::Run)
         found = raw_curve(build, item.curve);
-  });
-  for_each_list_of_phase(build.relaxation, [&](const auto& list) {
-    for (const auto& item : list)
-      if (found == nullptr && phase_of_load(build, item.curve) != RawCurve::Phase::Run)
-        found = raw_curve(build, item.curve);
-  });
+  };
+  for_each_list_of_phase(build.model, search);
+  for_each_list_of_phase(build.relaxation, search);
   return found;
 }
 

@@ -139,6 +139,21 @@ TEST(Units, UsualMistakesAreFound) {
         << numbers;
 }
 
+/// An impactor of steel's stiffness has the density that gives it its mass; where both numbers point to one
+/// system the message names it once.
+TEST(Units, OfRigidBodiesMayHaveAnyDensity) {
+  const auto messages = messages_of("*MAT_RIGID\n1,5.5E6,2.1E11,0.3\n\n\n");
+  for (const std::string& message : messages)
+    EXPECT_EQ(message.find("the density"), std::string::npos) << message;
+  model::Model model;
+  model.materials = {{.id = 1, .title = "", .density = 5.5e6, .law = model::Elastic{2.1e11, 0.3}}};
+  const std::string doubt = unit_doubts(model)[0];
+  EXPECT_NE(doubt.find("(kg, m, s)"), std::string::npos) << doubt;
+  EXPECT_EQ(doubt.find("(kg, m, s)"), doubt.rfind("(kg, m, s)")) << doubt;
+  model.materials[0].rigid.emplace();
+  EXPECT_EQ(unit_doubts(model)[0], "");
+}
+
 /// Rubber that is written as a plastic that never yields, in t, mm and s.
 TEST(Units, OfWhatNeverYieldsAreThoseOfElasticMaterials) {
   model::Model model;
