@@ -41,7 +41,7 @@ validation:
 build:
 	@tools/setup build
 	@echo "Building the release programs in build/release ..."
-	@mkdir -p build; $(use_ccache) cmake --preset release -DCRUMPLE_TESTS=OFF -DCRUMPLE_KERNELS=native >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
+	@mkdir -p build; $(use_ccache) cmake -C cmake/build_once.cmake --preset release -DCRUMPLE_TESTS=OFF -DCRUMPLE_KERNELS=native >build/configure.log 2>&1 || { cat build/configure.log; exit 1; }
 	@cmake --build --preset release
 	@tools/setup viewer || echo "Without nodejs and npm the report's page cannot be built."
 	@tools/build_viewer

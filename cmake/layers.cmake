@@ -79,18 +79,16 @@ endforeach()
 
 # The text of a kernel is compiled once per instruction set: crumple/<layer>/kernels/*.cpp, with
 # CRUMPLE_ISA naming the variant. "scalar" is the reference that every other one is tested against.
-# Sanitizers look at the text of the kernels, which is one: the two plain variants are enough, and cheap.
+# Sanitizers look at the text of the kernels, which is one: the plain variants are enough, and cheap.
 set(CRUMPLE_ISAS scalar baseline)
-if(CRUMPLE_X86 AND NOT CRUMPLE_SANITIZE AND NOT CRUMPLE_KERNELS STREQUAL "plain")
+if(CRUMPLE_KERNELS STREQUAL "scalar")
+  set(CRUMPLE_ISAS scalar)
+elseif(CRUMPLE_X86 AND NOT CRUMPLE_SANITIZE AND NOT CRUMPLE_KERNELS STREQUAL "plain")
   list(APPEND CRUMPLE_ISAS avx2 avx512)
-  if(CRUMPLE_KERNELS MATCHES "native|tested")
+  if(CRUMPLE_KERNELS STREQUAL "native")
     execute_process(COMMAND ${PROJECT_SOURCE_DIR}/tools/isas OUTPUT_VARIABLE best OUTPUT_STRIP_TRAILING_WHITESPACE)
     string(REGEX REPLACE ".* " "" best "${best}")
     set(CRUMPLE_ISAS scalar ${best})
-    if(CRUMPLE_KERNELS STREQUAL "tested")
-      set(CRUMPLE_ISAS scalar baseline ${best})
-      list(REMOVE_DUPLICATES CRUMPLE_ISAS)
-    endif()
   endif()
 endif()
 # For the files that choose among them, and for these alone: they are all to compile when the choice changes.
@@ -131,14 +129,14 @@ function(crumple_add_isa_variants layer)
   endforeach()
 endfunction()
 
-# Most of the compiler's time goes into headers, so files are compiled eight at a time: always around the core, which is
-# two thirds of the files, and in the folders of the core that are done before the first cycle, their kernels apart; in
-# the rest under sanitizers only, as there users measure what each file was compiled to. What is around the core is not
-# optimised under sanitizers. Alone are files with local names of another file in their folder, and with definitions of
-# their own: the second list has the ends of their names. tools/check_tidy reads both.
+# Most of the compiler's time goes into headers, so files are compiled many at a time (CMAKE_UNITY_BUILD_BATCH_SIZE): around
+# the core, which is two thirds of the files, and in the folders of the core that change little; in the rest, kernels apart,
+# where all is compiled once (CRUMPLE_UNITY_CORE) and under sanitizers. What is around the core is not optimised under
+# sanitizers. Alone are files with local names of another file in their folder, and with definitions of their own: the
+# second list has the ends of their names. tools/check_tidy reads both.
 set(CRUMPLE_UNITY_LAYERS app compare constraints contact deck domain elements live loads materials model output report
   timeloop)
-set(CRUMPLE_COMPILED_ALONE _history _reader http_server beam_kernels comparison d3plot_state edge_geometry edge_search
+set(CRUMPLE_COMPILED_ALONE _reader http_server beam_kernels comparison d3plot_state edge_geometry edge_search
   element_constants forces global_search mass_damping multipliers numbers page quantity_names read_conditions read_control
   read_control_shell read_discretes read_mesh read_parts read_sets read_solids read_walls report_command
   rigid_motion run_record solid_benchmark solid_overlaps sprague_geers stable_steps stop_signals text_file)
@@ -155,7 +153,7 @@ function(crumple_compile_together target layer)
     if(sanitized_tests)
       target_compile_options(${target} PRIVATE -O0)
     endif()
-  elseif(NOT sanitized_tests AND NOT layer MATCHES "^(materials|model)$")
+  elseif(NOT sanitized_tests AND NOT CRUMPLE_UNITY_CORE AND NOT layer MATCHES "^(materials|model)$")
     return()
   endif()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON)

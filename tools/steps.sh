@@ -45,7 +45,7 @@ finish_steps() {
 build() {
   local preset=$1
   shift
-  cmake --preset "$preset" "$@" && cmake --build --preset "$preset"
+  cmake -C cmake/build_once.cmake --preset "$preset" "$@" && cmake --build --preset "$preset"
 }
 
 # run_tests PRESET [ctest options]: what `make test` runs, in build/PRESET.
@@ -66,7 +66,8 @@ sanitized_tests() {
 cellsearch_alone() {
   local folder=$1
   shift
-  cmake -S cellsearch -B "build/$folder" -G Ninja -DCMAKE_INSTALL_PREFIX="$PWD/build/cellsearch-installed" "$@" &&
+  cmake -C cmake/build_once.cmake -S cellsearch -B "build/$folder" -G Ninja \
+    -DCMAKE_INSTALL_PREFIX="$PWD/build/cellsearch-installed" "$@" &&
     cmake --build "build/$folder" && sanitized_tests "$folder" && cmake --install "build/$folder"
 }
 

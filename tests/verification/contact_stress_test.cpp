@@ -153,7 +153,7 @@ void expect_sound_but_for_crossing_edges(const Ordeal& found) {
   expect_kept("twenty crossing tubes", found);
 }
 
-TEST(ContactStressSlow, TwentyCrossingTubes) {
+TEST(ContactStressNightly, TwentyCrossingTubes) {
   expect_sound_but_for_crossing_edges(twenty_crossing_tubes(model::ContactEdges::None, 50));
   // Brute force over all pairs of edges takes seconds for each look.
   const Ordeal found = twenty_crossing_tubes(model::ContactEdges::All, 1000);
@@ -168,7 +168,7 @@ TEST(ContactStressNightly, TwentyCrossingTubesInEveryCycle) {
 
 /// A thin sheet that is held nowhere, with a ball that flies into it: it wraps around the ball and onto
 /// itself.
-TEST(ContactStressSlow, SheetCrumpledByABall) {
+TEST(ContactStressNightly, SheetCrumpledByABall) {
   model::Model model = test::one_part(test::mild_steel(), test::shell_section(0.4, 3));
   model.solid_sections.emplace_back().id = 1;
   model.control.hourglass.form = model::HourglassForm::Stiffness;

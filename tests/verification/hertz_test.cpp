@@ -226,7 +226,7 @@ TEST(HertzSlow, BallOnPlate) {
 
 /// Six elements over the radius of contact. What is left is of the order of a / R: Hertz's half-space is no
 /// ball.
-TEST(HertzSlow, BallOnPlateOfAFinerMesh) {
+TEST(HertzNightly, BallOnPlateOfAFinerMesh) {
   expect_hertz("12 x 12 x 24", strike(12, 0, speed), 0.035);
 }
 

@@ -230,7 +230,7 @@ TEST(TaylorBarSlow, OfTetrahedraWithTenNodesDoesNotLock) {
 }
 
 /// Plastic flow keeps its volume, which constant stress in tetrahedra does not allow for.
-TEST(TaylorBarSlow, OfTetrahedraNeedsThePressureOfNodes) {
+TEST(TaylorBarNightly, OfTetrahedraNeedsThePressureOfNodes) {
   const Shape averaged = struck_and_told(model::SolidFormulation::NodalPressureTetrahedron, "ELFORM 13");
   EXPECT_NEAR(averaged.length, 21.50, 0.02);
   EXPECT_NEAR(averaged.foot, 7.16, 0.02);

@@ -144,7 +144,7 @@ void print_contacts(std::ostream& out, const output::View& view) {
           1e9 * domain.times.contact_search * domain.execution.threads / work);
 }
 
-void print_ties(std::ostream& out, const domain::Domain& domain) {
+void print_tied_nodes(std::ostream& out, const domain::Domain& domain) {
   for (const domain::Tie& tie : domain.ties) {
     print(out, "\nTied contact {}: {} tied", tie.id,
           counted(static_cast<Index>(tie.nodes.size()) - tie.released, "node"));
@@ -224,6 +224,13 @@ void print_thickness_cuts(std::ostream& out, const std::vector<domain::ContactRe
   }
 }
 
+/// With as many digits as it takes to see that it is beyond the limit.
+std::string value_beside_limit(const output::Check& check) {
+  const std::string value = fmt::format("{:.4g}", check.value);
+  const bool alike = !check.pass && value == fmt::format("{:.4g}", check.limit);
+  return alike ? fmt::format("{:.10g}", check.value) : value;
+}
+
 }  // namespace
 
 void print_run_settings(std::ostream& out, const timeloop::Simulation& simulation,
@@ -252,7 +259,7 @@ void print_summary(std::ostream& out, const output::View& view, const output::Pe
         output::nanoseconds_per_element_cycle(domain, loop_seconds));
   print_timings(out, domain, loop_seconds);
   print_contacts(out, view);
-  print_ties(out, domain);
+  print_tied_nodes(out, domain);
   print_energies(out, domain.energy, output::energy_error(view, peaks));
   print_eroded(out, view);
 }
@@ -260,7 +267,7 @@ void print_summary(std::ostream& out, const output::View& view, const output::Pe
 void print_checks(std::ostream& out, const std::vector<output::Check>& checks) {
   print(out, "\n{:<52} {:>11} {:>9} {:>9}         source\n", "Checks", "value", "limit", "source's");
   for (const output::Check& check : checks)
-    print(out, "  {:<50} {:>11.4g} {:>9.4g} {:>9}  {}   {}\n", check.name, check.value, check.limit,
+    print(out, "  {:<50} {:>11} {:>9.4g} {:>9}  {}   {}\n", check.name, value_beside_limit(check), check.limit,
           check.source_limit ? fmt::format("{:.4g}", *check.source_limit) : "-", check.pass ? "PASS" : "FAIL",
           check.source);
 }
@@ -268,7 +275,8 @@ void print_checks(std::ostream& out, const std::vector<output::Check>& checks) {
 void print_failed_checks(std::ostream& err, const std::vector<output::Check>& checks) {
   for (const output::Check& check : checks)
     if (!check.pass)
-      print(err, "warning: check failed: {} is {:.4g}, limit {:.4g}\n", check.name, check.value, check.limit);
+      print(err, "warning: check failed: {} is {}, limit {:.4g}\n", check.name, value_beside_limit(check),
+            check.limit);
 }
 
 void print_final_omissions(std::ostream& out, const std::vector<output::LeftOut>& list) {

@@ -10,7 +10,7 @@
 namespace crumple::contact {
 namespace {
 
-constexpr Index piece = 512;
+constexpr Index nodes_per_piece = 512;
 
 /// Nodes whose data are asked for at once.
 constexpr std::size_t together = 16;
@@ -21,10 +21,10 @@ void LocalSearch::find_in(Index part, const StepView& view, std::span<const Reme
   std::vector<ContactPair>& found = parts_[part];
   found.clear();
   const auto before = [](const RememberedPair& pair, Index place) { return pair.node < place; };
-  auto memory = std::lower_bound(remembered.begin(), remembered.end(), part * piece, before);
-  const Index end = std::min((part + 1) * piece, surface_->node_count());
+  auto memory = std::lower_bound(remembered.begin(), remembered.end(), part * nodes_per_piece, before);
+  const Index end = std::min((part + 1) * nodes_per_piece, surface_->node_count());
   std::array<Visit, together> visits;
-  for (Index i = part * piece; i < end;) {
+  for (Index i = part * nodes_per_piece; i < end;) {
     std::size_t count = 0;
     for (; i < end && count < together; ++i) {
       const Index known = memory == remembered.end() ? end : std::min(memory->node, end);
@@ -53,7 +53,7 @@ std::span<ContactPair> LocalSearch::find(const Kinematics& motion, GlobalSearch&
   view.tracking = tracking;
   view.deep = deep;
 
-  const Index parts = pieces(surface_->node_count(), piece);
+  const Index parts = pieces(surface_->node_count(), nodes_per_piece);
   parts_.resize(parts);
   parallel_for(parts, motion.threads, [&](Index part) { find_in(part, view, remembered); });
   pairs_.clear();

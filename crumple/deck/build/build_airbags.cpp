@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "deck/build/build.hpp"
+#include "model/solid_faces.hpp"
 
 namespace crumple::deck {
 
@@ -237,19 +238,13 @@ class FillingCurves {
   Build& build_;
 };
 
-/// A segment whatever its first node and its sense.
-Segment sorted(Segment node) {
-  std::sort(node.begin(), node.end());
-  return node;
-}
-
 /// The material of each shell, by its corners.
 std::map<Segment, Index> material_of_shells(const model::Model& model) {
   std::map<Segment, Index> found;
   for (const model::ShellElement& shell : model.shells) {
     if (shell.part == no_index || !is_whole(shell.node)) continue;
     const Index material = model.parts[static_cast<std::size_t>(shell.part)].material;
-    if (material != no_index) found[sorted(triangle_last(shell.node))] = material;
+    if (material != no_index) found[model::key_of(triangle_last(shell.node))] = material;
   }
   return found;
 }
@@ -260,7 +255,7 @@ void take_porous_fabric(const RawControlVolume& raw, model::ControlVolume& volum
   std::map<Index, model::PorousFabric> porous;
   bool is_reported = false;
   for (const Segment& segment : volume.segments) {
-    const auto found = material_of.find(sorted(segment));
+    const auto found = material_of.find(model::key_of(segment));
     if (found == material_of.end()) continue;
     const auto* fabric =
         std::get_if<model::Fabric>(&build.model.materials[static_cast<std::size_t>(found->second)].law);

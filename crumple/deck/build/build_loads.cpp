@@ -83,11 +83,6 @@ void build_pressure_load(const RawPressureLoad& raw, Build& build) {
   if (load.curve != no_index) build.model.pressure_loads.push_back(load);
 }
 
-std::array<Index, 4> sorted(std::array<Index, 4> node) {
-  std::sort(node.begin(), node.end());
-  return node;
-}
-
 /// A segment that is a shell is loaded as long as that shell is there.
 void find_loaded_shells(model::Model& model) {
   const auto segment = [](const model::PressureLoad& load) { return load.shell == no_index; };
@@ -96,9 +91,9 @@ void find_loaded_shells(model::Model& model) {
     return;
   std::map<std::array<Index, 4>, Index> shells;
   for (std::size_t i = 0; i < model.shells.size(); ++i)
-    shells.emplace(sorted(model.shells[i].node), static_cast<Index>(i));
+    shells.emplace(model::key_of(model.shells[i].node), static_cast<Index>(i));
   const auto shell_of = [&](const std::array<Index, 4>& node) {
-    const auto found = shells.find(sorted(node));
+    const auto found = shells.find(model::key_of(node));
     return found == shells.end() ? no_index : found->second;
   };
   for (model::PressureLoad& load : model.pressure_loads)

@@ -5,7 +5,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable airbag_variables[] = {
     {"volume", "volume"},        {"pressure", "pressure"}, {"energy", "internal_energy"},
     {"inflow", "dm_dt_in"},      {"outflow", "dm_dt_out"}, {"mass", "total_mass"},
     {"temperature", "gas_temp"}, {"area", "surface_area"}, {"", "density"},
@@ -15,7 +15,7 @@ void print_airbags(const HistoryItems& items, const Sample& sample, std::string&
   for (std::size_t i = 0; i < items.ids.size(); ++i) {
     const auto end = std::back_inserter(text);
     fmt::format_to(end, "{:12.5E}{:10}", sample.time(), items.ids[i]);
-    for (std::size_t variable = 0; variable < std::size(variables); ++variable)
+    for (std::size_t variable = 0; variable < std::size(airbag_variables); ++variable)
       fmt::format_to(end, "{:12.4E}", sample.of(variable)[i]);
     text += '\n';
   }
@@ -29,7 +29,7 @@ constexpr HistoryForm abstat_form{
 
 class AirbagHistory : public SampledHistory {
  public:
-  AirbagHistory() : SampledHistory(abstat_form, variables) {}
+  AirbagHistory() : SampledHistory(abstat_form, airbag_variables) {}
 
  protected:
   HistoryItems find_items(const View& view) override {

@@ -10,12 +10,12 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable beam_variables[] = {
     {"axial", "axial"},       {"shear_s", "shear_s"}, {"shear_t", "shear_t"}, {"moment_s", "moment_s"},
     {"moment_t", "moment_t"}, {"torsion", "torsion"}, {"plastic_strain", ""}, {"", "ids", true},
     {"", "mat", true},        {"", "nip", true},
 };
-constexpr std::size_t resultants = 6;  ///< the first of the variables
+constexpr std::size_t beam_resultants = 6;  ///< the first of the variables
 
 void print_beams(const HistoryItems&, const Sample& sample, std::string& text) {
   const auto end = std::back_inserter(text);
@@ -28,17 +28,17 @@ void print_beams(const HistoryItems&, const Sample& sample, std::string& text) {
                    "\n\n\n\n beam/truss # ={:8}      material #  ={:5}\n\n\n"
                    " resultants      axial    shear-s    shear-t    moment-s   moment-t   torsion\n{:11}",
                    sample.of("ids")[beam], sample.of("mat")[beam], "");
-    for (std::size_t i = 0; i < resultants; ++i) fmt::format_to(end, "{:11.3E}", sample.of(i)[beam]);
+    for (std::size_t i = 0; i < beam_resultants; ++i) fmt::format_to(end, "{:11.3E}", sample.of(i)[beam]);
     text += '\n';
   }
 }
 
-constexpr HistoryForm elout_form{model::HistoryFile::Elout, "elout", "elout/beam", "", print_beams};
+constexpr HistoryForm beam_elout{model::HistoryFile::Elout, "elout", "elout/beam", "", print_beams};
 
 class BeamHistory : public SampledHistory {
  public:
   explicit BeamHistory(const View& view)
-      : SampledHistory(elout_form, variables),
+      : SampledHistory(beam_elout, beam_variables),
         places_(block_places(view.domain.beams, view.model.beams.size())) {}
 
  protected:

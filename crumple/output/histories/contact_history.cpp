@@ -5,7 +5,8 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {{"fx", "x_force"}, {"fy", "y_force"}, {"fz", "z_force"}, {"mass", "mass"}};
+constexpr Variable contact_variables[] = {
+    {"fx", "x_force"}, {"fy", "y_force"}, {"fz", "z_force"}, {"mass", "mass"}};
 
 void print_contacts(const HistoryItems& items, const Sample& sample, std::string& text) {
   const auto& sides = items.marks[0].second;
@@ -22,7 +23,7 @@ constexpr HistoryForm rcforc_form{model::HistoryFile::Rcforc, "rcforc", "rcforc"
 /// has one side, and no resultant by Newton's third law.
 class ContactHistory : public SampledHistory {
  public:
-  ContactHistory() : SampledHistory(rcforc_form, variables) {}
+  ContactHistory() : SampledHistory(rcforc_form, contact_variables) {}
 
  protected:
   HistoryItems find_items(const View& view) override {

@@ -10,8 +10,8 @@ namespace {
 
 using domain::ContactNodeForce;
 
-constexpr Variable variables[] = {{"", "x_force"}, {"", "y_force"}, {"", "z_force"},
-                                  {"", "x"},       {"", "y"},       {"", "z"}};
+constexpr Variable contact_node_variables[] = {{"", "x_force"}, {"", "y_force"}, {"", "z_force"},
+                                               {"", "x"},       {"", "y"},       {"", "z"}};
 
 void print_side(const HistoryItems& items, const Sample& sample, std::string& text) {
   const auto end = std::back_inserter(text);
@@ -68,7 +68,8 @@ class SideHistory : private BranchName, public SampledHistory {
               const std::vector<ContactNodeForce>& forces)
       : BranchName{fmt::format("ncforc/{}_{}", side == 0 ? "slave" : "master",
                                view.domain.contacts[contact].id)},
-        SampledHistory({model::HistoryFile::Ncforc, "ncforc", branch, "", print_side}, variables),
+        SampledHistory({model::HistoryFile::Ncforc, "ncforc", branch, "", print_side},
+                       contact_node_variables),
         contact_(contact),
         side_(side),
         forces_(forces),

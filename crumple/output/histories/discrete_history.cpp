@@ -10,11 +10,11 @@ namespace {
 
 using domain::DiscreteBlock;
 
-constexpr Variable variables[] = {{"resultant", "resultant_force"},
-                                  {"fx", "x_force"},
-                                  {"fy", "y_force"},
-                                  {"fz", "z_force"},
-                                  {"displacement", "displacement"}};
+constexpr Variable discrete_variables[] = {{"resultant", "resultant_force"},
+                                           {"fx", "x_force"},
+                                           {"fy", "y_force"},
+                                           {"fz", "z_force"},
+                                           {"displacement", "displacement"}};
 
 void print_springs(const HistoryItems& items, const Sample& sample, std::string& text) {
   const auto end = std::back_inserter(text);
@@ -49,7 +49,7 @@ math::Vec3 axis_of(const DiscreteBlock& block, Index place, const domain::NodeFi
 class DiscreteHistory : public SampledHistory {
  public:
   explicit DiscreteHistory(const View& view)
-      : SampledHistory(deforc_form, variables),
+      : SampledHistory(deforc_form, discrete_variables),
         elements_(view.model.output.history_discretes),
         places_(block_places(view.domain.discretes, view.model.discretes.size())) {
     if (!elements_.empty()) return;

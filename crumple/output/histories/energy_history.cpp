@@ -10,7 +10,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable energy_variables[] = {
     {"dt", "time_step"},
     {"kinetic", "kinetic_energy"},
     {"internal", ""},
@@ -127,7 +127,7 @@ double wall_nanoseconds(const domain::Domain& domain) {
 
 class EnergyHistory : public SampledHistory {
  public:
-  EnergyHistory() : SampledHistory(glstat_form, variables) {}
+  EnergyHistory() : SampledHistory(glstat_form, energy_variables) {}
 
  protected:
   HistoryItems find_items(const View&) override {

@@ -7,14 +7,14 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable interface_energy_variables[] = {
     {"energy", ""},       {"friction", "friction_energy"},
     {"", "slave"},        {"", "master"},
     {"", "total_slave"},  {"", "total_master"},
     {"", "total_energy"},
 };
 
-void print_energies(const HistoryItems& items, const Sample& sample, std::string& text) {
+void print_interface_energies(const HistoryItems& items, const Sample& sample, std::string& text) {
   const auto end = std::back_inserter(text);
   fmt::format_to(end,
                  "\n\n\n contact interface energy file, time={:14.7E}\n"
@@ -35,12 +35,13 @@ void print_energies(const HistoryItems& items, const Sample& sample, std::string
                  std::accumulate(friction.begin(), friction.end(), 0.0));
 }
 
-constexpr HistoryForm sleout_form{model::HistoryFile::Sleout, "sleout", "sleout", "", print_energies};
+constexpr HistoryForm sleout_form{model::HistoryFile::Sleout, "sleout", "sleout", "",
+                                  print_interface_energies};
 
 /// The energies of the contact interfaces and of the tied ones; together those of the whole model.
 class InterfaceEnergyHistory : public SampledHistory {
  public:
-  InterfaceEnergyHistory() : SampledHistory(sleout_form, variables) {}
+  InterfaceEnergyHistory() : SampledHistory(sleout_form, interface_energy_variables) {}
 
  protected:
   HistoryItems find_items(const View& view) override {

@@ -5,7 +5,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable joint_variables[] = {
     {"fx", "x_force"},
     {"fy", "y_force"},
     {"fz", "z_force"},
@@ -44,7 +44,7 @@ constexpr HistoryForm jntforc_form{model::HistoryFile::Jntforc, "jntforc", "jntf
 
 class JointHistory : public SampledHistory {
  public:
-  JointHistory() : SampledHistory(jntforc_form, variables) {}
+  JointHistory() : SampledHistory(jntforc_form, joint_variables) {}
 
  protected:
   HistoryItems find_items(const View& view) override {

@@ -9,7 +9,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable node_variables[] = {
     {"ux", "x_displacement"}, {"uy", "y_displacement"}, {"uz", "z_displacement"}, {"vx", "x_velocity"},
     {"vy", "y_velocity"},     {"vz", "z_velocity"},     {"ax", "x_acceleration"}, {"ay", "y_acceleration"},
     {"az", "z_acceleration"}, {"x", "x_coordinate"},    {"y", "y_coordinate"},    {"z", "z_coordinate"},
@@ -24,7 +24,7 @@ void print_nodes(const HistoryItems& items, const Sample& sample, std::string& t
                  sample.cycle(), "", sample.time());
   for (std::size_t node = 0; node < items.ids.size(); ++node) {
     fmt::format_to(end, "{:9} ", items.ids[node]);
-    for (std::size_t i = 0; i < std::size(variables); ++i)
+    for (std::size_t i = 0; i < std::size(node_variables); ++i)
       fmt::format_to(end, "{:12.4E}", sample.of(i)[node]);
     text += '\n';
   }
@@ -66,7 +66,7 @@ class Projection {
 
 class NodeHistory : public SampledHistory {
  public:
-  NodeHistory() : SampledHistory(nodout_form, variables) {}
+  NodeHistory() : SampledHistory(nodout_form, node_variables) {}
 
  protected:
   HistoryItems find_items(const View& view) override {

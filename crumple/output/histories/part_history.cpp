@@ -6,7 +6,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable part_variables[] = {
     {"internal", "internal_energy"},
     {"kinetic", "kinetic_energy"},
     {"hourglass", "hourglass_energy"},
@@ -49,7 +49,7 @@ constexpr HistoryForm matsum_form{model::HistoryFile::Matsum, "matsum", "matsum"
 
 class PartHistory : public SampledHistory {
  public:
-  explicit PartHistory(const View& view) : SampledHistory(matsum_form, variables), masses_(view) {}
+  explicit PartHistory(const View& view) : SampledHistory(matsum_form, part_variables), masses_(view) {}
 
  protected:
   HistoryItems find_items(const View& view) override {

@@ -9,7 +9,7 @@ namespace {
 
 using math::Vec3;
 
-constexpr Variable variables[] = {
+constexpr Variable rigid_body_variables[] = {
     {"x", "global_x"},    {"y", "global_y"},   {"z", "global_z"},    {"vx", "global_vx"},
     {"vy", "global_vy"},  {"vz", "global_vz"}, {"wx", "global_rvx"}, {"wy", "global_rvy"},
     {"wz", "global_rvz"}, {"kinetic", ""},     {"fx", ""},           {"fy", ""},
@@ -96,7 +96,7 @@ Vec3 rotation_vector(const math::Quaternion& turn) {
 
 class RigidBodyHistory : public SampledHistory {
  public:
-  explicit RigidBodyHistory(const View& view) : SampledHistory(rbdout_form, variables) {
+  explicit RigidBodyHistory(const View& view) : SampledHistory(rbdout_form, rigid_body_variables) {
     for (std::size_t i = 0; i < count(view); ++i)
       start_.push_back({view.domain.rigid_bodies[i].centre, view.domain.rigid_bodies[i].turn});
   }

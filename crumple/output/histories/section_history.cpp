@@ -5,7 +5,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable section_variables[] = {
     {"fx", "x_force"},   {"fy", "y_force"},   {"fz", "z_force"},        {"mx", "x_moment"},
     {"my", "y_moment"},  {"mz", "z_moment"},  {"force", "total_force"}, {"x", "x_centroid"},
     {"y", "y_centroid"}, {"z", "z_centroid"}, {"", "total_moment"},
@@ -38,7 +38,7 @@ constexpr HistoryForm secforc_form{
 
 class SectionHistory : public SampledHistory {
  public:
-  SectionHistory() : SampledHistory(secforc_form, variables) {}
+  SectionHistory() : SampledHistory(secforc_form, section_variables) {}
 
  protected:
   HistoryItems find_items(const View& view) override {

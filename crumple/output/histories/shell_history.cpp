@@ -12,7 +12,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable shell_variables[] = {
     {"plane", ""},     {"point", ""},       {"xx", ""},
     {"yy", ""},        {"zz", ""},          {"xy", ""},
     {"yz", ""},        {"zx", ""},          {"plastic_strain", ""},
@@ -46,7 +46,7 @@ void print_shells(const HistoryItems&, const Sample& sample, std::string& text) 
   }
 }
 
-constexpr HistoryForm elout_form{model::HistoryFile::Elout, "elout", "elout/shell", "", print_shells};
+constexpr HistoryForm shell_elout{model::HistoryFile::Elout, "elout", "elout/shell", "", print_shells};
 
 /// ELFORM.
 double number_of(model::ShellFormulation formulation) {
@@ -81,7 +81,7 @@ Index layers_of(const domain::ShellBlock& block) {
 class ShellHistory : public SampledHistory {
  public:
   explicit ShellHistory(const View& view)
-      : SampledHistory(elout_form, variables),
+      : SampledHistory(shell_elout, shell_variables),
         places_(block_places(view.domain.shells, view.model.shells.size())) {}
 
  protected:

@@ -10,7 +10,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable solid_variables[] = {
     {"point", ""},     {"xx", ""},          {"yy", ""},          {"zz", ""},
     {"xy", ""},        {"yz", ""},          {"zx", ""},          {"plastic_strain", ""},
     {"", "ids", true}, {"", "mtype", true}, {"", "state", true}, {"", "sig_xx"},
@@ -36,13 +36,13 @@ void print_solids(const HistoryItems&, const Sample& sample, std::string& text) 
   }
 }
 
-constexpr HistoryForm elout_form{model::HistoryFile::Elout, "elout", "elout/solid", "", print_solids};
+constexpr HistoryForm solid_elout{model::HistoryFile::Elout, "elout", "elout/solid", "", print_solids};
 
 /// Stress and plastic strain of every point; LS-DYNA's forms have the means of the element.
 class SolidHistory : public SampledHistory {
  public:
   explicit SolidHistory(const View& view)
-      : SampledHistory(elout_form, variables),
+      : SampledHistory(solid_elout, solid_variables),
         places_(block_places(view.domain.solids, view.model.solids.size())) {}
 
  protected:

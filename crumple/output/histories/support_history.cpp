@@ -7,14 +7,14 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable support_variables[] = {
     {"fx", "x_force"},  {"fy", "y_force"},   {"fz", "z_force"},   {"mx", "x_moment"},  {"my", "y_moment"},
     {"mz", "z_moment"}, {"", "x_resultant"}, {"", "y_resultant"}, {"", "z_resultant"},
 };
 
 constexpr std::array<std::string_view, 3> forces{"x_force", "y_force", "z_force"};
 constexpr std::array<std::string_view, 3> moments{"x_moment", "y_moment", "z_moment"};
-constexpr std::array<std::string_view, 3> resultants{"x_resultant", "y_resultant", "z_resultant"};
+constexpr std::array<std::string_view, 3> support_resultants{"x_resultant", "y_resultant", "z_resultant"};
 
 void print_supports(const HistoryItems& items, const Sample& sample, std::string& text) {
   const auto end = std::back_inserter(text);
@@ -38,7 +38,7 @@ void print_supports(const HistoryItems& items, const Sample& sample, std::string
     }
   }
   text += "             force resultants   =";
-  add(resultants, 0);
+  add(support_resultants, 0);
 }
 
 constexpr HistoryForm spcforc_form{model::HistoryFile::Spcforc, "spcforc", "spcforc",
@@ -78,7 +78,7 @@ std::vector<Held> held_by_supports(const View& view) {
 /// The supports, and behind them, as node 0, their sum.
 class SupportHistory : public SampledHistory {
  public:
-  SupportHistory() : SampledHistory(spcforc_form, variables) {}
+  SupportHistory() : SampledHistory(spcforc_form, support_variables) {}
 
  protected:
   HistoryItems find_items(const View& view) override {
@@ -119,7 +119,7 @@ class SupportHistory : public SampledHistory {
 
   void take_rest(const View&, Sample& sample) override {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      sample.of(resultants[axis]) = {sample.of(forces[axis]).back()};
+      sample.of(support_resultants[axis]) = {sample.of(forces[axis]).back()};
       keep(with_force_, sample.of(forces[axis]));
       keep(with_moment_, sample.of(moments[axis]));
     }

@@ -5,13 +5,13 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable wall_variables[] = {
     {"normal", "normal_force"}, {"fx", "x_force"}, {"fy", "y_force"}, {"fz", "z_force"}};
 
 void print_walls(const HistoryItems& items, const Sample& sample, std::string& text) {
   for (std::size_t wall = 0; wall < items.ids.size(); ++wall) {
     fmt::format_to(std::back_inserter(text), "{:12.5E} {:7}", sample.time(), items.ids[wall]);
-    for (std::size_t i = 0; i < std::size(variables); ++i)
+    for (std::size_t i = 0; i < std::size(wall_variables); ++i)
       fmt::format_to(std::back_inserter(text), "{:15.6E}", sample.of(i)[wall]);
     text += '\n';
   }
@@ -26,7 +26,7 @@ constexpr HistoryForm rwforc_form{
 class WallHistory : public SampledHistory {
  public:
   explicit WallHistory(const View& view)
-      : SampledHistory(rwforc_form, variables), time_(view.domain.clock.time) {
+      : SampledHistory(rwforc_form, wall_variables), time_(view.domain.clock.time) {
     // A run that is taken up in another folder begins its rows here; the kick at the start belongs to the
     // first row.
     const bool begins = view.domain.clock.cycle == 0;

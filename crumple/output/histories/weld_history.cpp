@@ -8,7 +8,7 @@ namespace crumple::output {
 
 namespace {
 
-constexpr Variable variables[] = {
+constexpr Variable weld_variables[] = {
     {"axial", "axial"}, {"shear", "shear"}, {"broken", "failure_flag", true}, {"", "failure_time"}};
 
 /// LS-DYNA's numbers for the types of welds.
@@ -34,7 +34,7 @@ constexpr HistoryForm swforc_form{model::HistoryFile::Swforc, "swforc", "swforc"
 
 class WeldHistory : public SampledHistory {
  public:
-  WeldHistory() : SampledHistory(swforc_form, variables) {}
+  WeldHistory() : SampledHistory(swforc_form, weld_variables) {}
 
  protected:
   HistoryItems find_items(const View& view) override {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a run says of its model and its end: ties that hold less than asked for, elements that have failed.
 
+#include <sstream>
 #include <string>
 
 #include "app/program_fixture.hpp"
+#include "app/session/run_summary.hpp"
+#include "output/checks.hpp"
 
 namespace crumple::app::run_summary_test {
 namespace {
@@ -102,6 +105,22 @@ TEST_F(RunSummary, NamesWeldsThatHaveFailed) {
   ASSERT_NE(table, std::string::npos) << result.out;
   EXPECT_NE(result.out.find("1 of 2 beams, with the energy", table), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("    beams 71\n", table), std::string::npos) << result.out;
+}
+
+/// 1.0002 rounds to the limit.
+TEST_F(RunSummary, ShowsWithEnoughDigitsWhatIsBeyondALimit) {
+  output::Check check;
+  check.name = "deepest";
+  check.value = 1.0002;
+  check.limit = 1;
+  check.pass = false;
+  std::ostringstream warning;
+  print_failed_checks(warning, {check});
+  EXPECT_EQ(warning.str(), "warning: check failed: deepest is 1.0002, limit 1\n");
+  check.value = 1.23456;
+  warning.str("");
+  print_failed_checks(warning, {check});
+  EXPECT_EQ(warning.str(), "warning: check failed: deepest is 1.235, limit 1\n");
 }
 
 }  // namespace
