@@ -112,6 +112,16 @@ inline constexpr double bounds_step = 0.9;
 /// ... and over that at which contact with a face has not held (Touch::most) [-]. Beyond, the stiffness that
 /// stability allows is not enough, and a shorter step allows more.
 inline constexpr double bounds_step_in_solid = 0.75;
+/// The same over the height of a crushable solid as it is now: from there on a touch with it gets stiffer
+/// [-], ...
+inline constexpr double stiffens_in_crushable = 0.04;
+/// ... and from which on it bounds the step [-].
+inline constexpr double bounds_step_in_crushable = 0.07;
+/// Growth of a stiffness in a step, where a touch is too deep already [-]: its force grows with the root.
+inline constexpr double stiffness_growth = 1.2;
+/// Penetration over that at which contact has not held, below which the room behind faces is not worked out
+/// [-].
+inline constexpr double far_from_room = 0.01;
 /// Least step that depth asks for over what elements and motion allow [-]: stiffness grows with the square.
 inline constexpr double least_step_for_depth = 1.0 / 3;
 

@@ -54,6 +54,13 @@ bool is_elastic(const ConstitutiveLaw& law) {
          std::holds_alternative<MooneyRivlin>(law);
 }
 
+bool is_crushable(const ConstitutiveLaw& law) {
+  if (const auto* rubber = std::get_if<SimplifiedRubber>(&law)) return rubber->is_foam;
+  return std::holds_alternative<CrushableFoam>(law) || std::holds_alternative<LowDensityFoam>(law) ||
+         std::holds_alternative<BilkhuDuboisFoam>(law) || std::holds_alternative<ViscousFoam>(law) ||
+         std::holds_alternative<SoilAndFoam>(law) || std::holds_alternative<Honeycomb>(law);
+}
+
 bool has_plastic_strain(const ConstitutiveLaw& law) {
   return std::holds_alternative<PlasticKinematic>(law) || std::holds_alternative<PowerLawPlasticity>(law) ||
          std::holds_alternative<PiecewiseLinearPlasticity>(law) ||

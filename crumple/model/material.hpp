@@ -411,6 +411,10 @@ LawUse use_of(const ConstitutiveLaw& law);
 /// rubbers.
 bool is_elastic(const ConstitutiveLaw& law);
 
+/// True of laws of solids that are crushed, as foams and honeycombs: their stress becomes a large part of
+/// their modulus, and the solids a fraction of their height.
+bool is_crushable(const ConstitutiveLaw& law);
+
 /// True of laws of shells and solids that keep an effective plastic strain.
 bool has_plastic_strain(const ConstitutiveLaw& law);
 

@@ -267,9 +267,9 @@ void print_summary(std::ostream& out, const output::View& view, const output::Pe
 void print_checks(std::ostream& out, const std::vector<output::Check>& checks) {
   print(out, "\n{:<52} {:>11} {:>9} {:>9}         source\n", "Checks", "value", "limit", "source's");
   for (const output::Check& check : checks)
-    print(out, "  {:<50} {:>11} {:>9.4g} {:>9}  {}   {}\n", check.name, value_beside_limit(check), check.limit,
-          check.source_limit ? fmt::format("{:.4g}", *check.source_limit) : "-", check.pass ? "PASS" : "FAIL",
-          check.source);
+    print(out, "  {:<50} {:>11} {:>9.4g} {:>9}  {}   {}\n", check.name, value_beside_limit(check),
+          check.limit, check.source_limit ? fmt::format("{:.4g}", *check.source_limit) : "-",
+          check.pass ? "PASS" : "FAIL", check.source);
 }
 
 void print_failed_checks(std::ostream& err, const std::vector<output::Check>& checks) {

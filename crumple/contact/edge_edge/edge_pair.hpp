@@ -55,7 +55,7 @@ struct RememberedEdgePair {
     return wrong != 0 || (inside(fraction[0]) && inside(fraction[1]));
   }
 };
-static_assert(sizeof(RememberedEdgePair) == 192);
+static_assert(sizeof(RememberedEdgePair) == 200);
 
 /// Something that is known of a node and an edge.
 struct NodeOnEdge {

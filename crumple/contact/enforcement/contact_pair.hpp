@@ -30,7 +30,7 @@ struct RememberedPair {
 
   bool loaded() const { return penalty.slope_limit > 0 || dot(friction, friction) > 0; }
 };
-static_assert(sizeof(RememberedPair) == 184);
+static_assert(sizeof(RememberedPair) == 192);
 
 /// A node in contact with a segment, now.
 struct ContactPair {

@@ -10,6 +10,7 @@
 #include "base/prefetch.hpp"
 #include "contact/enforcement/penalty.hpp"
 #include "contact/enforcement/raised_point.hpp"
+#include "contact/surface/height_now.hpp"
 #include "contact/tolerances.hpp"
 
 namespace crumple::contact {
@@ -206,33 +207,86 @@ double rest_depth_left(const PenaltyMemory& before, double penetration, double a
   return std::clamp(penetration - expected, 0.0, std::min(before.rest_depth, penetration));
 }
 
-/// Where a touch is heading too deep because stability limits its slope, it gets what the present step
-/// allows, though it began with less, and asks for a shorter step if that does not do either. Its spring then
-/// holds the energy that it held, from a deeper rest depth on.
-void Forces::hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& outcome) const {
+/// What a touch has before it is too deep. Behind the face of a solid that goes by the height that the solid
+/// has now, and so it does where the node is of one that is crushed: foam between hard faces ends as a
+/// fraction of what it was.
+Forces::Room Forces::room_of(const domain::NodeFields& nodes, const Touch& touch) const {
+  const bool has_middle = touch.reach < std::numeric_limits<double>::max();
+  const double most =
+      has_middle ? tolerances::bounds_step * touch.reach : tolerances::bounds_step_in_solid * touch.most;
+  Room room{std::numeric_limits<double>::max(), most};
+  if (touch.segment == no_index || touch.penetration <= tolerances::far_from_room * touch.most) return room;
+  const auto keep_within = [&](double stiffens, double bounds_step) {
+    room.most = std::min(room.most, bounds_step);
+    room.stiffens = std::min({room.stiffens, stiffens, room.most});
+  };
+  const auto see_crushable = [&](Index segment) {
+    if (surface_->crushable[segment] == 0) return;
+    const double height = height_now(*surface_, nodes, segment);
+    keep_within(tolerances::stiffens_in_crushable * height, tolerances::bounds_step_in_crushable * height);
+  };
+  see_crushable(touch.segment);
+  for (const Index own : surface_->topology.at_node(touch.place[0])) see_crushable(own);
+  if (surface_->of_solid[touch.segment] != 0) {
+    const double half = tolerances::deepest_in_solid * height_now(*surface_, nodes, touch.segment);
+    keep_within(tolerances::bounds_step_in_solid * half, tolerances::bounds_step_in_solid * half);
+  }
+  return room;
+}
+
+/// After its law has changed the spring of a touch holds the energy that it held, from a deeper rest depth
+/// on.
+void Forces::keep_energy(Touch& touch, const PenaltyLaw& law) const {
+  PenaltyMemory& now = touch.penalty;
+  const double depth = touch.penetration - now.rest_depth;
+  // A linear spring holds 1/2 k x(n-1) x(n) between two steps: what it would hold in the middle, less this.
+  const double half = -0.5 * now.speed * steps_.last;
+  const double more = depth > 0 ? 0.5 * half * half * law.force(depth) / depth : 0;
+  const double middle = law.penetration_of(std::max(0.0, now.energy) + more, depth);
+  now.rest_depth = touch.penetration - std::min(depth, half + middle);
+}
+
+/// The stiffness with which a spring that holds `energy` stops its points within `left`. Where there is
+/// nothing left, or much is missing, it grows from step to step [force/length].
+double stiffness_within(double left, double stiffness, double energy, double speed, double inverse) {
+  const double most = tolerances::stiffness_growth * stiffness;
+  if (left <= 0) return most;
+  const double root = (std::sqrt(2 * energy + speed * speed / inverse) - std::sqrt(2 * energy)) / left;
+  return std::max(most, root * root);
+}
+
+/// Where a touch is heading too deep it gets a larger stiffness than the undeformed surfaces or the masses
+/// gave it, up to what stability allows. Where that limits its slope, it gets what the present step allows,
+/// though it began with less, and asks for a shorter step if that does not do either.
+void Forces::hold_depth(const domain::NodeFields& nodes, Touch& touch, PenaltyLaw& law, double inverse,
+                        Outcome& outcome) const {
   PenaltyMemory& now = touch.penalty;
   const double step = steps_.judged;
   if (step <= 0 || now.speed >= 0) return;
-  const bool has_middle = touch.reach < std::numeric_limits<double>::max();
-  const double room =
-      has_middle ? tolerances::bounds_step * touch.reach : tolerances::bounds_step_in_solid * touch.most;
-  const double depth = touch.penetration - now.rest_depth;
-  const auto heading = [&](double from) {
-    return touch.penetration - from + depth_ahead(from, now.speed, law.force(from), inverse);
+  const Room room = room_of(nodes, touch);
+  const auto heading = [&] {
+    const double depth = touch.penetration - now.rest_depth;
+    return touch.penetration - depth + depth_ahead(depth, now.speed, law.force(depth), inverse);
   };
-  if (heading(depth) <= room) return;
-  if (!law.is_limited_at(depth)) return;
-  const double limit = budget_ / (step * step * inverse);
-  if (limit > law.limit) {
-    law.limit = now.slope_limit = limit;
-    // A linear spring holds 1/2 k x(n-1) x(n) between two steps: what it would hold in the middle, less this.
-    const double half = -0.5 * now.speed * steps_.last;
-    const double more = depth > 0 ? 0.5 * half * half * law.force(depth) / depth : 0;
-    const double middle = law.penetration_of(std::max(0.0, now.energy) + more, depth);
-    now.rest_depth = touch.penetration - std::min(depth, half + middle);
+  if (heading() <= std::min(room.stiffens, room.most)) return;
+  const double allowed = std::max(law.limit, budget_ / (step * step * inverse));
+  const bool far = heading() > room.most;
+  if (law.is_limited_at(touch.penetration - now.rest_depth)) {
+    if (allowed > law.limit) {
+      law.limit = allowed;
+      keep_energy(touch, law);
+    }
+  } else if (heading() > room.stiffens) {
+    law.stiffness = now.raised =
+        std::min(allowed, stiffness_within((far ? room.most : room.stiffens) - touch.penetration,
+                                           law.stiffness, std::max(0.0, now.energy), now.speed, inverse));
+    law.limit = std::max(law.limit, law.stiffness);
+    keep_energy(touch, law);
+  } else {
+    return;
   }
-  outcome.step =
-      std::min(outcome.step, step * std::min(1.0, room / heading(touch.penetration - now.rest_depth)));
+  now.slope_limit = law.limit;
+  if (far) outcome.step = std::min(outcome.step, step * std::min(1.0, room.most / heading()));
 }
 
 /// Writes the forces of a touch, and adds to what is known of all.
@@ -254,10 +308,10 @@ void Forces::evaluate_touch(const domain::Domain& domain, Touch& touch, Outcome&
   touch.penalty.speed = dot(relative, touch.normal);
   touch.penalty.rest_depth = rest_depth_left(before, touch.penetration, touch.penalty.speed * steps_.last);
   PenaltyLaw law;
-  law.stiffness = stiffness(nodes, touch, step);
+  law.stiffness = std::max(stiffness(nodes, touch, step), before.raised);
   law.limit = touch.penalty.slope_limit;
   law.reach = touch.reach;
-  hold_depth(touch, law, inverse, outcome);
+  hold_depth(nodes, touch, law, inverse, outcome);
   touch.penalty.depth = touch.penetration - touch.penalty.rest_depth;
   const double stiffness = std::min(law.stiffness, law.limit);
   const double factor = factor_in_step(before, touch.penalty, steps_, stiffness * inverse);

@@ -104,7 +104,15 @@ class Forces {
     Index limited = 0;                                      ///< by stability
     double step = std::numeric_limits<double>::infinity();  ///< at most, for depth [time]
   };
-  void hold_depth(Touch& touch, PenaltyLaw& law, double inverse, Outcome& outcome) const;
+  /// What a touch has before it is too deep [length].
+  struct Room {
+    double stiffens = 0;  ///< penetration from which on it gets stiffer, whatever its surfaces are made of
+    double most = 0;      ///< from which on it gets what stability allows, and a shorter step
+  };
+  Room room_of(const domain::NodeFields& nodes, const Touch& touch) const;
+  void keep_energy(Touch& touch, const PenaltyLaw& law) const;
+  void hold_depth(const domain::NodeFields& nodes, Touch& touch, PenaltyLaw& law, double inverse,
+                  Outcome& outcome) const;
   void evaluate_touch(const domain::Domain& domain, Touch& touch, Outcome& outcome) const;
   double whole_inverse_mass(const domain::NodeFields& nodes, const Touch& touch) const;
   double passive_spring_force(const domain::NodeFields& nodes, const PenaltyMemory& before, Touch& touch,

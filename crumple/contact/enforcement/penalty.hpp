@@ -30,6 +30,7 @@ struct PenaltyLaw {
 /// What the penalty remembers of a touch from one step to the next.
 struct PenaltyMemory {
   double stiffness = 0;    ///< by masses and step, or of a node of solids; 0 if there was none [force/length]
+  double raised = 0;       ///< to hold the depth, at least this; 0 if it never was [force/length]
   double slope_limit = 0;  ///< largest slope of the force by stability; 0 if there was none [force/length]
   double rest_depth = 0;  ///< penetration at which the force begins, where the slope grew under load [length]
   double depth = 0;       ///< penetration beyond that [length]

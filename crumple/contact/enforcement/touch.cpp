@@ -42,6 +42,7 @@ Touch touch_of(const Surface& surface, const ContactPair& pair) {
   // Behind a face there is no mid-surface that a strong squeeze would reach.
   touch.reach = surface.is_face(pair.segment) ? std::numeric_limits<double>::max() : pair.reach;
   touch.most = most_penetration(surface, pair);
+  touch.segment = pair.segment;
   touch.stiffness = std::min(surface.node_stiffness[pair.node], surface.stiffness[pair.segment]);
   touch.area = surface.area[pair.segment];
   touch.part = {surface.node_part[pair.node], surface.segment_part[pair.segment]};

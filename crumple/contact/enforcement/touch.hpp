@@ -35,7 +35,8 @@ struct Touch {
   /// Penetration that leaves no doubt that the contact has not held: through the whole thickness of a shell,
   /// to the middle of a solid behind a face; the largest number if there is none [length].
   double most = std::numeric_limits<double>::max();
-  double stiffness = 0;  ///< penalty stiffness [force/length]
+  Index segment = no_index;  ///< of a node on a segment, whose node is the first; no_index of others
+  double stiffness = 0;      ///< penalty stiffness [force/length]
   /// Penalty stiffness of a node of solids by how its faces look now, 0 of others: the touch keeps that with
   /// which it began, beside `stiffness` of the segment alone [force/length].
   double turning_stiffness = 0;

@@ -58,7 +58,7 @@ struct RememberedPinballs {
   Vec3 friction;      ///< on the first, in its frame [force]
   PenaltyMemory penalty;
 };
-static_assert(sizeof(RememberedPinballs) == 192);
+static_assert(sizeof(RememberedPinballs) == 200);
 
 /// Two segments in contact, now.
 struct PinballPair {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <variant>
+#include <vector>
 
 #include "contact/tolerances.hpp"
 
@@ -11,20 +12,25 @@ namespace crumple::contact {
 
 namespace {
 
+double steepest_slope(const std::vector<double>& x, const std::vector<double>& y, double least) {
+  for (std::size_t i = 1; i < x.size(); ++i) least = std::max(least, (y[i] - y[i - 1]) / (x[i] - x[i - 1]));
+  return least;
+}
+
+/// Where a curve over the crush tells how a material resists once it is dense, its steepest slope, or E.
 template <class Law>
 double stiffness_of(const Law& law) {
-  return law.youngs_modulus;
+  if constexpr (requires { law.crush, law.yield_stress; })
+    return steepest_slope(law.crush, law.yield_stress, law.youngs_modulus);
+  else
+    return law.youngs_modulus;
 }
 
 /// Of foam KCON; else the steepest slope of its curve, or E. E alone is a tenth and less of what foam resists
 /// with once it is dense (S. Bala, Best practices for modeling recoverable low density foams, d3view, 2006).
 double stiffness_of(const model::LowDensityFoam& law) {
   if (law.contact_modulus > 0) return law.contact_modulus;
-  double steepest = law.youngs_modulus;
-  for (std::size_t i = 1; i < law.compression.size(); ++i)
-    steepest = std::max(steepest,
-                        (law.stress[i] - law.stress[i - 1]) / (law.compression[i] - law.compression[i - 1]));
-  return steepest;
+  return steepest_slope(law.compression, law.stress, law.youngs_modulus);
 }
 
 }  // namespace

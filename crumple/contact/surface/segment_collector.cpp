@@ -22,6 +22,7 @@ struct SegmentCollector::NewSegment {
   std::uint8_t sides = 0;
   bool face = false;
   bool of_solid = false;
+  bool crushable = false;
   bool known_orientation = false;
   std::array<Index, most_nodes_of_solid> nodes_behind{};  ///< of a face
   ElementPlace behind;
@@ -128,6 +129,7 @@ void SegmentCollector::add(const NewSegment& segment, const Measure& size) {
   surface_.face.push_back(segment.face ? 1 : 0);
   if (segment.face) surface_.nodes_behind.push_back(segment.nodes_behind);
   surface_.of_solid.push_back(segment.of_solid ? 1 : 0);
+  surface_.crushable.push_back(segment.crushable ? 1 : 0);
   known_orientation_.push_back(segment.known_orientation ? 1 : 0);
   surface_.segment_side.push_back(segment.sides);
   surface_.touched_by.push_back(touched_by(contact_.kind, segment.sides));
@@ -221,6 +223,7 @@ void SegmentCollector::add_face(const model::SolidFace& face, std::uint8_t sides
   segment.part = solid.part;
   segment.sides = sides;
   segment.face = segment.of_solid = true;
+  segment.crushable = model::is_crushable(model_.materials[model_.parts[solid.part].material].law);
   segment.known_orientation = true;
   segment.behind = solid_place_[face.solid];
   segment.ahead = ahead;

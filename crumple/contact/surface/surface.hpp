@@ -90,11 +90,13 @@ struct Surface {
   std::vector<double> stiffness;       ///< penalty stiffness per segment [force/length]
   std::vector<double> area;            ///< of the reference geometry, per segment [length^2]
   std::vector<double> height;  ///< of a face that of its solid, or the root of its area; 0 of others [length]
-  std::vector<UserId> segment_id;          ///< of the shell or solid
-  std::vector<Index> segment_part;         ///< part of the model that it belongs to
-  std::vector<std::uint8_t> face;          ///< 1: a face, whose outside is the side of the normal
-  std::vector<double> release_depth;       ///< overlap from which on a node is let go [length]
-  std::vector<std::uint8_t> of_solid;      ///< 1: of a solid, 0: of a shell
+  std::vector<UserId> segment_id;      ///< of the shell or solid
+  std::vector<Index> segment_part;     ///< part of the model that it belongs to
+  std::vector<std::uint8_t> face;      ///< 1: a face, whose outside is the side of the normal
+  std::vector<double> release_depth;   ///< overlap from which on a node is let go [length]
+  std::vector<std::uint8_t> of_solid;  ///< 1: of a solid, 0: of a shell
+  std::vector<std::uint8_t>
+      crushable;  ///< 1: of a solid whose material is crushed, see model::is_crushable()
   std::vector<std::uint8_t> segment_side;  ///< sides of the contact that it is on, bits as in node_side
   std::vector<std::uint8_t> touched_by;    ///< sides of the nodes that may touch it, bits as in node_side
   /// Domain nodes of the element behind, of faces alone: they are the first segments.

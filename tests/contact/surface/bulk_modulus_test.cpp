@@ -6,20 +6,24 @@
 namespace crumple::contact::bulk_modulus_test {
 namespace {
 
-/// Of a foam with E = 2 whose curve has the slopes 10 and 90.
-double modulus_of_foam(double contact_modulus) {
+double modulus_of(const model::ConstitutiveLaw& law) {
   model::Model model;
-  model::LowDensityFoam law;
-  law.youngs_modulus = 2;
-  law.compression = {0, 0.1, 0.2};
-  law.stress = {0, 1, 10};
-  law.contact_modulus = contact_modulus;
   model::Material material;
   material.law = law;
   model.materials.push_back(material);
   model::Part part;
   part.material = 0;
   return bulk_modulus(model, part);
+}
+
+/// Of a foam with E = 2 whose curve has the slopes 10 and 90.
+double modulus_of_foam(double contact_modulus) {
+  model::LowDensityFoam law;
+  law.youngs_modulus = 2;
+  law.compression = {0, 0.1, 0.2};
+  law.stress = {0, 1, 10};
+  law.contact_modulus = contact_modulus;
+  return modulus_of(law);
 }
 
 /// With E alone nodes of dense foam go through what they are pressed on.
@@ -29,6 +33,14 @@ TEST(BulkModulus, OfFoamIsThatOfItsSteepestSlope) {
 
 TEST(BulkModulus, OfFoamTakesKcon) {
   EXPECT_NEAR(modulus_of_foam(6), 2, 1e-12);
+}
+
+TEST(BulkModulus, OfCrushableFoamIsThatOfItsSteepestSlope) {
+  model::CrushableFoam law;
+  law.youngs_modulus = 2;
+  law.crush = {0, 0.5, 0.9};
+  law.yield_stress = {0, 1, 13};
+  EXPECT_NEAR(modulus_of(law), 30.0 / 3, 1e-12);
 }
 
 }  // namespace
