@@ -20,7 +20,7 @@ double steepest_slope(const std::vector<double>& x, const std::vector<double>& y
 /// Where a curve over the crush tells how a material resists once it is dense, its steepest slope, or E.
 template <class Law>
 double stiffness_of(const Law& law) {
-  if constexpr (requires { law.crush, law.yield_stress; })
+  if constexpr (requires { steepest_slope(law.crush, law.yield_stress, law.youngs_modulus); })
     return steepest_slope(law.crush, law.yield_stress, law.youngs_modulus);
   else
     return law.youngs_modulus;
