@@ -15,8 +15,8 @@ namespace {
 
 TEST(InstructionSets, NamesAreReadBack) {
   for (const Isa isa : available_isas()) EXPECT_EQ(parse_isa(isa_name(isa)), isa);
-  EXPECT_GE(available_isas().size(), 2U);
-  EXPECT_EQ(available_isas().front(), Isa::Scalar);
+  ASSERT_FALSE(available_isas().empty());
+  EXPECT_EQ(available_isas().front(), Isa::Scalar) << "the reference";
 }
 
 TEST(InstructionSets, UnknownNameListsTheChoices) {
