@@ -119,9 +119,11 @@ inline constexpr double stiffens_in_crushable = 0.04;
 inline constexpr double bounds_step_in_crushable = 0.07;
 /// Growth of a stiffness in a step, where a touch is too deep already [-]: its force grows with the root.
 inline constexpr double stiffness_growth = 1.2;
-/// Penetration over that at which contact has not held, below which the room behind faces is not worked out
-/// [-].
-inline constexpr double far_from_room = 0.01;
+/// Penetration over that at which contact has not held, up to which the height of the solid as it is now is
+/// not worked out [-]: solids that are not crushed keep a quarter of their height ...
+inline constexpr double far_from_room = 0.2;
+/// ... and those that are crushed a twentieth [-].
+inline constexpr double far_from_room_in_crushable = 0.01;
 /// Least step that depth asks for over what elements and motion allow [-]: stiffness grows with the square.
 inline constexpr double least_step_for_depth = 1.0 / 3;
 

@@ -215,7 +215,7 @@ Forces::Room Forces::room_of(const domain::NodeFields& nodes, const Touch& touch
   const double most =
       has_middle ? tolerances::bounds_step * touch.reach : tolerances::bounds_step_in_solid * touch.most;
   Room room{std::numeric_limits<double>::max(), most};
-  if (touch.segment == no_index || touch.penetration <= tolerances::far_from_room * touch.most) return room;
+  if (touch.segment == no_index) return room;
   const auto keep_within = [&](double stiffens, double bounds_step) {
     room.most = std::min(room.most, bounds_step);
     room.stiffens = std::min({room.stiffens, stiffens, room.most});
@@ -225,9 +225,11 @@ Forces::Room Forces::room_of(const domain::NodeFields& nodes, const Touch& touch
     const double height = height_now(*surface_, nodes, segment);
     keep_within(tolerances::stiffens_in_crushable * height, tolerances::bounds_step_in_crushable * height);
   };
-  see_crushable(touch.segment);
-  for (const Index own : surface_->topology.at_node(touch.place[0])) see_crushable(own);
-  if (surface_->of_solid[touch.segment] != 0) {
+  if (surface_->some_crushable && touch.penetration > tolerances::far_from_room_in_crushable * touch.most) {
+    see_crushable(touch.segment);
+    for (const Index own : surface_->topology.at_node(touch.place[0])) see_crushable(own);
+  }
+  if (surface_->of_solid[touch.segment] != 0 && touch.penetration > tolerances::far_from_room * touch.most) {
     const double half = tolerances::deepest_in_solid * height_now(*surface_, nodes, touch.segment);
     keep_within(tolerances::bounds_step_in_solid * half, tolerances::bounds_step_in_solid * half);
   }

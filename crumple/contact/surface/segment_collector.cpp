@@ -130,6 +130,7 @@ void SegmentCollector::add(const NewSegment& segment, const Measure& size) {
   if (segment.face) surface_.nodes_behind.push_back(segment.nodes_behind);
   surface_.of_solid.push_back(segment.of_solid ? 1 : 0);
   surface_.crushable.push_back(segment.crushable ? 1 : 0);
+  surface_.some_crushable = surface_.some_crushable || segment.crushable;
   known_orientation_.push_back(segment.known_orientation ? 1 : 0);
   surface_.segment_side.push_back(segment.sides);
   surface_.touched_by.push_back(touched_by(contact_.kind, segment.sides));

@@ -109,8 +109,9 @@ struct Surface {
       node_weld;           ///< spot weld that holds the node now, by place, or no_index; empty without welds
   Index broken_welds = 0;  ///< at the last look
   JoinedNodes joined;      ///< by tied contacts
-  bool some_inactive = false;  ///< there are segments or nodes that touch nothing now
-  Index eroded = 0;            ///< elements of the model that had failed at the last look
+  bool some_crushable = false;  ///< there are such segments
+  bool some_inactive = false;   ///< there are segments or nodes that touch nothing now
+  Index eroded = 0;             ///< elements of the model that had failed at the last look
 
   double mean_edge = 0;               ///< over all segments [length]
   double largest_half_thickness = 0;  ///< [length]
