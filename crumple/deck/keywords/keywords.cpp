@@ -2,6 +2,7 @@
 #include "deck/keywords/keywords.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "deck/keywords/keyword_names.hpp"
 
@@ -14,9 +15,10 @@ constexpr HeadingKind identity = HeadingKind::Identity;
 using File = model::HistoryFile;
 using Traced = HistoryItem;
 
+// Materials and equations of state stand in material_keywords.cpp.
 // KEYWORD, INCLUDE, INCLUDE_PATH and END are the scanner's, PARAMETER and its kin and INCLUDE_TRANSFORM are
 // the reader's.
-constexpr Keyword table[] = {
+constexpr Keyword keyword_rows[] = {
     {"TITLE", read_title},
     {"NODE", read_node},
     {"NODE_TRANSFORM", read_node_transform},
@@ -58,118 +60,6 @@ constexpr Keyword table[] = {
     {"SECTION_DISCRETE", read_section_discrete, title},
     {"INTEGRATION_SHELL", read_integration_shell},
     {"HOURGLASS", read_hourglass, title},
-    {"MAT_ELASTIC", read_mat_elastic, title},
-    {"MAT_001", read_mat_elastic, title},
-    {"MAT_PLASTIC_KINEMATIC", read_mat_plastic_kinematic, title},
-    {"MAT_003", read_mat_plastic_kinematic, title},
-    {"MAT_ISOTROPIC_ELASTIC_PLASTIC", read_mat_isotropic_elastic_plastic, title},
-    {"MAT_012", read_mat_isotropic_elastic_plastic, title},
-    {"MAT_PIECEWISE_LINEAR_PLASTICITY", read_mat_piecewise_linear_plasticity, title},
-    {"MAT_024", read_mat_piecewise_linear_plasticity, title},
-    {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", read_mat_modified_piecewise_linear_plasticity, title},
-    {"MAT_123", read_mat_modified_piecewise_linear_plasticity, title},
-    {"MAT_PLASTICITY_WITH_DAMAGE", read_mat_plasticity_with_damage, title},
-    {"MAT_081", read_mat_plasticity_with_damage, title},
-    {"MAT_POWER_LAW_PLASTICITY", read_mat_power_law_plasticity, title},
-    {"MAT_018", read_mat_power_law_plasticity, title},
-    {"MAT_JOHNSON_COOK", read_mat_johnson_cook, title},
-    {"MAT_015", read_mat_johnson_cook, title},
-    {"MAT_SIMPLIFIED_JOHNSON_COOK", read_mat_simplified_johnson_cook, title},
-    {"MAT_098", read_mat_simplified_johnson_cook, title},
-    {"MAT_ORTHOTROPIC_ELASTIC", read_mat_orthotropic_elastic, title},
-    {"MAT_002", read_mat_orthotropic_elastic, title},
-    {"MAT_COMPOSITE_DAMAGE", read_mat_composite_damage, title},
-    {"MAT_022", read_mat_composite_damage, title},
-    {"MAT_ENHANCED_COMPOSITE_DAMAGE", read_mat_enhanced_composite_damage, title},
-    {"MAT_054", read_mat_enhanced_composite_damage, title},
-    {"MAT_055", read_mat_enhanced_composite_damage, title},
-    {"MAT_NULL", read_mat_null, title},
-    {"MAT_009", read_mat_null, title},
-    {"MAT_FABRIC", read_mat_fabric, title},
-    {"MAT_034", read_mat_fabric, title},
-    {"MAT_RIGID", read_mat_rigid, title},
-    {"MAT_020", read_mat_rigid, title},
-    {"MAT_BLATZ-KO_RUBBER", read_mat_blatz_ko_rubber, title},
-    {"MAT_007", read_mat_blatz_ko_rubber, title},
-    {"MAT_MOONEY-RIVLIN_RUBBER", read_mat_mooney_rivlin_rubber, title},
-    {"MAT_027", read_mat_mooney_rivlin_rubber, title},
-    {"MAT_CRUSHABLE_FOAM", read_mat_crushable_foam, title},
-    {"MAT_063", read_mat_crushable_foam, title},
-    {"MAT_ADD_EROSION", read_mat_add_erosion, title},
-    {"MAT_ADD_DAMAGE_GISSMO", read_mat_add_damage_gissmo, title},
-    {"MAT_LOW_DENSITY_FOAM", read_mat_low_density_foam, title},
-    {"MAT_057", read_mat_low_density_foam, title},
-    {"MAT_FU_CHANG_FOAM", read_mat_fu_chang_foam, title},
-    {"MAT_083", read_mat_fu_chang_foam, title},
-    {"MAT_OGDEN_RUBBER", read_mat_ogden_rubber, title},
-    {"MAT_077_O", read_mat_ogden_rubber, title},
-    {"MAT_HYPERELASTIC_RUBBER", read_mat_hyperelastic_rubber, title},
-    {"MAT_077_H", read_mat_hyperelastic_rubber, title},
-    {"MAT_VISCOELASTIC", read_mat_viscoelastic, title},
-    {"MAT_006", read_mat_viscoelastic, title},
-    {"MAT_GENERAL_VISCOELASTIC", read_mat_general_viscoelastic, title},
-    {"MAT_076", read_mat_general_viscoelastic, title},
-    {"MAT_HONEYCOMB", read_mat_honeycomb, title},
-    {"MAT_026", read_mat_honeycomb, title},
-    {"MAT_BILKHU/DUBOIS_FOAM", read_mat_bilkhu_dubois_foam, title},
-    {"MAT_075", read_mat_bilkhu_dubois_foam, title},
-    {"MAT_LAMINATED_COMPOSITE_FABRIC", read_mat_laminated_composite_fabric, title},
-    {"MAT_058", read_mat_laminated_composite_fabric, title},
-    {"MAT_TRANSVERSELY_ANISOTROPIC_ELASTIC_PLASTIC", read_mat_transversely_anisotropic, title},
-    {"MAT_037", read_mat_transversely_anisotropic, title},
-    {"MAT_3-PARAMETER_BARLAT", read_mat_barlat, title},
-    {"MAT_036", read_mat_barlat, title},
-    {"MAT_SOIL_AND_FOAM", read_mat_soil_and_foam, title},
-    {"MAT_005", read_mat_soil_and_foam, title},
-    {"MAT_VISCOUS_FOAM", read_mat_viscous_foam, title},
-    {"MAT_062", read_mat_viscous_foam, title},
-    {"MAT_SIMPLIFIED_RUBBER/FOAM", read_mat_simplified_rubber, title},
-    {"MAT_181", read_mat_simplified_rubber, title},
-    {"MAT_CSCM", read_mat_cscm, title},
-    {"MAT_159", read_mat_cscm, title},
-    {"MAT_CSCM_CONCRETE", read_mat_cscm_concrete, title},
-    {"MAT_159_CONCRETE", read_mat_cscm_concrete, title},
-    {"MAT_COHESIVE_MIXED_MODE", read_mat_cohesive_mixed_mode, title},
-    {"MAT_138", read_mat_cohesive_mixed_mode, title},
-    {"MAT_COHESIVE_ELASTIC", read_mat_cohesive_elastic, title},
-    {"MAT_184", read_mat_cohesive_elastic, title},
-    {"EOS_LINEAR_POLYNOMIAL", read_eos_linear_polynomial, title},
-    {"EOS_001", read_eos_linear_polynomial, title},
-    {"EOS_GRUNEISEN", read_eos_gruneisen, title},
-    {"EOS_004", read_eos_gruneisen, title},
-    {"MAT_RESULTANT_PLASTICITY", read_mat_resultant_plasticity, title},
-    {"MAT_028", read_mat_resultant_plasticity, title},
-    {"MAT_LINEAR_ELASTIC_DISCRETE_BEAM", read_mat_linear_elastic_discrete_beam, title},
-    {"MAT_066", read_mat_linear_elastic_discrete_beam, title},
-    {"MAT_NONLINEAR_ELASTIC_DISCRETE_BEAM", read_mat_nonlinear_elastic_discrete_beam, title},
-    {"MAT_067", read_mat_nonlinear_elastic_discrete_beam, title},
-    {"MAT_CABLE_DISCRETE_BEAM", read_mat_cable_discrete_beam, title},
-    {"MAT_071", read_mat_cable_discrete_beam, title},
-    {"MAT_ELASTIC_SPRING_DISCRETE_BEAM", read_mat_elastic_spring_discrete_beam, title},
-    {"MAT_074", read_mat_elastic_spring_discrete_beam, title},
-    {"MAT_GENERAL_NONLINEAR_6DOF_DISCRETE_BEAM", read_mat_general_nonlinear_6dof, title},
-    {"MAT_119", read_mat_general_nonlinear_6dof, title},
-    {"MAT_GENERAL_NONLINEAR_1DOF_DISCRETE_BEAM", read_mat_general_nonlinear_1dof, title},
-    {"MAT_121", read_mat_general_nonlinear_1dof, title},
-    {"MAT_SPOTWELD", read_mat_spotweld, title},
-    {"MAT_100", read_mat_spotweld, title},
-    {"MAT_SPOTWELD_DAMAGE-FAILURE", read_mat_spotweld_damage_failure, title},
-    {"MAT_100_DAMAGE-FAILURE", read_mat_spotweld_damage_failure, title},
-    {"MAT_SPRING_ELASTIC", read_mat_spring_elastic, title},
-    {"MAT_S01", read_mat_spring_elastic, title},
-    {"MAT_DAMPER_VISCOUS", read_mat_damper_viscous, title},
-    {"MAT_S02", read_mat_damper_viscous, title},
-    {"MAT_SPRING_ELASTOPLASTIC", read_mat_spring_elastoplastic, title},
-    {"MAT_S03", read_mat_spring_elastoplastic, title},
-    {"MAT_SPRING_NONLINEAR_ELASTIC", read_mat_spring_nonlinear_elastic, title},
-    {"MAT_S04", read_mat_spring_nonlinear_elastic, title},
-    {"MAT_DAMPER_NONLINEAR_VISCOUS", read_mat_damper_nonlinear_viscous, title},
-    {"MAT_S05", read_mat_damper_nonlinear_viscous, title},
-    {"MAT_SPRING_MAXWELL", read_mat_spring_maxwell, title},
-    {"MAT_S07", read_mat_spring_maxwell, title},
-    {"MAT_SPRING_INELASTIC", read_mat_spring_inelastic, title},
-    {"MAT_S08", read_mat_spring_inelastic, title},
-
     {"DEFINE_SD_ORIENTATION", read_define_sd_orientation, title},
     {"DEFINE_CURVE", read_define_curve, title},
     {"DEFINE_CURVE_FUNCTION", read_define_curve_function, title},
@@ -457,9 +347,16 @@ constexpr Keyword table[] = {
     {"DATABASE_BINARY_RUNRSF", read_database_binary_runrsf, none, false},
 };
 
+std::vector<Keyword> all_keywords() {
+  std::vector<Keyword> all(std::begin(keyword_rows), std::end(keyword_rows));
+  all.insert(all.end(), material_keywords().begin(), material_keywords().end());
+  return all;
+}
+
 const Keyword* find_exact(std::string_view name) {
-  const auto* const found = std::ranges::find(table, name, &Keyword::name);
-  return found == std::end(table) ? nullptr : found;
+  const std::span<const Keyword> table = keyword_table();
+  const auto found = std::ranges::find(table, name, &Keyword::name);
+  return found == table.end() ? nullptr : &*found;
 }
 
 /// The keyword of this name, or of one whose options stand in another order. The names of materials,
@@ -469,15 +366,17 @@ const Keyword* find_in_any_order(std::string_view name) {
   for (const std::string_view family : {"MAT_", "EOS_", "CONTROL_"})
     if (name.starts_with(family)) return nullptr;
   const auto words = words_in_order(name);
-  const auto found = std::find_if(std::begin(table), std::end(table), [&](const Keyword& keyword) {
+  const std::span<const Keyword> table = keyword_table();
+  const auto found = std::ranges::find_if(table, [&](const Keyword& keyword) {
     return keyword.name.size() == name.size() && words_in_order(keyword.name) == words;
   });
-  return found == std::end(table) ? nullptr : found;
+  return found == table.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 std::span<const Keyword> keyword_table() {
+  static const std::vector<Keyword> table = all_keywords();
   return table;
 }
 

@@ -24,7 +24,7 @@
 //
 // Order of calls: find_keyword() for each block, then the reader of its row with the Cards of the block,
 // then Cards::report_unread(). To add one: fields and a reader in a file of its family, a declaration in
-// families.hpp, a row in keywords.cpp, a row in docs/deck.md.
+// families.hpp, a row in keywords.cpp (of a material in material_keywords.cpp), a row in docs/deck.md.
 
 #include <optional>
 #include <span>
@@ -58,6 +58,9 @@ struct FoundKeyword {
 
 /// All keywords that are read.
 std::span<const Keyword> keyword_table();
+
+/// Of them the materials and equations of state.
+std::span<const Keyword> material_keywords();
 
 /// All keywords that may be left out.
 std::span<const IgnoredRow> ignored_table();
