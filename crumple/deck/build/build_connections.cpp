@@ -57,11 +57,14 @@ std::vector<Index> find_pair(Build& build, const std::array<UserId, 2>& ids, con
   return pair;
 }
 
-/// Distinct nodes of a set, ascending; nothing, with a message, if there are less than two.
-std::vector<Index> find_members(Build& build, UserId set, const Where& where) {
+/// Distinct nodes of a set and one more (0 is none), ascending; nothing, with a message, if there are less
+/// than two.
+std::vector<Index> find_members(Build& build, UserId set, UserId more, const Where& where) {
   const std::vector<Index>* const members = set_nodes(build, {set, "NSID", where});
-  if (!members) return {};
+  const Index added = more != 0 ? build.find(Item::Node, {more, "NID", where}) : no_index;
+  if (!members || (more != 0 && added == no_index)) return {};
   std::vector<Index> nodes = *members;
+  if (added != no_index) nodes.push_back(added);
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   if (nodes.size() >= 2) return nodes;
@@ -91,7 +94,7 @@ void build_welds(Build& build, Owners& owners) {
     const RawWeld& raw = build.deck.welds[i];
     model::SpotWeld weld = raw.weld;
     if (weld.id == 0) weld.id = static_cast<UserId>(i) + 1;
-    weld.nodes = raw.node_set != 0 ? find_members(build, raw.node_set, raw.where)
+    weld.nodes = raw.node_set != 0 ? find_members(build, raw.node_set, raw.node[0], raw.where)
                                    : find_pair(build, raw.node, raw.where);
     if (weld.nodes.empty()) continue;
     check_strength(build, raw, weld);
@@ -117,7 +120,7 @@ void build_rivets(Build& build, Owners& owners) {
 
 void build_node_sets(Build& build, Owners& owners) {
   for (const RawConstrainedSet& raw : build.deck.constrained_sets) {
-    std::vector<Index> nodes = find_members(build, raw.node_set, raw.where);
+    std::vector<Index> nodes = find_members(build, raw.node_set, 0, raw.where);
     if (nodes.empty()) continue;
     owners.take(nodes, fmt::format("the constrained node set {}", raw.node_set), raw.where);
     build.model.constrained_node_sets.push_back({std::move(nodes), raw.direction, raw.failure_time});

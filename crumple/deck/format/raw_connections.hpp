@@ -58,7 +58,7 @@ struct RawNodalBody {
   Where where;
 };
 
-/// A weld of two nodes, or of the nodes of a set.
+/// A weld of two nodes, of the nodes of a set, or of those and the first node.
 struct RawWeld {
   model::SpotWeld weld;
   std::array<UserId, 2> node{};

@@ -239,6 +239,7 @@ void read_interface_springback_lsdyna(Cards& cards, RawDeck& deck);
 // read_connections.cpp
 void read_constrained_spotweld(Cards& cards, RawDeck& deck);
 void read_constrained_generalized_weld_spot(Cards& cards, RawDeck& deck);
+void read_constrained_shell_to_solid(Cards& cards, RawDeck& deck);
 void read_constrained_rivet(Cards& cards, RawDeck& deck);
 void read_constrained_node_set(Cards& cards, RawDeck& deck);
 // read_joints.cpp

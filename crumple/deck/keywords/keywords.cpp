@@ -135,6 +135,7 @@ constexpr Keyword keyword_rows[] = {
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID", read_boundary_prescribed_motion_rigid, identity},
     {"CONSTRAINED_SPOTWELD", read_constrained_spotweld, identity},
     {"CONSTRAINED_GENERALIZED_WELD_SPOT", read_constrained_generalized_weld_spot, identity},
+    {"CONSTRAINED_SHELL_TO_SOLID", read_constrained_shell_to_solid},
     {"CONSTRAINED_RIVET", read_constrained_rivet, identity},
     {"CONSTRAINED_NODE_SET", read_constrained_node_set, identity},
     {"CONSTRAINED_JOINT_SPHERICAL", read_joint<model::JointKind::Spherical>, identity},

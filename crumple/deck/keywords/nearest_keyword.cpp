@@ -153,8 +153,6 @@ constexpr Substitute substitutes[] = {
      "failure is by force instead of plastic strain"},
     {"CONSTRAINED_LINEAR", "CONSTRAINED_LINEAR_GLOBAL", "each term is one degree of freedom in global axes"},
     {"CONSTRAINED_SPOTWELD_", "CONSTRAINED_SPOTWELD", "failure is by the forces of single steps"},
-    {"CONSTRAINED_SHELL_TO_SOLID", "CONTACT_TIED_SHELL_EDGE_TO_SOLID",
-     "ties the edge of shells to the faces of solids"},
     {"CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE_", "CONTACT_AUTOMATIC_ONE_WAY_SURFACE_TO_SURFACE",
      "the penalty acts at nodes, not over the area of segments, and nothing is smoothed or tied"},
     {"CONTACT_AUTOMATIC_SINGLE_SURFACE_", "CONTACT_AUTOMATIC_SINGLE_SURFACE",

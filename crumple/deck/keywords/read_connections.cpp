@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *CONSTRAINED_SPOTWELD, *CONSTRAINED_GENERALIZED_WELD_SPOT, *CONSTRAINED_RIVET, *CONSTRAINED_NODE_SET,
-// *CONSTRAINED_LINEAR_GLOBAL, *CONSTRAINED_ADAPTIVITY, *CONSTRAINED_INTERPOLATION,
+// *CONSTRAINED_SPOTWELD, *CONSTRAINED_GENERALIZED_WELD_SPOT, *CONSTRAINED_SHELL_TO_SOLID, *CONSTRAINED_RIVET,
+// *CONSTRAINED_NODE_SET, *CONSTRAINED_LINEAR_GLOBAL, *CONSTRAINED_ADAPTIVITY, *CONSTRAINED_INTERPOLATION,
 // *CONSTRAINED_GLOBAL.
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/rigid_inertia.hpp"
@@ -41,6 +41,8 @@ constexpr Field generalized_spot_card[] = {
     real_or_default("N", 1, above_zero),
     real_or_default("M", 1, above_zero),
 };
+
+constexpr Field shell_to_solid_card[] = {id("NID"), id("NSID")};
 
 constexpr Field rivet_card[] = {
     id("N1"),
@@ -177,6 +179,21 @@ void read_constrained_generalized_weld_spot(Cards& cards, RawDeck& deck) {
     raw.where = card.where();
     raw.limits_where = second.where();
     if (card.good("NSID")) deck.welds.push_back(std::move(raw));
+  }
+}
+
+/// The fibre through the thickness is rigid: LS-DYNA lets the nodes of solids slide along it.
+void read_constrained_shell_to_solid(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Card card = cards.next_filled(shell_to_solid_card);
+    RawWeld raw;
+    raw.node[0] = card.integer("NID");
+    raw.node_set = card.integer("NSID");
+    raw.where = card.where();
+    if (!card.good("NID") || !card.good("NSID")) continue;
+    cards.report().warning(card.where(), "fibre",
+                           "the fibre of solids at a shell's node is a rigid body: LS-DYNA lets it stretch");
+    deck.welds.push_back(std::move(raw));
   }
 }
 

@@ -31,6 +31,18 @@ TEST(Connections, SpotWeldsOfPairsAndSets) {
   EXPECT_EQ(model.spot_welds[2].failure_strain, 0.1);
 }
 
+TEST(Connections, AFibreOfSolidsAtAShellIsAWeldOfAllItsNodes) {
+  const model::Model model = read_with(
+      "*CONSTRAINED_SHELL_TO_SOLID\n         2         8\n*SET_NODE_LIST\n         8\n         6         "
+      "5\n");
+  ASSERT_EQ(model.spot_welds.size(), 1U);
+  EXPECT_EQ(model.spot_welds[0].nodes, (std::vector<Index>{1, 4, 5}));
+  EXPECT_EQ(model.spot_welds[0].failure_time, 1e20);
+  EXPECT_EQ(model.spot_welds[0].failure_strain, 0);
+  expect_one("*CONSTRAINED_SHELL_TO_SOLID\n        77         8\n*SET_NODE_LIST\n         8\n         6\n",
+             "77");
+}
+
 TEST(Connections, RivetsAndNodeSets) {
   const model::Model model = read_with(
       "*CONSTRAINED_RIVET\n         1         6       4.0\n"
