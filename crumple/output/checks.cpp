@@ -202,7 +202,9 @@ void PeakValues::observe(const domain::EnergyLedger& energy) {
 double energy_error(const View& view, const PeakValues& peaks) {
   const domain::EnergyLedger& energy = view.domain.energy;
   if (std::fabs(energy.imbalance()) <= domain::round_off_energy(view.domain)) return 0;
-  return energy.error(peaks.largest_absorbed_energy(), least_absorbed);
+  // What a motion has supplied and taken back again is no longer in the energies of the end.
+  const double scale = least_absorbed * peaks.largest_supplied_energy();
+  return energy.error(std::max(peaks.largest_absorbed_energy(), scale), least_absorbed);
 }
 
 std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks) {

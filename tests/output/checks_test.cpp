@@ -224,6 +224,21 @@ TEST_F(ChecksTest, RigidBodiesPassByTheDigitsOfTheirBalance) {
   EXPECT_FALSE(find("energy error").pass);
 }
 
+/// A motion that has taken back at the end what it had supplied.
+TEST_F(ChecksTest, ABodyThatIsDrivenAndStoppedPassesByWhatItHad) {
+  PeakValues peaks;
+  domain_.energy = domain::EnergyLedger{};
+  domain_.energy.external_work = domain_.energy.kinetic = 100;
+  peaks.observe(view());
+  domain_.energy.external_work = 1e-6;
+  domain_.energy.kinetic = 0;
+  peaks.observe(view());
+  peaks_ = peaks;
+  EXPECT_NEAR(find("energy error").value, 1e-6, 1e-12);
+  domain_.energy.external_work = 0.02;
+  EXPECT_FALSE(find("energy error").pass);
+}
+
 TEST_F(ChecksTest, RoundOffAtRestIsNoError) {
   PeakValues peaks;
   domain_.energy = domain::EnergyLedger{};

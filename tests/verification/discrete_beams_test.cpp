@@ -356,6 +356,29 @@ TEST(DiscreteBeams, UnloadWithAStiffnessToALowerCurve) {
       "unloading stiffness");
 }
 
+// A curve of unloading below that of loading, as users give both branches of a measured loop.
+TEST(DiscreteBeams, UnloadAlongALowerCurve) {
+  DiscreteBeamLaw law;
+  law.unloading = DiscreteBeamLaw::Unloading::Curve;
+  law.direction[1].curve = 0;
+  law.direction[1].unloading_curve = 1;
+  const Path path = path_of(law, {loading_curve, {2, {0, 0.2, 0.4}, {0, 0.2, 1.3}}}, 1);
+  const auto lower = [](double u) { return u < 0.2 ? u : 0.2 + 5.5 * (u - 0.2); };
+  double worst = 0;
+  for (std::size_t i = 1; i < path.time.size(); ++i) {
+    const double u = path.displacement[i];
+    if (path.time[i] > 2 && path.time[i] < 3) continue;  // up from the lower curve to that of loading
+    const bool rises = path.time[i] < 1 || path.time[i] > 3;
+    // With the steepest slope of both, 10, from where it turns back.
+    const double expected =
+        rises ? loading(u) : test::larger_of(lower(u), loading(path.peak) - 10 * (path.peak - u));
+    worst = test::larger_of(worst, std::fabs(path.force[i] - expected));
+  }
+  test::verified("discrete beam, lower unloading curve: force on its path, error over the largest",
+                 "closed form")
+      .below(worst / 1.3, 1e-9);
+}
+
 TEST(DiscreteBeams, UnloadAlongAParabola) {
   DiscreteBeamLaw law;
   law.unloading = DiscreteBeamLaw::Unloading::Quadratic;

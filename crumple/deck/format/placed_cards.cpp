@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the transformation of a file does to the values of its cards.
+#include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <string_view>
 
 #include "deck/format/cards.hpp"
 
@@ -25,6 +28,18 @@ Vector placed(const Affine& map, Geometry geometry, const Vector& x) {
 /// DOF 4 and 8 are along and about a vector or the normal of nodes, which turn with the file.
 bool is_along_vector(const Field& field, std::int64_t value) {
   return field.name == "DOF" && (std::abs(value) == 4 || std::abs(value) == 8);
+}
+
+/// A code or three fields that hold a point, or its rotations, along all axes: that is the same for any axes.
+bool holds_all(const Card& card, const Field& field, std::int64_t value) {
+  constexpr std::string_view codes[] = {"TC", "RC"};
+  if (std::ranges::find(codes, field.name) != std::end(codes)) return value == 7;
+  constexpr std::array<std::string_view, 3> moves = {"DOFX", "DOFY", "DOFZ"};
+  constexpr std::array<std::string_view, 3> turns = {"DOFRX", "DOFRY", "DOFRZ"};
+  for (const auto& three : {moves, turns})
+    if (std::ranges::find(three, field.name) != three.end())
+      return std::ranges::all_of(three, [&](std::string_view name) { return card.integer(name) != 0; });
+  return false;
 }
 
 }  // namespace
@@ -83,6 +98,7 @@ void Cards::check_placed(const Card& card, std::size_t index) {
   const bool is_zero = field.type == FieldType::Integer ? value.integer == 0 : value.real == 0;
   if (is_zero || map.is_shift()) return;
   const std::string text(value.text);
+  if (field.geometry == Geometry::Axes && holds_all(card, field, value.integer)) return;
   if (field.geometry == Geometry::Axes)
     report_->field_warning(card.where_,
                            {field.name, text, "axes that turn with the file",

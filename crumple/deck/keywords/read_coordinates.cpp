@@ -49,6 +49,16 @@ constexpr Field define_vector_card[] = {
     reference("CID"),
 };
 
+/// Turns of a mirrored file are those of its image; a third axis is not.
+void warn_of_mirror(const Cards& cards, const Card& card) {
+  if (cards.placement().map.mirrors())
+    cards.report().field_warning(
+        card.where(), {"CID", std::string(card.text("CID")), "a system in a file that is not mirrored",
+                       "its axes stay right-handed: z, and what is given along or about it, is the opposite "
+                       "of its image",
+                       "mirrored"});
+}
+
 }  // namespace
 
 void read_define_coordinate_system(Cards& cards, RawDeck& deck) {
@@ -63,6 +73,7 @@ void read_define_coordinate_system(Cards& cards, RawDeck& deck) {
     system.origin = origin;
     system.other = difference({plane.real("XP"), plane.real("YP"), plane.real("ZP")}, origin);
     system.where = card.where();
+    warn_of_mirror(cards, card);
     if (card.good("CID")) deck.coordinate_systems.push_back(system);
   }
 }
@@ -75,6 +86,7 @@ void read_define_coordinate_nodes(Cards& cards, RawDeck& deck) {
     system.id = card.integer("CID");
     system.node = {card.integer("N1"), card.integer("N2"), card.integer("N3")};
     system.where = card.where();
+    warn_of_mirror(cards, card);
     const std::string_view direction = card.text("DIR");
     if (!direction.empty() && direction != "X" && direction != "x" && direction != "0")
       cards.report().field_unsupported(
@@ -93,6 +105,7 @@ void read_define_coordinate_vector(Cards& cards, RawDeck& deck) {
     system.first = {card.real("XX"), card.real("YX"), card.real("ZX")};
     system.other = {card.real("XV"), card.real("YV"), card.real("ZV")};
     system.where = card.where();
+    warn_of_mirror(cards, card);
     if (card.good("CID")) deck.coordinate_systems.push_back(system);
   }
 }

@@ -60,8 +60,14 @@ constexpr Field merge_card[] = {
 };
 
 constexpr Field rigid_velocity_card[] = {
-    id("PID"),         velocity(real("VX")), velocity(real("VY")), velocity(real("VZ")),
-    spin(real("VXR")), spin(real("VYR")),    spin(real("VZR")),    reference("ICID", IdKind::Definition),
+    id("PID"),
+    local(velocity(real("VX"))),
+    local(velocity(real("VY"))),
+    local(velocity(real("VZ"))),
+    local(spin(real("VXR"))),
+    local(spin(real("VYR"))),
+    local(spin(real("VZR"))),
+    reference("ICID", IdKind::Definition),
 };
 
 constexpr Field extra_nodes_card[] = {
@@ -128,8 +134,10 @@ void take_digits(const Card& card, Held& held, Report& report) {
 
 /// Those of a coordinate system (CMO = -1) turn with the file; global ones cannot.
 void warn_of_global_axes(const Card& card, const Cards& cards) {
-  const bool holds = card.integer("CON1") != 0 || card.integer("CON2") != 0;
-  if (!holds || cards.placement().map.is_shift()) return;
+  const auto depends = [&](std::string_view field) {
+    return card.integer(field) != 0 && card.integer(field) != 7;
+  };
+  if (!(depends("CON1") || depends("CON2")) || cards.placement().map.is_shift()) return;
   cards.report().field_warning(
       card.where(),
       {"CMO", std::string(card.text("CMO")), "axes that turn with the file",

@@ -22,6 +22,13 @@ struct BothSigns {
     y.insert(y.end(), curve.ordinate.begin(), curve.ordinate.end());
   }
 
+  /// Between its ends.
+  double at(double place) const {
+    const auto next = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), place) - x.begin());
+    const std::size_t i = std::clamp<std::size_t>(next, 1, x.size() - 1);
+    return y[i - 1] + (place - x[i - 1]) * (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
+  }
+
   double steepest() const {
     double slope = 0;
     for (std::size_t i = 1; i < x.size(); ++i)
@@ -29,6 +36,34 @@ struct BothSigns {
     return slope;
   }
 };
+
+/// Whether a curve of unloading lies below that of loading, nearer to zero, anywhere where both have points.
+bool lies_below(const model::Curve& unloading, const model::Curve& loading) {
+  const BothSigns back(unloading);
+  const BothSigns load(loading);
+  double most = 0;
+  for (const double force : load.y) most = std::max(most, std::fabs(force));
+  constexpr double small = 1e-9;
+  const auto falls_below = [&](double place) {
+    if (place < std::max(back.x.front(), load.x.front()) || place > std::min(back.x.back(), load.x.back()))
+      return false;
+    return std::copysign(1.0, place) * (load.at(place) - back.at(place)) > small * most;
+  };
+  return std::ranges::any_of(back.x, falls_below) || std::ranges::any_of(load.x, falls_below);
+}
+
+/// How a direction unloads by its curve: shifted along u that one would come before any loading where it lies
+/// below, and is then the lower limit of what stiffness leads to.
+model::DiscreteBeamLaw::Unloading unloading_of(const model::DiscreteBeamLaw& law,
+                                               const model::DiscreteBeamDirection& one,
+                                               const std::vector<model::Curve>& curves) {
+  using Unloading = model::DiscreteBeamLaw::Unloading;
+  if (law.unloading != Unloading::Curve || one.curve == no_index || one.unloading_curve == no_index)
+    return law.unloading;
+  const bool below = lies_below(curves[static_cast<std::size_t>(one.unloading_curve)],
+                                curves[static_cast<std::size_t>(one.curve)]);
+  return below ? Unloading::Stiffness : Unloading::Curve;
+}
 
 /// Appends the largest slope, the size and the points; returns that slope.
 double append_curve(const model::Model& model, Index curve, std::vector<double>& numbers) {
@@ -80,8 +115,9 @@ std::vector<double> discrete_beam_numbers(const model::DiscreteBeamLaw& law, con
                               law.joint_failure ? 1.0 : 0.0};
   append_curve(model, law.stress_curve, numbers);
   for (const model::DiscreteBeamDirection& one : law.direction) {
-    numbers.insert(numbers.end(), {one.stiffness, one.damping, one.preload, one.tensile_limit,
-                                   one.compressive_limit, one.unloading_stiffness});
+    numbers.insert(numbers.end(),
+                   {one.stiffness, one.damping, one.preload, one.tensile_limit, one.compressive_limit,
+                    one.unloading_stiffness, static_cast<double>(unloading_of(law, one, model.curves))});
     append_curve(model, one.curve, numbers);
     append_curve(model, one.damping_curve, numbers);
     append_factors(model, one.damping_factor, numbers);
@@ -107,7 +143,8 @@ DiscreteBeamResponse::DiscreteBeamResponse(const double* numbers)
     one.tensile_limit = at[3];
     one.compressive_limit = at[4];
     one.unloading_stiffness = at[5];
-    at += 6;
+    one.unloading = static_cast<Unloading>(static_cast<int>(at[6]));
+    at += 7;
     double slope = 0;
     double factor = 0;
     double back = 0;
@@ -122,8 +159,8 @@ DiscreteBeamResponse::DiscreteBeamResponse(const double* numbers)
     // Loading is to follow its curve.
     one.unloading_stiffness = std::max({one.unloading_stiffness, slope, back});
     // The parabola is twice as steep as the straight line between its ends.
-    if (unloading_ == Unloading::Quadratic) back = 2 * slope / (1 - permanent_share_);
-    if (unloading_ == Unloading::Stiffness) back = std::max(back, one.unloading_stiffness);
+    if (one.unloading == Unloading::Quadratic) back = 2 * slope / (1 - permanent_share_);
+    if (one.unloading == Unloading::Stiffness) back = std::max(back, one.unloading_stiffness);
     one.most_stiffness = std::fabs(one.stiffness) + std::max(slope, back);
   }
 }
@@ -175,17 +212,19 @@ double DiscreteBeamResponse::quadratic_force(const Direction& one, double displa
 
 double DiscreteBeamResponse::curve_force(const Direction& one, double before, double now, double* history,
                                          int stride) const {
-  switch (unloading_) {
+  switch (one.unloading) {
     case Unloading::Curve:
       return shifted_force(one, now, history, stride);
     case Unloading::Quadratic:
       return quadratic_force(one, now, history, stride);
     case Unloading::Stiffness: {
-      // Between both curves, which meet at the origin, with the stiffness from the force before.
-      const double a = one.curve.at(now);
-      const double b = one.unloading_curve.at(now);
-      const double elastic = history[0] + one.unloading_stiffness * (now - before);
-      history[0] = std::clamp(elastic, std::min(a, b), std::max(a, b));
+      // Between both curves, which meet at the origin, with the stiffness from the force before; beyond a
+      // crossing of theirs there is that of loading alone.
+      const double sign = now < 0 ? -1 : 1;
+      const double most = sign * one.curve.at(now);
+      const double least = std::min(most, sign * one.unloading_curve.at(now));
+      const double elastic = sign * (history[0] + one.unloading_stiffness * (now - before));
+      history[0] = sign * std::clamp(elastic, least, most);
       return history[0];
     }
     default:

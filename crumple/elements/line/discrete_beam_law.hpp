@@ -61,6 +61,7 @@ class DiscreteBeamResponse {
     double most_stiffness = 0;
     double most_damping = 0;
     double unloading_stiffness = 0;
+    Unloading unloading = Unloading::None;
     SlopedCurve curve, damping_curve, damping_factor, unloading_curve;
 
     double force(double displacement, double rate, double preload_share, double by_curve) const;

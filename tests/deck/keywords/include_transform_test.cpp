@@ -309,6 +309,46 @@ TEST(IncludeTransform, RigidBodiesHeldAlongGlobalAxesAreNamedWhereTheFileTurns) 
             std::string::npos);
 }
 
+TEST(IncludeTransform, WhatIsHeldAlongAllAxesNeedsNoWarning) {
+  SmallDeck deck;
+  deck.material = "*MAT_RIGID\n1,7.83E-6,207.0,0.3\n1.0,7,7\n\n";
+  deck.more = "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n2,0,1,1,1,1,1,1\n";
+  const std::string turned = including("ROTATE,0,0,1,0,0,0,90\n");
+  const std::string warning = "the global axes are taken";
+  EXPECT_EQ(listed(read(turned, deck.text()).diagnostics).find(warning), std::string::npos);
+  deck.more = "*BOUNDARY_SPC_NODE\n1,0,1,1,0\n";
+  EXPECT_NE(listed(read(turned, deck.text()).diagnostics).find(warning), std::string::npos);
+}
+
+// The system turns with the file, and with it what is given along its axes: not twice.
+TEST(IncludeTransform, VelocitiesOfARigidBodyAlongASystemTurnOnce) {
+  SmallDeck deck;
+  deck.material = "*MAT_RIGID\n1,7.83E-6,207.0,0.3\n\n\n";
+  deck.more =
+      "*DEFINE_COORDINATE_VECTOR\n2,0,1,0,-1,0,0\n*INITIAL_VELOCITY_RIGID_BODY\n1,1.0,2.0,3.0,0.7,0,1.5,2\n";
+  const model::Model model = model_of(including("ROTATE,0,0,1,0,0,0,90\n"), deck.text());
+  ASSERT_EQ(model.rigid_bodies.size(), 1U);
+  ASSERT_TRUE(model.rigid_bodies[0].initial_motion);
+  const model::RigidMotion& motion = *model.rigid_bodies[0].initial_motion;
+  // Half a turn in all.
+  const std::array<double, 3> velocity = {-1, -2, 3};
+  const std::array<double, 3> spin = {-0.7, 0, 1.5};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(motion.velocity[i], velocity[i], 1e-12) << i;
+    EXPECT_NEAR(motion.angular_velocity[i], spin[i], 1e-12) << i;
+  }
+}
+
+TEST(IncludeTransform, AMirroredSystemIsNamedBecauseItStaysRightHanded) {
+  SmallDeck deck;
+  deck.more = "*DEFINE_COORDINATE_VECTOR\n2,0,1,0,-1,0,0\n";
+  const std::string warning = "its axes stay right-handed";
+  EXPECT_NE(listed(read(including("MIRROR,0,0,0,1,0,0\n"), deck.text()).diagnostics).find(warning),
+            std::string::npos);
+  EXPECT_EQ(listed(read(including("ROTATE,0,0,1,0,0,0,90\n"), deck.text()).diagnostics).find(warning),
+            std::string::npos);
+}
+
 // NX = -999 means two nodes; so does a parameter of that value, which a transformation must not turn.
 TEST(IncludeTransform, AnAxisByTwoNodesIsRefusedInAnyForm) {
   SmallDeck deck;

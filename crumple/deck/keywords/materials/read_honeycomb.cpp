@@ -108,7 +108,7 @@ void read_mat_honeycomb(Cards& cards, RawDeck& deck) {
     const Card card = cards.next(honeycomb_card);
     const Card curves = cards.next(honeycomb_curves_card);
     const Card moduli = cards.next(honeycomb_moduli_card);
-    const Card vectors = cards.next(honeycomb_axes_card);
+    const Card vectors = cards.next_or_default(honeycomb_axes_card);
     const Card failure = cards.next_or_default(honeycomb_failure_card);
     RawMaterial raw = material_of(heading, card);
     model::Honeycomb law;
