@@ -55,6 +55,7 @@
 #include "materials/laws/simplified_rubber.hpp"
 #include "materials/laws/soil_and_foam.hpp"
 #include "materials/laws/strain_limited_plasticity.hpp"
+#include "materials/laws/three_surface_concrete.hpp"
 #include "materials/laws/viscoelastic.hpp"
 #include "materials/laws/viscous_foam.hpp"
 
@@ -108,6 +109,7 @@ using SolidLaws = LawList<         //
     SimplifiedRubberLaw,           //
     BilkhuDuboisFoamLaw,           //
     CapConcreteLaw,                //
+    ThreeSurfaceConcreteLaw,       //
     CohesiveLaw>;
 
 /// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp

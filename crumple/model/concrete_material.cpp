@@ -93,4 +93,43 @@ void set_elastic(CapConcrete& law) {
   law.poissons_ratio = (3 * k - 2 * g) / (2 * (3 * k + g));
 }
 
+void set_compaction(ThreeSurfaceConcrete& law, double bulk_modulus) {
+  // Over the pressure at the first of the strains, and over the bulk modulus.
+  law.compression = {0, 0.0015, 0.0043, 0.0101, 0.0305, 0.0513, 0.0726, 0.0943, 0.174, 0.208};
+  law.pressure = {0, 1, 2.18, 3.5, 6.65, 10.03, 14.23, 21.77, 127.1, 194.4};
+  law.unloading = {1, 1, 1.014, 1.065, 1.267, 1.47, 1.672, 1.825, 4.106, 5};
+  for (double& p : law.pressure) p *= law.compression[1] * bulk_modulus;
+  for (double& k : law.unloading) k *= bulk_modulus;
+  law.youngs_modulus = 3 * bulk_modulus * (1 - 2 * law.poissons_ratio);
+}
+
+ThreeSurfaceConcrete three_surface_concrete(double strength, double poissons_ratio, double psi,
+                                            double inches) {
+  ThreeSurfaceConcrete law;
+  law.poissons_ratio = poissons_ratio;
+  const double in_psi = strength * psi;
+  law.tensile_strength = 1.58 * std::cbrt(in_psi * in_psi) / psi;
+  law.maximum = {0.2956 * strength, 0.4463, 0.0808 / strength};
+  law.yield = {0.2232 * strength, 0.625, 0.2577 / strength};
+  law.residual = {0, 0.4417, 0.1184 / strength};
+  law.compression_power = 1.6;
+  law.tension_power = 1.35;
+  law.opening_damage = 1.15;
+  law.dilatancy = 0.5;
+  law.width = 1 / inches;
+  law.damage = {0, 8e-6, 24e-6, 40e-6, 56e-6, 72e-6, 88e-6, 3.2e-4, 5.2e-4, 5.7e-4, 1, 10, 1e10};
+  law.share = {0, 0.85, 0.97, 0.99, 1, 0.99, 0.97, 0.5, 0.1, 0, 0, 0, 0};
+  set_compaction(law, 57000 * std::sqrt(in_psi) / psi / (3 * (1 - 2 * poissons_ratio)));
+  return law;
+}
+
+double unconfined_strength(const ThreeSurfaceConcrete::Surface& surface) {
+  // 3 p = a0 + p / (a1 + a2 p), as a quadratic of p.
+  const double square = 3 * surface.second;
+  const double linear = 3 * surface.first - surface.constant * surface.second - 1;
+  const double constant = -surface.constant * surface.first;
+  if (!(square > 0)) return linear > 0 ? -3 * constant / linear : 0;
+  return 1.5 * (std::sqrt(linear * linear - 4 * square * constant) - linear) / square;
+}
+
 }  // namespace crumple::model

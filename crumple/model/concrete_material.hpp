@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 namespace crumple::model {
 
 /// Concrete with a smooth cap, three invariants, damage and rate effects (*MAT_CSCM, *MAT_CSCM_CONCRETE).
@@ -66,5 +68,46 @@ CapConcrete normal_strength_concrete(double strength, double aggregate, const Co
 
 /// Sets Young's modulus and Poisson's ratio from G and K.
 void set_elastic(CapConcrete& law);
+
+/// Concrete between three fixed surfaces of strength: of yield, of the maximum and of the residual strength
+/// (*MAT_CONCRETE_DAMAGE_REL3). docs/theory/three_surface_concrete.md; pressures are positive in compression.
+struct ThreeSurfaceConcrete {
+  /// constant + p / (first + second p), of sqrt(3 J2) in triaxial compression
+  struct Surface {
+    double constant = 0;  ///< a0 [stress]
+    double first = 0;     ///< a1 [-]
+    double second = 0;    ///< a2 [1/stress]
+  };
+
+  double youngs_modulus = 0;  ///< of the first bulk modulus and Poisson's ratio [stress]
+  double poissons_ratio = 0;
+  double tensile_strength = 0;  ///< FT [stress]
+  Surface maximum{};
+  Surface yield{};
+  Surface residual{};               ///< its constant is zero
+  double compression_power = 0;     ///< B1 [-]
+  double tension_power = 0;         ///< B2 [-]
+  double opening_damage = 0;        ///< B3: damage per volumetric strain in triaxial tension [-]
+  double dilatancy = 0;             ///< OMEGA: share of the normal plastic volume [-]
+  double width = 0;                 ///< LOCWIDTH: smallest length over which damage spreads [length]
+  std::vector<double> damage;       ///< lambda, rising from zero [-]
+  std::vector<double> share;        ///< eta, from zero to one and back [-]
+  std::vector<double> compression;  ///< -ln V, rising from zero [-]
+  std::vector<double> pressure;     ///< of first loading [stress]
+  std::vector<double> unloading;    ///< bulk moduli of unloading [stress]
+};
+
+/// Concrete by its unconfined compressive strength and Poisson's ratio alone, with `psi` pounds per square
+/// inch in the unit of stress and `inches` in that of length (docs/theory/three_surface_concrete.md).
+ThreeSurfaceConcrete three_surface_concrete(double strength, double poissons_ratio, double psi,
+                                            double inches);
+
+/// Ten points of compaction that start with the bulk modulus, which Young's modulus and Poisson's ratio
+/// follow.
+void set_compaction(ThreeSurfaceConcrete& law, double bulk_modulus);
+
+/// The strength in unconfined compression of a surface: where sqrt(3 J2) is three times the pressure; zero if
+/// there is none.
+double unconfined_strength(const ThreeSurfaceConcrete::Surface& surface);
 
 }  // namespace crumple::model

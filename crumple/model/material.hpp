@@ -394,7 +394,8 @@ using ConstitutiveLaw =
                  OrthotropicElastic, CompositeDamage, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo,
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
                  DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric,
-                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive, CapConcrete>;
+                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive, CapConcrete,
+                 ThreeSurfaceConcrete>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

@@ -79,6 +79,8 @@ constexpr Keyword material_rows[] = {
     {"MAT_159", read_mat_cscm, titled},
     {"MAT_CSCM_CONCRETE", read_mat_cscm_concrete, titled},
     {"MAT_159_CONCRETE", read_mat_cscm_concrete, titled},
+    {"MAT_CONCRETE_DAMAGE_REL3", read_mat_concrete_damage_rel3, titled},
+    {"MAT_072R3", read_mat_concrete_damage_rel3, titled},
     {"MAT_COHESIVE_MIXED_MODE", read_mat_cohesive_mixed_mode, titled},
     {"MAT_138", read_mat_cohesive_mixed_mode, titled},
     {"MAT_COHESIVE_ELASTIC", read_mat_cohesive_elastic, titled},

@@ -8,11 +8,16 @@
 
 namespace crumple::materials {
 
-// The longest law has a file of its own, cap_concrete.cpp, that both are compiled at the same time.
+// The longest laws have files of their own, cap_concrete.cpp and three_surface_concrete.cpp, that all are
+// compiled at the same time.
 extern template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
     const SolidMaterialTask<float>& task);
 extern template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
     const SolidMaterialTask<double>& task);
+extern template void update_solids<ThreeSurfaceConcreteLaw::SolidUpdate<NativePack<float>>,
+                                   NativePack<float>>(const SolidMaterialTask<float>& task);
+extern template void update_solids<ThreeSurfaceConcreteLaw::SolidUpdate<NativePack<double>>,
+                                   NativePack<double>>(const SolidMaterialTask<double>& task);
 
 namespace {
 

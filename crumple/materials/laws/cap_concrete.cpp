@@ -4,17 +4,10 @@
 #include <cmath>
 
 #include "materials/common/checks.hpp"
+#include "materials/common/corner_volume.hpp"
 
 namespace crumple::materials {
 namespace {
-
-/// Volume of a hexahedron, of six tetrahedra around a diagonal: exact for plane faces.
-double volume_of(const SolidCorners& x) {
-  constexpr int around[6][2] = {{1, 2}, {2, 3}, {3, 7}, {7, 4}, {4, 5}, {5, 1}};
-  double six_volumes = 0;
-  for (const auto& [i, j] : around) six_volumes += dot(cross(x[i] - x[0], x[j] - x[0]), x[6] - x[0]);
-  return std::fabs(six_volumes) / 6;
-}
 
 double strength_at(const model::CapConcrete::Strength& of, double trace) {
   return of.constant - of.nonlinear * std::exp(-of.exponent * trace) + of.linear * trace;
@@ -159,7 +152,7 @@ void CapConcreteLaw::declare_history(const model::ConstitutiveLaw& law, domain::
 void CapConcreteLaw::prepare_solid_element(const model::ConstitutiveLaw& /*law*/, const SolidCorners& corners,
                                            UserId /*solid*/, domain::ElementBlock& block, Index history,
                                            Index place) {
-  const double length = std::cbrt(volume_of(corners));
+  const double length = std::cbrt(corner_volume(corners));
   for (int p = 0; p < block.points; ++p) block.set_state(place, history + Length * block.points + p, length);
 }
 
