@@ -153,6 +153,29 @@ void warn_of_embedding(std::ostream& err, const domain::Embedding& embedding) {
           embedding.long_beams.size() == 1 ? "its" : "their", first_of(embedding.long_beams));
 }
 
+/// Whether some of the elements are of parts of a contact.
+template <class Element>
+bool has_any(const model::Contact& contact, const std::vector<Element>& elements,
+             const std::vector<Index>& wanted) {
+  return std::ranges::any_of(contact.side, [&](const model::ContactSide& side) {
+    return std::ranges::any_of(wanted, [&](Index element) {
+      return std::ranges::binary_search(side.parts, elements[element].part);
+    });
+  });
+}
+
+/// Contact does not know which beams are in solids, so that these would press on the surface from inside.
+void warn_of_inner_contact(std::ostream& err, const model::Model& model,
+                           const model::EmbeddedBeams& embedded) {
+  for (const model::Contact& contact : model.contacts)
+    if (has_any(contact, model.beams, embedded.beams) && has_any(contact, model.solids, embedded.solids))
+      print(
+          err,
+          "warning: Coupling of beams {}: contact {} has its beams and its solids, whose surface these beams "
+          "may touch from inside: take them out of the contact\n",
+          embedded.id, contact.id);
+}
+
 std::string describe(const domain::Tie& tie) {
   const Index springs = tie.springs();
   if (springs == 0) return "by constraint";
@@ -254,6 +277,8 @@ void warn_of_ties(std::ostream& err, const model::Model& model, const domain::Do
       warn_of_hinges(err, model.tied_contacts[i], domain, domain.ties[i]);
   }
   for (const domain::Embedding& embedding : domain.embeddings) warn_of_embedding(err, embedding);
+  for (const model::EmbeddedBeams& embedded : model.embedded_beams)
+    warn_of_inner_contact(err, model, embedded);
 }
 
 }  // namespace crumple::app
