@@ -48,9 +48,12 @@ class LinkSearch {
   enum class Part : std::uint8_t { None, Follows, Leads };
 
   void add_tie(std::size_t t);
+  void add_embedding(std::size_t e);
+  void take_part(const TieLink& link);
   TieLink link_of(std::size_t t, const domain::TiedNode& tied) const;
   bool turns_on_face(const domain::TiedNode& tied) const;
   std::string fault_of(const domain::TiedNode& tied, bool rotates) const;
+  std::string fault_of(const domain::EmbeddedNode& found) const;
   void require(const domain::Tie& tie, const domain::TiedNode& tied, bool rotates) const;
   Index rigid_corner(const domain::TiedNode& tied) const;
   bool may_follow(const domain::TiedNode& tied, bool rotates) const;
@@ -77,6 +80,27 @@ std::string LinkSearch::fault_of(const domain::TiedNode& tied, bool rotates) con
   for (std::size_t k = 0; k < 4; ++k)
     if (tied.weight[k] != 0 && (fixed & ~static_cast<unsigned>(nodes.fixed[tied.corner[k]])) != 0)
       return " is tied to a segment and held by *BOUNDARY_SPC in a direction in which that is free";
+  return "";
+}
+
+/// The same of putting a node into a solid.
+std::string LinkSearch::fault_of(const domain::EmbeddedNode& found) const {
+  const NodeFields& nodes = domain_.nodes;
+  const Index at = nodes.model_node[found.node];
+  const std::string& owner = owners_.body[at].empty() ? owners_.joint[at] : owners_.body[at];
+  if (!owner.empty()) return " lies in a solid and belongs to " + owner;
+  if (part_[found.node] == Part::Follows) return " lies in a solid and is tied to a segment";
+  constexpr unsigned translations = 7;
+  for (Index k = 0; k < found.corners; ++k) {
+    const Index corner = found.corner[static_cast<std::size_t>(k)];
+    const std::string& body = owners_.body[nodes.model_node[corner]];
+    if (!body.empty())
+      return " lies in a solid with " + name_of(model_, nodes, corner) + " of " + body +
+             ", which it can belong to by *CONSTRAINED_EXTRA_NODES";
+    if ((nodes.fixed[found.node] & translations & ~static_cast<unsigned>(nodes.fixed[corner])) != 0)
+      return " lies in a solid and is held by *BOUNDARY_SPC in a direction in which " +
+             name_of(model_, nodes, corner) + " of that is free";
+  }
   return "";
 }
 
@@ -131,8 +155,8 @@ TieLink LinkSearch::link_of(std::size_t t, const domain::TiedNode& tied) const {
   link.tie = static_cast<Index>(t);
   link.at = static_cast<Index>(&tied - domain_.ties[t].nodes.data());
   link.node = tied.node;
-  link.corner = tied.corner;
-  link.weight = tied.weight;
+  std::ranges::copy(tied.corner, link.corner.begin());
+  std::ranges::copy(tied.weight, link.weight.begin());
   link.height = tied.height;
   link.block = tied.block;
   link.element = tied.element;
@@ -169,10 +193,34 @@ void LinkSearch::add_tie(std::size_t t) {
       continue;
     tied.follows = true;
     tied.turns = link.rotates;
-    part_[tied.node] = Part::Follows;
-    for (const Index corner : tied.corner)
-      if (part_[corner] == Part::None) part_[corner] = Part::Leads;
-    links_.push_back(link);
+    take_part(link);
+  }
+}
+
+void LinkSearch::take_part(const TieLink& link) {
+  part_[link.node] = Part::Follows;
+  for (std::size_t k = 0; k < link.corners; ++k)
+    if (part_[link.corner[k]] == Part::None) part_[link.corner[k]] = Part::Leads;
+  links_.push_back(link);
+}
+
+void LinkSearch::add_embedding(std::size_t e) {
+  const domain::Embedding& embedding = domain_.embeddings[e];
+  for (std::size_t i = 0; i < embedding.nodes.size(); ++i) {
+    const domain::EmbeddedNode& found = embedding.nodes[i];
+    const std::string fault = fault_of(found);
+    if (!fault.empty())
+      throw Error(embedding.name() + ": " + name_of(model_, domain_.nodes, found.node) + fault +
+                  ". A node has room for one constraint: take it out of the one or the other.");
+    TieLink link;
+    link.embedded = true;
+    link.tie = static_cast<Index>(e);
+    link.at = static_cast<Index>(i);
+    link.node = found.node;
+    link.corner = found.corner;
+    link.weight = found.weight;
+    link.corners = static_cast<std::size_t>(found.corners);
+    take_part(link);
   }
 }
 
@@ -180,7 +228,12 @@ std::vector<TieLink> LinkSearch::find() {
   for (const model::TieMethod method : {model::TieMethod::Constraint, model::TieMethod::Offset})
     for (std::size_t t = 0; t < domain_.ties.size(); ++t)
       if (domain_.ties[t].method == method) add_tie(t);
+  for (std::size_t e = 0; e < domain_.embeddings.size(); ++e) add_embedding(e);
   return std::move(links_);
+}
+
+std::string name_of_tie(const Domain& domain, const TieLink& link) {
+  return link.embedded ? domain.embeddings[link.tie].name() : domain.ties[link.tie].name();
 }
 
 /// Levels, and the order by them: what a node carries must be known before it is passed on.
@@ -192,13 +245,13 @@ void order_links(const model::Model& model, const Domain& domain, TieLinks& foun
   for (bool changed = true; changed;) {
     changed = false;
     for (TieLink& link : links)
-      for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t k = 0; k < link.corners; ++k) {
         const Index under = tied_by[link.corner[k]];
         if (link.weight[k] == 0 || under == no_index || link.level > links[under].level) continue;
         link.level = links[under].level + 1;
         changed = true;
         if (link.level > most)
-          throw Error(domain.ties[link.tie].name() + ": " +
+          throw Error(name_of_tie(domain, link) + ": " +
                       name_of(model, domain.nodes, found.members[link.node]) +
                       " is tied to a segment whose nodes are, by way of others, tied to it in turn. Take one "
                       "of these contacts out.");
@@ -211,12 +264,12 @@ void order_links(const model::Model& model, const Domain& domain, TieLinks& foun
 
 TieLinks find_tie_links(const model::Model& model, Domain& domain) {
   TieLinks found;
-  if (domain.ties.empty()) return found;
+  if (domain.ties.empty() && domain.embeddings.empty()) return found;
   found.links = LinkSearch(model, domain).find();
   std::vector<Index>& members = found.members;
   for (const TieLink& link : found.links) {
     members.push_back(link.node);
-    members.insert(members.end(), link.corner.begin(), link.corner.end());
+    members.insert(members.end(), link.corner.begin(), link.corner.begin() + link.corners);
   }
   std::ranges::sort(members);
   members.erase(std::unique(members.begin(), members.end()), members.end());
@@ -225,7 +278,7 @@ TieLinks find_tie_links(const model::Model& model, Domain& domain) {
   };
   for (TieLink& link : found.links) {
     link.node = place_of(link.node);
-    for (Index& corner : link.corner) corner = place_of(corner);
+    for (std::size_t k = 0; k < link.corners; ++k) link.corner[k] = place_of(link.corner[k]);
   }
   order_links(model, domain, found);
   return found;

@@ -21,11 +21,24 @@ Vec3 held(Vec3 vector, unsigned fixed) {
   return vector;
 }
 
+/// The energy that is lost where the ties end of which this is the first: what all that are tied carry less.
+void book_release(Domain& domain, const TieLink& first, double before, double after) {
+  if (first.embedded) {
+    domain.embeddings[first.tie].lost += before - after;
+    return;
+  }
+  domain::Tie& tie = domain.ties[first.tie];
+  tie.energy += before;
+  tie.energy -= after;
+  tie.dissipated = std::max(0.0, tie.energy);
+}
+
 }  // namespace
 
 TiedNodes::TiedNodes(const model::Model& model, Domain& domain) {
   death_time_.reserve(model.tied_contacts.size());
   for (const model::TiedContact& tied : model.tied_contacts) death_time_.push_back(tied.death_time);
+  for (const model::EmbeddedBeams& embedded : model.embedded_beams) end_time_.push_back(embedded.end_time);
   TieLinks found = find_tie_links(model, domain);
   links_ = std::move(found.links);
   members_ = std::move(found.members);
@@ -58,7 +71,7 @@ void TiedNodes::share_masses(Domain& domain) {
       continue;
     }
     nodes.fixed[node] |= domain::moved_by_tie;
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < link.corners; ++k) {
       const Index corner = members_[link.corner[k]];
       nodes.carried_mass[corner] += link.weight[k] * nodes.moving_mass(node);
       if (link.rotates && !link.turns_on_face)
@@ -69,15 +82,20 @@ void TiedNodes::share_masses(Domain& domain) {
 
 std::array<Vec3, 4> TiedNodes::corners(const NodeFields& nodes, const TieLink& link) const {
   std::array<Vec3, 4> corner;
-  for (std::size_t k = 0; k < 4; ++k) corner[k] = nodes.position[members_[link.corner[k]]];
+  for (std::size_t k = 0; k < TieLink::of_segment; ++k) corner[k] = nodes.position[members_[link.corner[k]]];
   return corner;
 }
 
 TiedNodes::Motion TiedNodes::motion_of_segment(const NodeFields& nodes, const TieLink& link,
                                                double step) const {
   Motion motion;
-  std::array<Vec3, 4> velocity;
-  for (std::size_t k = 0; k < 4; ++k) {
+  if (link.embedded) {
+    for (std::size_t k = 0; k < link.corners; ++k)
+      motion.velocity += link.weight[k] * nodes.velocity[members_[link.corner[k]]];
+    return motion;
+  }
+  std::array<Vec3, TieLink::of_segment> velocity;
+  for (std::size_t k = 0; k < TieLink::of_segment; ++k) {
     velocity[k] = nodes.velocity[members_[link.corner[k]]];
     motion.velocity += link.weight[k] * velocity[k];
     motion.spin += link.weight[k] * nodes.angular_velocity[members_[link.corner[k]]];
@@ -91,7 +109,7 @@ TiedNodes::Motion TiedNodes::motion_of_segment(const NodeFields& nodes, const Ti
 
 /// What a node has received goes to the corners of its segment.
 void TiedNodes::pass_on(const NodeFields& nodes, const TieLink& link) {
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < link.corners; ++k) {
     momentum_[link.corner[k]] += link.weight[k] * momentum_[link.node];
     if (link.rotates) moment_[link.corner[k]] += link.weight[k] * moment_[link.node];
   }
@@ -135,32 +153,42 @@ void TiedNodes::copy_velocities(Domain& domain, double step) const {
   }
 }
 
+/// Whether a tie ends now; elements are asked only if `look` says that some may have eroded.
+bool TiedNodes::is_over(const Domain& domain, const TieLink& link, bool look) const {
+  const auto failed = [&](const domain::SolidPlace& solid) {
+    return domain::has_failed(domain, solid.block, solid.element);
+  };
+  if (link.embedded)
+    return domain.clock.time >= end_time_[link.tie] ||
+           (look && std::ranges::all_of(domain.embeddings[link.tie].nodes[link.at].hosts, failed));
+  return domain.clock.time >= death_time_[link.tie] || (look && failed({link.block, link.element}));
+}
+
 void TiedNodes::release(Domain& domain) {
   if (links_.empty()) return;
   const Index eroded = domain::eroded_elements(domain);
   const bool look = eroded != eroded_;
   eroded_ = eroded;
-  domain::Tie* first = nullptr;
+  const TieLink* first = nullptr;
+  double carried = 0;
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TieLink& link = links_[i];
     if (active_[i] == 0) continue;
-    if (domain.clock.time < death_time_[link.tie] &&
-        !(look && domain::has_failed(domain, link.block, link.element)))
-      continue;
+    if (!is_over(domain, link, look)) continue;
     if (first == nullptr) {
-      first = &domain.ties[link.tie];
+      first = &link;
       remember(domain);
       const KineticChange before = carried_energy(domain);
-      first->energy += before.translational + before.rotational;
+      carried = before.translational + before.rotational;
     }
-    active_[i] = domain.ties[link.tie].holds[link.at] = 0;
-    ++domain.ties[link.tie].released;
+    active_[i] = 0;
+    (link.embedded ? domain.embeddings[link.tie].holds : domain.ties[link.tie].holds)[link.at] = 0;
+    ++(link.embedded ? domain.embeddings[link.tie].released : domain.ties[link.tie].released);
   }
   if (first == nullptr) return;
   share_masses(domain);
   const KineticChange after = carried_energy(domain);
-  first->energy -= after.translational + after.rotational;
-  first->dissipated = std::max(0.0, first->energy);
+  book_release(domain, *first, carried, after.translational + after.rotational);
 }
 
 void TiedNodes::remember(const Domain& domain) {
@@ -220,7 +248,8 @@ void TiedNodes::follow(Domain& domain, double interval, double next_step) {
     if (active_[i] == 0) continue;
     const Index node = members_[link.node];
     const Vec3 change = nodes.velocity[node] - before_[link.node];
-    domain.ties[link.tie].force += (1 / interval) * (nodes.moving_mass(node) * change - momentum_[link.node]);
+    Vec3& force = link.embedded ? domain.embeddings[link.tie].force : domain.ties[link.tie].force;
+    force += (1 / interval) * (nodes.moving_mass(node) * change - momentum_[link.node]);
   }
   if (!keep_acceleration_) return;
   for (std::size_t m = 0; m < members_.size(); ++m)
@@ -233,11 +262,11 @@ double TiedNodes::place_nodes(Domain& domain) const {
   for (std::size_t i = links_.size(); i-- > 0;) {
     const TieLink& link = links_[i];
     if (active_[i] == 0) continue;
-    const std::array<Vec3, 4> corner = corners(nodes, link);
     Vec3 position;
-    for (std::size_t k = 0; k < 4; ++k) position += link.weight[k] * corner[k];
+    for (std::size_t k = 0; k < link.corners; ++k)
+      position += link.weight[k] * nodes.position[members_[link.corner[k]]];
     if (link.height != 0) {
-      const TieLever lever(corner, link.height);
+      const TieLever lever(corners(nodes, link), link.height);
       if (!(lever.size > 0)) continue;
       position += link.height * lever.normal;
     }

@@ -13,19 +13,20 @@
 
 namespace crumple::constraints {
 
-/// Nodes that follow the segments that they are tied to (J.O. Hallquist, LS-DYNA Theory Manual, chapter on
-/// tied contact): the force and the mass of a tied node are shared out among the nodes of its segment by its
-/// weights there, and its motion is the weighted mean of theirs (docs/theory/tied.md). A node that is tied at
-/// a height over its segment stands on a lever (tie_lever.hpp). A node of a segment may itself be tied to
-/// another one.
+/// Nodes that follow the segments that they are tied to, or the solids that they lie in (J.O. Hallquist,
+/// LS-DYNA Theory Manual, chapter on tied contact): the force and the mass of a tied node are shared out
+/// among the nodes of its segment by its weights there, and its motion is the weighted mean of theirs
+/// (docs/theory/tied.md). A node that is tied at a height over its segment stands on a lever (tie_lever.hpp).
+/// A node of a segment may itself be tied to another one. Nodes of beams in solids follow the corners of
+/// these in the same way, by the shape functions (docs/theory/connections.md).
 ///
 /// A step calls, in this order: release(), remember(), the kick of all nodes by their own masses, share(),
 /// whatever else changes velocities, follow(), and place_nodes() when the nodes have drifted.
 class TiedNodes {
  public:
-  /// Takes over those of domain.ties that can follow (find_tie_links()) and makes velocities at time zero
-  /// fit: momentum is kept. Throws Error for a node of a tie by constraint that something else holds or
-  /// moves.
+  /// Takes over those of domain.ties that can follow (find_tie_links()), and domain.embeddings, and makes
+  /// velocities at time zero fit: momentum is kept. Throws Error for a node of a tie by constraint that
+  /// something else holds or moves.
   TiedNodes(const model::Model& model, domain::Domain& domain);
 
   bool empty() const { return links_.empty(); }
@@ -33,8 +34,8 @@ class TiedNodes {
   /// Has NodeFields::acceleration of tied nodes written.
   void keep_accelerations() { keep_acceleration_ = true; }
 
-  /// Ends the ties whose segment has eroded or whose time is over. Books the energy of the relative motion
-  /// that this frees.
+  /// Ends the ties whose segment has eroded, or all solids that hold the node, or whose time is over. Books
+  /// the energy of the relative motion that this frees.
   void release(domain::Domain& domain);
 
   /// Keeps the velocities of n-1/2.
@@ -79,6 +80,7 @@ class TiedNodes {
   std::array<math::Vec3, 4> corners(const domain::NodeFields& nodes, const TieLink& link) const;
   Motion motion_of_segment(const domain::NodeFields& nodes, const TieLink& link, double step) const;
   void pass_on(const domain::NodeFields& nodes, const TieLink& link);
+  bool is_over(const domain::Domain& domain, const TieLink& link, bool look) const;
   void share_velocities(domain::Domain& domain);
   void copy_velocities(domain::Domain& domain, double step) const;
 
@@ -87,6 +89,7 @@ class TiedNodes {
   std::vector<Index> members_;            ///< domain nodes that take part, ascending
   std::vector<Index> tied_by_;            ///< active link of a member, or no_index
   std::vector<double> death_time_;        ///< by tie
+  std::vector<double> end_time_;          ///< by embedding
   AlignedArray<math::Vec3> before_;       ///< v(n-1/2), by member
   AlignedArray<math::Vec3> spin_before_;  ///< the same of angular velocities
   AlignedArray<math::Vec3> momentum_;     ///< that members received in this step, and pass on

@@ -160,6 +160,12 @@ void Domain::declare(StateList& list) {
     list.keep("tie_dissipated", "energy", Entity::Contact, tie.dissipated);
     list.keep("tie_opening", "length", Entity::Contact, tie.opening);
   }
+  for (Embedding& embedding : embeddings) {
+    list.add("embedding_lost", "energy", Entity::Contact, 1, std::span(&embedding.lost, 1));
+    list.add("embedding_released", "-", Entity::Contact, 1, std::span(&embedding.released, 1));
+    list.keep_list("embedding_holds", "-", Entity::Contact, 1, embedding.holds);
+    list.keep("embedding_force", "force", Entity::Contact, embedding.force);
+  }
   for (ControlVolumeReport& volume : control_volumes)
     list.keep("control_volume_report", "by item", Entity::Run, volume);
   for (WeldReport& weld : welds) list.keep("weld_report", "by item", Entity::Run, weld);

@@ -34,6 +34,7 @@
 #include "base/precision.hpp"
 #include "domain/assembly.hpp"
 #include "domain/beam_block.hpp"
+#include "domain/embedding.hpp"
 #include "domain/energy_ledger.hpp"
 #include "domain/node_fields.hpp"
 #include "domain/reports.hpp"
@@ -100,6 +101,7 @@ struct Domain {
   std::vector<JointStiffnessReport> joint_stiffnesses;
   std::vector<SupportReport> supports;  ///< of the nodes that are held, if output asks for their forces
   std::vector<Tie> ties;                ///< in the order of Model::tied_contacts
+  std::vector<Embedding> embeddings;    ///< in the order of Model::embedded_beams
   std::vector<RigidBody> rigid_bodies;  ///< in the order of the model
   std::vector<Index> body_of_node;      ///< rigid body of each node, or no_index; empty without bodies
   StageTimes times;

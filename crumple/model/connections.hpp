@@ -63,4 +63,14 @@ struct Interpolation {
   std::vector<Independent> independent;
 };
 
+/// Beams inside solids, as reinforcement in concrete: their nodes move with the solids that they lie in
+/// (*CONSTRAINED_BEAM_IN_SOLID, *CONSTRAINED_LAGRANGE_IN_SOLID).
+struct EmbeddedBeams {
+  UserId id = 0;
+  std::vector<Index> beams;    ///< in Model::beams, ascending
+  std::vector<Index> solids;   ///< that may hold their nodes, in Model::solids, ascending
+  double end_time = 1e20;      ///< the nodes are free from then on [time]
+  bool between_nodes = false;  ///< the deck asks for points between the nodes of a beam, too
+};
+
 }  // namespace crumple::model

@@ -63,6 +63,7 @@ struct Model {
   std::vector<PartMass> part_masses;
   std::vector<LinearEquation> linear_equations;
   std::vector<Interpolation> interpolations;
+  std::vector<EmbeddedBeams> embedded_beams;
   std::vector<FixedNode> fixed_nodes;
   std::vector<LocalSupport> local_supports;
   std::vector<InitialVelocity> initial_velocities;

@@ -133,6 +133,17 @@ Json ties_of(const std::vector<domain::Tie>& ties) {
   return list;
 }
 
+Json embeddings_of(const std::vector<domain::Embedding>& embeddings) {
+  Json list = Json::array();
+  for (const domain::Embedding& embedding : embeddings)
+    list.push_back({{"id", embedding.id},
+                    {"coupled", embedding.nodes.size()},
+                    {"outside", embedding.outside.size()},
+                    {"released", embedding.released},
+                    {"energy", embedding.lost}});
+  return list;
+}
+
 /// Null if there was none.
 Json relaxation_of(const RelaxationRecord& record) {
   if (record.cycles == 0) return nullptr;
@@ -285,6 +296,7 @@ void write_run_record(const std::filesystem::path& folder, const RunRecord& reco
       {"timings", timings_of(domain.times)},
       {"contact", contacts_of(domain.contacts)},
       {"ties", ties_of(domain.ties)},
+      {"embedded_beams", embeddings_of(domain.embeddings)},
       {"parts", parts_of(view.model)},
       {"plane_walls", plane_walls_of(view.model)},
       {"checks", checks_of(record.checks)},

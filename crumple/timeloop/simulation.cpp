@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "constraints/embedded_search.hpp"
 #include "contact/tied/tie_search.hpp"
 #include "domain/build.hpp"
 #include "domain/state_snapshot.hpp"
@@ -31,6 +32,7 @@ domain::Domain prepared_domain(const model::Model& model, const domain::Executio
   domain::Domain domain = domain::build(model, execution);
   require_stiffness(model);
   contact::find_ties(model, domain);
+  constraints::find_embedded_beams(model, domain);
   elements::prepare_elements(model, domain);
   return domain;
 }

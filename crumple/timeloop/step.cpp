@@ -114,6 +114,7 @@ void Simulation::compute_forces(StartLoss* start) {
   for (std::size_t i = 0; i < transducers_.size(); ++i)
     domain_.transducers[i].force = transducers_[i].measure(contacts_);
   for (domain::Tie& tie : domain_.ties) tie.force = {};
+  for (domain::Embedding& embedding : domain_.embeddings) embedding.force = {};
   for (contact::TieSprings& springs : tie_springs_) springs.add_forces(domain_);
   joints_.add_forces(domain_);
   joint_stiffnesses_.add_forces(domain_);
@@ -293,6 +294,10 @@ void Simulation::balance() {
   for (const domain::Tie& tie : domain_.ties) {
     energy.contact += tie.energy;
     energy.contact_dissipated += tie.dissipated;
+  }
+  for (const domain::Embedding& embedding : domain_.embeddings) {
+    energy.contact += embedding.lost;
+    energy.contact_dissipated += embedding.lost;
   }
   for (const domain::JointReport& joint : domain_.joints) energy.internal += joint.energy;
   for (const domain::JointStiffnessReport& stiffness : domain_.joint_stiffnesses) {

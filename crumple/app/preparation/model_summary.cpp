@@ -126,6 +126,56 @@ void warn_of_hinges(std::ostream& err, const model::TiedContact& given, const do
               "on to their nodes");
 }
 
+/// "4, 5, 6, ..."
+std::string first_of(const std::vector<UserId>& ids) {
+  constexpr std::size_t shown = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(shown, ids.size()); ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : ", ", ids[i]);
+  return text + (ids.size() > shown ? ", ..." : "");
+}
+
+/// Nodes of beams that were meant to move with solids, and do not.
+void warn_of_embedding(std::ostream& err, const domain::Embedding& embedding) {
+  if (embedding.elsewhere > 0)
+    print(err, "warning: {}: {} coupled by an earlier one already, left out here\n", embedding.name(),
+          nodes_are(embedding.elsewhere));
+  if (!embedding.outside.empty())
+    print(err, "warning: {}: {} in no solid, and not coupled: {}\n", embedding.name(),
+          nodes_are(static_cast<Index>(embedding.outside.size())), first_of(embedding.outside));
+  if (!embedding.long_beams.empty())
+    print(err,
+          "warning: {}: {} on through solids between {} nodes, where nothing is coupled: NCOUP and XINT have "
+          "no effect, take shorter beams: {}\n",
+          embedding.name(),
+          embedding.long_beams.size() == 1 ? "1 beam goes"
+                                           : fmt::format("{} beams go", embedding.long_beams.size()),
+          embedding.long_beams.size() == 1 ? "its" : "their", first_of(embedding.long_beams));
+}
+
+/// Whether some of the elements are of parts of a contact.
+template <class Element>
+bool has_any(const model::Contact& contact, const std::vector<Element>& elements,
+             const std::vector<Index>& wanted) {
+  return std::ranges::any_of(contact.side, [&](const model::ContactSide& side) {
+    return std::ranges::any_of(wanted, [&](Index element) {
+      return std::ranges::binary_search(side.parts, elements[element].part);
+    });
+  });
+}
+
+/// Contact does not know which beams are in solids, so that these would press on the surface from inside.
+void warn_of_inner_contact(std::ostream& err, const model::Model& model,
+                           const model::EmbeddedBeams& embedded) {
+  for (const model::Contact& contact : model.contacts)
+    if (has_any(contact, model.beams, embedded.beams) && has_any(contact, model.solids, embedded.solids))
+      print(
+          err,
+          "warning: Coupling of beams {}: contact {} has its beams and its solids, whose surface these beams "
+          "may touch from inside: take them out of the contact\n",
+          embedded.id, contact.id);
+}
+
 std::string describe(const domain::Tie& tie) {
   const Index springs = tie.springs();
   if (springs == 0) return "by constraint";
@@ -142,6 +192,9 @@ void print_ties(std::ostream& out, const domain::Domain& domain) {
       print(out, ", moved by up to {:.4g} (node {})", tie.largest_move, tie.moved_node);
     print(out, "\n");
   }
+  for (const domain::Embedding& embedding : domain.embeddings)
+    print(out, "  beams in solids {:<5} {} in solids, {} shared with them, {} in none\n", embedding.id,
+          counted(embedding.nodes.size(), "node"), embedding.shared, embedding.outside.size());
 }
 
 void print_conditions(std::ostream& out, const model::Model& model) {
@@ -223,6 +276,9 @@ void warn_of_ties(std::ostream& err, const model::Model& model, const domain::Do
     if (model.tied_contacts[i].ties_rotations)
       warn_of_hinges(err, model.tied_contacts[i], domain, domain.ties[i]);
   }
+  for (const domain::Embedding& embedding : domain.embeddings) warn_of_embedding(err, embedding);
+  for (const model::EmbeddedBeams& embedded : model.embedded_beams)
+    warn_of_inner_contact(err, model, embedded);
 }
 
 }  // namespace crumple::app

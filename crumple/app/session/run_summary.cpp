@@ -151,6 +151,10 @@ void print_tied_nodes(std::ostream& out, const domain::Domain& domain) {
     if (tie.released > 0) print(out, ", {} released, {} of these broken", tie.released, tie.broken);
     print(out, "; energy {:.6e}\n", tie.energy);
   }
+  for (const domain::Embedding& embedding : domain.embeddings)
+    if (embedding.released > 0)
+      print(out, "\n{}: {} released as solids eroded or the time was over; energy {:.6e}\n", embedding.name(),
+            counted(embedding.released, "node"), embedding.lost);
 }
 
 void print_energies(std::ostream& out, const domain::EnergyLedger& energy, double error) {

@@ -189,6 +189,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_part_masses(build);
   build_rigid_bodies(build);
   build_connections(build);
+  build_embedded_beams(build);
   build_joints(build);
   build_joint_stiffnesses(build);
   build_fixed_nodes(build);

@@ -248,6 +248,9 @@ struct Connection {
 };
 /// The connections of the model by node.
 std::map<Index, Connection> connections_of_nodes(const Build& build);
+// build_embedded_beams.cpp
+/// Beams inside solids.
+void build_embedded_beams(Build& build);
 // build_joints.cpp
 /// Joints between rigid bodies.
 void build_joints(Build& build);

@@ -148,6 +148,22 @@ struct RawInterpolation {
   Where where;
 };
 
+/// *CONSTRAINED_BEAM_IN_SOLID, or *CONSTRAINED_LAGRANGE_IN_SOLID of beams.
+struct RawEmbeddedBeams {
+  /// A part or a part set, as a field of the card names it.
+  struct Side {
+    UserId id = 0;
+    bool is_set = false;
+    std::string_view field;
+  };
+  UserId id = 0;
+  Side beams;
+  Side solids;
+  double end_time = 0;
+  bool between_nodes = false;
+  Where where;
+};
+
 struct RawConstrainedSet {
   UserId node_set = 0;
   std::array<bool, 3> direction{};

@@ -352,8 +352,7 @@ struct RawDistortedShells {
   bool fully_integrated = false;
 };
 
-/// A value of *CONTROL_SHELL that is not supported, and the shells that it is about: an error where there are
-/// any.
+/// An unsupported value of *CONTROL_SHELL, and the shells that it is about: an error where there are any.
 struct RawShellOption {
   enum class About { OffsetShells, HughesLiuShells, LayeredShells, ShellsOfNoFormulation };
   About about;
@@ -448,6 +447,7 @@ struct RawDeck {
   std::vector<RawJoint> joints;
   std::vector<RawEquation> equations;
   std::vector<RawInterpolation> interpolations;
+  std::vector<RawEmbeddedBeams> embedded_beams;
   std::vector<RawHeldPlane> held_planes;
   std::vector<RawSymmetryPlane> symmetry_planes;
   std::vector<RawStopper> stoppers;

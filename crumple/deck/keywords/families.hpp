@@ -255,6 +255,10 @@ void read_constrained_adaptivity(Cards& cards, RawDeck& deck);
 void read_constrained_interpolation(Cards& cards, RawDeck& deck);
 void read_deformable_to_rigid(Cards& cards, RawDeck& deck);
 void read_constrained_global(Cards& cards, RawDeck& deck);
+// read_embedded_beams.cpp
+void read_constrained_beam_in_solid(Cards& cards, RawDeck& deck);
+void read_constrained_beam_in_solid_penalty(Cards& cards, RawDeck& deck);
+void read_constrained_lagrange_in_solid(Cards& cards, RawDeck& deck);
 // read_joint_stiffness.cpp
 void read_constrained_joint_stiffness_generalized(Cards& cards, RawDeck& deck);
 void read_constrained_joint_stiffness_translational(Cards& cards, RawDeck& deck);
