@@ -13,6 +13,7 @@
 #include "model/damage.hpp"
 #include "model/erosion.hpp"
 #include "model/foam_material.hpp"
+#include "model/holmquist_material.hpp"
 #include "model/orthotropic_material.hpp"
 
 namespace crumple::model {
@@ -394,7 +395,8 @@ using ConstitutiveLaw =
                  OrthotropicElastic, CompositeDamage, NullMaterial, ResultantPlasticity, SpotWeldLaw, BlatzKo,
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
                  DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric,
-                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive, CapConcrete>;
+                 BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive, CapConcrete, HolmquistCeramic,
+                 HolmquistConcrete>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

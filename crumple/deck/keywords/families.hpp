@@ -119,6 +119,9 @@ void read_mat_soil_and_foam(Cards& cards, RawDeck& deck);
 // read_concrete.cpp
 void read_mat_cscm(Cards& cards, RawDeck& deck);
 void read_mat_cscm_concrete(Cards& cards, RawDeck& deck);
+// read_johnson_holmquist.cpp
+void read_mat_johnson_holmquist_ceramics(Cards& cards, RawDeck& deck);
+void read_mat_johnson_holmquist_concrete(Cards& cards, RawDeck& deck);
 // read_cohesive_materials.cpp
 void read_mat_cohesive_mixed_mode(Cards& cards, RawDeck& deck);
 void read_mat_cohesive_elastic(Cards& cards, RawDeck& deck);

@@ -8,10 +8,19 @@
 
 namespace crumple::materials {
 
-// The longest law has a file of its own, cap_concrete.cpp, that both are compiled at the same time.
+// The longest laws have files of their own, cap_concrete.cpp and johnson_holmquist.cpp, that all are compiled
+// at the same time.
 extern template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
     const SolidMaterialTask<float>& task);
 extern template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
+    const SolidMaterialTask<double>& task);
+extern template void update_solids<HolmquistCeramicLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
+    const SolidMaterialTask<float>& task);
+extern template void update_solids<HolmquistCeramicLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
+    const SolidMaterialTask<double>& task);
+extern template void update_solids<HolmquistConcreteLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
+    const SolidMaterialTask<float>& task);
+extern template void update_solids<HolmquistConcreteLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
     const SolidMaterialTask<double>& task);
 
 namespace {
