@@ -37,6 +37,8 @@
 #include "materials/laws/crushable_foam.hpp"
 #include "materials/laws/elastic.hpp"
 #include "materials/laws/fabric.hpp"
+#include "materials/laws/holmquist_ceramic.hpp"
+#include "materials/laws/holmquist_concrete.hpp"
 #include "materials/laws/honeycomb.hpp"
 #include "materials/laws/johnson_cook.hpp"
 #include "materials/laws/laminated_fabric.hpp"
@@ -110,6 +112,8 @@ using SolidLaws = LawList<         //
     BilkhuDuboisFoamLaw,           //
     CapConcreteLaw,                //
     ThreeSurfaceConcreteLaw,       //
+    HolmquistCeramicLaw,           //
+    HolmquistConcreteLaw,          //
     CohesiveLaw>;
 
 /// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp

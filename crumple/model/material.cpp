@@ -33,6 +33,8 @@ struct Use {
   LawUse operator()(const ViscousFoam& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const CapConcrete& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const ThreeSurfaceConcrete& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const HolmquistCeramic& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const HolmquistConcrete& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const LaminatedFabric& /*law*/) const { return {true, false, false, false}; }
   LawUse operator()(const SheetPlasticity& /*law*/) const { return {true, false, false, false}; }
   LawUse operator()(const BilkhuDuboisFoam& /*law*/) const { return {false, true, false, false}; }

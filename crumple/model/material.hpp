@@ -13,6 +13,7 @@
 #include "model/damage.hpp"
 #include "model/erosion.hpp"
 #include "model/foam_material.hpp"
+#include "model/holmquist_material.hpp"
 #include "model/orthotropic_material.hpp"
 
 namespace crumple::model {
@@ -395,7 +396,7 @@ using ConstitutiveLaw =
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
                  DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric,
                  BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive, CapConcrete,
-                 ThreeSurfaceConcrete>;
+                 ThreeSurfaceConcrete, HolmquistCeramic, HolmquistConcrete>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

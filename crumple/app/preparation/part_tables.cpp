@@ -157,6 +157,12 @@ struct RateWords {
   std::string operator()(const model::CapConcrete& law) const {
     return law.has_rate_effects ? "overstress by rate" : "none";
   }
+  std::string operator()(const model::HolmquistCeramic& law) const {
+    return law.rate_coefficient > 0 ? "C ln(rate)" : "none";
+  }
+  std::string operator()(const model::HolmquistConcrete& law) const {
+    return law.rate_coefficient > 0 ? "C ln(rate)" : "none";
+  }
   std::string operator()(const model::JohnsonCook& law) const {
     return law.rate_coefficient > 0 ? with_option("C ln(rate)", law.viscoplastic) : "none";
   }

@@ -76,7 +76,9 @@ bool is_plastic(const model::ConstitutiveLaw& law) {
          !std::holds_alternative<model::ViscousFoam>(law) &&
          !std::holds_alternative<model::SimplifiedRubber>(law) &&
          !std::holds_alternative<model::CapConcrete>(law) &&
-         !std::holds_alternative<model::ThreeSurfaceConcrete>(law);
+         !std::holds_alternative<model::ThreeSurfaceConcrete>(law) &&
+         !std::holds_alternative<model::HolmquistCeramic>(law) &&
+         !std::holds_alternative<model::HolmquistConcrete>(law);
 }
 
 /// Its stiffness is no stress, and of cohesive solids the density may be one per area.

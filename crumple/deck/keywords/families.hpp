@@ -121,6 +121,9 @@ void read_mat_cscm(Cards& cards, RawDeck& deck);
 void read_mat_cscm_concrete(Cards& cards, RawDeck& deck);
 // read_damaged_concrete.cpp
 void read_mat_concrete_damage_rel3(Cards& cards, RawDeck& deck);
+// read_johnson_holmquist.cpp
+void read_mat_johnson_holmquist_ceramics(Cards& cards, RawDeck& deck);
+void read_mat_johnson_holmquist_concrete(Cards& cards, RawDeck& deck);
 // read_cohesive_materials.cpp
 void read_mat_cohesive_mixed_mode(Cards& cards, RawDeck& deck);
 void read_mat_cohesive_elastic(Cards& cards, RawDeck& deck);

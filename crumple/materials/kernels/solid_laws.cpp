@@ -8,8 +8,8 @@
 
 namespace crumple::materials {
 
-// The longest laws have files of their own, cap_concrete.cpp and three_surface_concrete.cpp, that all are
-// compiled at the same time.
+// The longest laws have files of their own (cap_concrete.cpp and more), that all are compiled at the same
+// time.
 extern template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
     const SolidMaterialTask<float>& task);
 extern template void update_solids<CapConcreteLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
@@ -18,6 +18,14 @@ extern template void update_solids<ThreeSurfaceConcreteLaw::SolidUpdate<NativePa
                                    NativePack<float>>(const SolidMaterialTask<float>& task);
 extern template void update_solids<ThreeSurfaceConcreteLaw::SolidUpdate<NativePack<double>>,
                                    NativePack<double>>(const SolidMaterialTask<double>& task);
+extern template void update_solids<HolmquistCeramicLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
+    const SolidMaterialTask<float>& task);
+extern template void update_solids<HolmquistCeramicLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
+    const SolidMaterialTask<double>& task);
+extern template void update_solids<HolmquistConcreteLaw::SolidUpdate<NativePack<float>>, NativePack<float>>(
+    const SolidMaterialTask<float>& task);
+extern template void update_solids<HolmquistConcreteLaw::SolidUpdate<NativePack<double>>, NativePack<double>>(
+    const SolidMaterialTask<double>& task);
 
 namespace {
 

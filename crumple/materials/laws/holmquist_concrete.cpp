@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "materials/laws/holmquist_concrete.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "materials/common/checks.hpp"
+
+namespace crumple::materials {
+namespace {
+
+using ConcretePlace = HolmquistConcreteLaw::SolidUpdate<double>;
+
+double compacted_pressure(const model::HolmquistConcrete& law, double bar) {
+  return bar * (law.bulk_modulus + bar * (law.bulk_quadratic + bar * law.bulk_cubic));
+}
+
+/// mu at which the curve of the compacted concrete reaches PL for the first time; -1 if it never does.
+double full_volume(const model::HolmquistConcrete& law) {
+  constexpr int pieces = 4000;
+  const double linear = law.lock_pressure / law.bulk_modulus;
+  double high = 0;
+  for (int i = 1; i <= pieces && high == 0; ++i)
+    if (compacted_pressure(law, 4 * linear * i / pieces) >= law.lock_pressure) high = 4 * linear * i / pieces;
+  if (high == 0) return -1;
+  double low = high - 4 * linear / pieces;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (low + high);
+    (compacted_pressure(law, middle) < law.lock_pressure ? low : high) = middle;
+  }
+  return law.lock_volume + (1 + law.lock_volume) * high;
+}
+
+void check_strength(const model::Material& material, const model::HolmquistConcrete& law) {
+  require(law.strength > 0 && law.tension > 0, material,
+          "the compressive strength FC and the largest hydrostatic tension T must be above zero");
+  require(law.cohesion >= 0 && law.pressure_factor >= 0 && law.pressure_power >= 0, material,
+          "A, B and N must not be negative");
+  require(law.fracture_factor >= 0 && law.fracture_power >= 0 && law.least_fracture >= 0 &&
+              law.largest_strength >= 0,
+          material, "D1, D2, EFMIN and SFMAX must not be negative");
+  require(law.fracture_factor > 0 || law.least_fracture > 0, material,
+          "one of D1 and EFMIN must be above zero, or the strain to fracture is none");
+  require(law.rate_coefficient >= 0 && law.reference_rate > 0, material,
+          "the rate coefficient C must not be negative, the reference rate EPS0 be above zero");
+}
+
+void check_pressure(const model::Material& material, const model::HolmquistConcrete& law) {
+  require(law.crush_pressure > 0 && law.crush_volume > 0, material, "PC and UC must be above zero");
+  require(law.lock_pressure > law.crush_pressure && law.lock_volume > law.crush_volume, material,
+          "PL must be above PC, UL above UC");
+  require(law.bulk_modulus > 0, material, "K1 must be above zero");
+  const double full = full_volume(law);
+  require(full > 0, material, "the pressure by K1, K2 and K3 does not reach PL");
+  const double slope = (law.lock_pressure - law.crush_pressure) / (full - law.crush_volume);
+  require(slope <= std::min(law.crush_pressure / law.crush_volume, law.bulk_modulus), material,
+          "the line from PC to PL must not be steeper than PC/UC and K1, with which it unloads");
+}
+
+}  // namespace
+
+void HolmquistConcreteLaw::declare_history(const model::ConstitutiveLaw& law, domain::ElementBlock& block,
+                                           Index /*tensor*/) {
+  declare_brittle_history(block, "largest_compression", can_fail(law));
+}
+
+bool HolmquistConcreteLaw::can_fail(const model::ConstitutiveLaw& law) {
+  return erodes(std::get<Model>(law).erosion);
+}
+
+std::vector<double> HolmquistConcreteLaw::constants(const model::Material& material) {
+  const auto& law = std::get<Model>(material.law);
+  require_elastic(material, law.youngs_modulus, law.poissons_ratio);
+  require(law.shear_modulus > 0, material, "the shear modulus must be above zero");
+  check_strength(material, law);
+  check_pressure(material, law);
+  constexpr double never = 1e15;
+  const double full = full_volume(law);
+  std::vector<double> numbers(ConcretePlace::Count);
+  numbers[ConcretePlace::Shear] = law.shear_modulus;
+  numbers[ConcretePlace::Tension] = law.tension;
+  numbers[ConcretePlace::RateCoefficient] = law.rate_coefficient;
+  numbers[ConcretePlace::ReferenceRate] = law.reference_rate;
+  numbers[ConcretePlace::PerDensity] = 1 / material.density;
+  numbers[ConcretePlace::FailsInTension] = law.erosion.at_tension ? 1 : 0;
+  numbers[ConcretePlace::FailsByDamage] = law.erosion.by_damage ? 1 : 0;
+  numbers[ConcretePlace::FailureStrain] = law.erosion.plastic_strain;
+  numbers[ConcretePlace::Cohesion] = law.cohesion;
+  numbers[ConcretePlace::PressureFactor] = law.pressure_factor;
+  numbers[ConcretePlace::PressurePower] = law.pressure_power;
+  numbers[ConcretePlace::UniaxialStrength] = law.strength;
+  numbers[ConcretePlace::PerStrength] = 1 / law.strength;
+  numbers[ConcretePlace::PerTension] = 1 / law.tension;
+  numbers[ConcretePlace::LargestStrength] = law.largest_strength > 0 ? law.largest_strength : never;
+  numbers[ConcretePlace::CrushPressure] = law.crush_pressure;
+  numbers[ConcretePlace::CrushVolume] = law.crush_volume;
+  numbers[ConcretePlace::CrushSlope] = (law.lock_pressure - law.crush_pressure) / (full - law.crush_volume);
+  numbers[ConcretePlace::FullVolume] = full;
+  numbers[ConcretePlace::PerCrushing] = 1 / (full - law.crush_volume);
+  numbers[ConcretePlace::ElasticBulk] = law.crush_pressure / law.crush_volume;
+  numbers[ConcretePlace::LockVolume] = law.lock_volume;
+  numbers[ConcretePlace::Bulk] = law.bulk_modulus;
+  numbers[ConcretePlace::BulkQuadratic] = law.bulk_quadratic;
+  numbers[ConcretePlace::BulkCubic] = law.bulk_cubic;
+  numbers[ConcretePlace::LeastFracture] = law.least_fracture;
+  numbers[ConcretePlace::FractureFactor] = law.fracture_factor;
+  numbers[ConcretePlace::FracturePower] = law.fracture_power;
+  return numbers;
+}
+
+}  // namespace crumple::materials
