@@ -9,7 +9,7 @@
 namespace crumple::materials {
 namespace {
 
-using ConcretePlace = HolmquistConcreteLaw::SolidUpdate<double>;
+using PorousPlace = HolmquistConcreteLaw::SolidUpdate<double>;
 
 double compacted_pressure(const model::HolmquistConcrete& law, double bar) {
   return bar * (law.bulk_modulus + bar * (law.bulk_quadratic + bar * law.bulk_cubic));
@@ -76,35 +76,35 @@ std::vector<double> HolmquistConcreteLaw::constants(const model::Material& mater
   check_pressure(material, law);
   constexpr double never = 1e15;
   const double full = full_volume(law);
-  std::vector<double> numbers(ConcretePlace::Count);
-  numbers[ConcretePlace::Shear] = law.shear_modulus;
-  numbers[ConcretePlace::Tension] = law.tension;
-  numbers[ConcretePlace::RateCoefficient] = law.rate_coefficient;
-  numbers[ConcretePlace::ReferenceRate] = law.reference_rate;
-  numbers[ConcretePlace::PerDensity] = 1 / material.density;
-  numbers[ConcretePlace::FailsInTension] = law.erosion.at_tension ? 1 : 0;
-  numbers[ConcretePlace::FailsByDamage] = law.erosion.by_damage ? 1 : 0;
-  numbers[ConcretePlace::FailureStrain] = law.erosion.plastic_strain;
-  numbers[ConcretePlace::Cohesion] = law.cohesion;
-  numbers[ConcretePlace::PressureFactor] = law.pressure_factor;
-  numbers[ConcretePlace::PressurePower] = law.pressure_power;
-  numbers[ConcretePlace::UniaxialStrength] = law.strength;
-  numbers[ConcretePlace::PerStrength] = 1 / law.strength;
-  numbers[ConcretePlace::PerTension] = 1 / law.tension;
-  numbers[ConcretePlace::LargestStrength] = law.largest_strength > 0 ? law.largest_strength : never;
-  numbers[ConcretePlace::CrushPressure] = law.crush_pressure;
-  numbers[ConcretePlace::CrushVolume] = law.crush_volume;
-  numbers[ConcretePlace::CrushSlope] = (law.lock_pressure - law.crush_pressure) / (full - law.crush_volume);
-  numbers[ConcretePlace::FullVolume] = full;
-  numbers[ConcretePlace::PerCrushing] = 1 / (full - law.crush_volume);
-  numbers[ConcretePlace::ElasticBulk] = law.crush_pressure / law.crush_volume;
-  numbers[ConcretePlace::LockVolume] = law.lock_volume;
-  numbers[ConcretePlace::Bulk] = law.bulk_modulus;
-  numbers[ConcretePlace::BulkQuadratic] = law.bulk_quadratic;
-  numbers[ConcretePlace::BulkCubic] = law.bulk_cubic;
-  numbers[ConcretePlace::LeastFracture] = law.least_fracture;
-  numbers[ConcretePlace::FractureFactor] = law.fracture_factor;
-  numbers[ConcretePlace::FracturePower] = law.fracture_power;
+  std::vector<double> numbers(PorousPlace::Count);
+  numbers[PorousPlace::Shear] = law.shear_modulus;
+  numbers[PorousPlace::Tension] = law.tension;
+  numbers[PorousPlace::RateCoefficient] = law.rate_coefficient;
+  numbers[PorousPlace::ReferenceRate] = law.reference_rate;
+  numbers[PorousPlace::PerDensity] = 1 / material.density;
+  numbers[PorousPlace::FailsInTension] = law.erosion.at_tension ? 1 : 0;
+  numbers[PorousPlace::FailsByDamage] = law.erosion.by_damage ? 1 : 0;
+  numbers[PorousPlace::FailureStrain] = law.erosion.plastic_strain;
+  numbers[PorousPlace::Cohesion] = law.cohesion;
+  numbers[PorousPlace::PressureFactor] = law.pressure_factor;
+  numbers[PorousPlace::PressurePower] = law.pressure_power;
+  numbers[PorousPlace::UniaxialStrength] = law.strength;
+  numbers[PorousPlace::PerStrength] = 1 / law.strength;
+  numbers[PorousPlace::PerTension] = 1 / law.tension;
+  numbers[PorousPlace::LargestStrength] = law.largest_strength > 0 ? law.largest_strength : never;
+  numbers[PorousPlace::CrushPressure] = law.crush_pressure;
+  numbers[PorousPlace::CrushVolume] = law.crush_volume;
+  numbers[PorousPlace::CrushSlope] = (law.lock_pressure - law.crush_pressure) / (full - law.crush_volume);
+  numbers[PorousPlace::FullVolume] = full;
+  numbers[PorousPlace::PerCrushing] = 1 / (full - law.crush_volume);
+  numbers[PorousPlace::ElasticBulk] = law.crush_pressure / law.crush_volume;
+  numbers[PorousPlace::LockVolume] = law.lock_volume;
+  numbers[PorousPlace::Bulk] = law.bulk_modulus;
+  numbers[PorousPlace::BulkQuadratic] = law.bulk_quadratic;
+  numbers[PorousPlace::BulkCubic] = law.bulk_cubic;
+  numbers[PorousPlace::LeastFracture] = law.least_fracture;
+  numbers[PorousPlace::FractureFactor] = law.fracture_factor;
+  numbers[PorousPlace::FracturePower] = law.fracture_power;
   return numbers;
 }
 
