@@ -123,6 +123,28 @@ ThreeSurfaceConcrete three_surface_concrete(double strength, double poissons_rat
   return law;
 }
 
+void set_rate_factors(ThreeSurfaceConcrete& law, double strength, double psi, double seconds) {
+  constexpr double psi_in_mpa = 145.0377;
+  const double mpa = strength * psi / psi_in_mpa;
+  // Both rise with a power of the rate, and with its third root from a knee on, where they meet.
+  const auto factors = [&](double still, double power, double knee) {
+    ThreeSurfaceConcrete::RateFactors found{{0, still}, {1, 1}};
+    constexpr int per_decade = 4;
+    constexpr double fastest = 1000;  // 1/s
+    const int points = static_cast<int>(std::lround(per_decade * std::log10(fastest / still)));
+    for (int i = 1; i <= points; ++i) {
+      const double rate = still * std::pow(10.0, static_cast<double>(i) / per_decade);
+      const double slow = std::pow(std::fmin(rate, knee) / still, power);
+      found.rate.push_back(rate);
+      found.factor.push_back(rate <= knee ? slow : slow * std::cbrt(rate / knee));
+    }
+    for (double& rate : found.rate) rate *= seconds;
+    return found;
+  };
+  law.tension_rates = factors(1e-6, 1 / (1 + 8 * mpa / 10), 1);
+  law.compression_rates = factors(30e-6, 1.026 / (5 + 9 * mpa / 10), 30);
+}
+
 double unconfined_strength(const ThreeSurfaceConcrete::Surface& surface) {
   // 3 p = a0 + p / (a1 + a2 p), as a quadratic of p.
   const double square = 3 * surface.second;

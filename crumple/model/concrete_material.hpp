@@ -78,6 +78,11 @@ struct ThreeSurfaceConcrete {
     double first = 0;     ///< a1 [-]
     double second = 0;    ///< a2 [1/stress]
   };
+  /// How many times as strong a strain rate makes the material; straight between the points, constant beyond.
+  struct RateFactors {
+    std::vector<double> rate;    ///< rising from zero [1/time]
+    std::vector<double> factor;  ///< not below 1 [-]
+  };
 
   double youngs_modulus = 0;  ///< of the first bulk modulus and Poisson's ratio [stress]
   double poissons_ratio = 0;
@@ -95,12 +100,18 @@ struct ThreeSurfaceConcrete {
   std::vector<double> compression;  ///< -ln V, rising from zero [-]
   std::vector<double> pressure;     ///< of first loading [stress]
   std::vector<double> unloading;    ///< bulk moduli of unloading [stress]
+  RateFactors tension_rates{};      ///< LCRATE, none without points
+  RateFactors compression_rates{};  ///< both or none
 };
 
 /// Concrete by its unconfined compressive strength and Poisson's ratio alone, with `psi` pounds per square
 /// inch in the unit of stress and `inches` in that of length (docs/theory/three_surface_concrete.md).
 ThreeSurfaceConcrete three_surface_concrete(double strength, double poissons_ratio, double psi,
                                             double inches);
+
+/// Factors of concrete by the same arguments, with `seconds` in the unit of time: CEB-FIP Model Code 1990 in
+/// compression, L.J. Malvar & C.A. Ross, ACI Mater. J. 95 (1998) 735-739, in tension.
+void set_rate_factors(ThreeSurfaceConcrete& law, double strength, double psi, double seconds);
 
 /// Ten points of compaction that start with the bulk modulus, which Young's modulus and Poisson's ratio
 /// follow.

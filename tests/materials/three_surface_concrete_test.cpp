@@ -83,6 +83,31 @@ TEST_P(ThreeSurfaceConcrete, UniaxialStrengthsAreThoseOfTheConcrete) {
   off.compare(most, tension, tension, "tension");
 }
 
+/// The whole surface grows by the factor of the rate: of compression at f/3, of tension without pressure.
+TEST_P(ThreeSurfaceConcrete, RatesRaiseTheStrengthsByTheirFactors) {
+  model::Material material = damaged_concrete();
+  model::ThreeSurfaceConcrete& law = law_of(material);
+  law.tension_rates = {{0, 1e-9}, {1, 3}};
+  law.compression_rates = {{0, 1e-9}, {1, 1.4}};
+  const double tension = law.tensile_strength;
+  test::Largest off("concrete by f'c, fast: strengths over the factor of the rate times those at rest, error",
+                    "factors of the rate", 0.004);
+  SolidDriver<double> crushed(material, GetParam());
+  double most = 0;
+  for (int i = 0; i < 400; ++i) {
+    press_with_held_sides(crushed, -1e-5, 0);
+    most = std::max(most, -crushed.stress()[0]);
+  }
+  off.compare(most, 1.4 * strength, strength, "compression");
+  SolidDriver<double> torn(material, GetParam());
+  most = 0;
+  for (int i = 0; i < 700; ++i) {
+    press_with_held_sides(torn, 1e-6, 0);
+    most = std::max(most, torn.stress()[0]);
+  }
+  off.compare(most, 3 * tension, tension, "tension");
+}
+
 /// Pressed along two axes alike, the third free.
 TEST_P(ThreeSurfaceConcrete, BiaxialStrengthIsThatOfTheMeridianOfExtension) {
   SolidDriver<double> point(damaged_concrete(), GetParam());
@@ -331,6 +356,10 @@ TEST(ThreeSurfaceConcreteConstants, AreChecked) {
   refused([](model::ThreeSurfaceConcrete& law) { law.damage[3] = 0; });
   refused([](model::ThreeSurfaceConcrete& law) { law.share[4] = 0.995; });
   refused([](model::ThreeSurfaceConcrete& law) { law.pressure[0] = 1; });
+  refused([](model::ThreeSurfaceConcrete& law) { law.tension_rates = {{0, 1}, {1, 2}}; });
+  refused([](model::ThreeSurfaceConcrete& law) {
+    law.tension_rates = law.compression_rates = {{0, 1}, {1, 0.9}};
+  });
   refused([](model::ThreeSurfaceConcrete& law) { law.unloading[8] = law.unloading[9] = 1; });
 }
 
@@ -348,6 +377,19 @@ TEST(ThreeSurfaceConcreteDefaults, AreThePublishedOnes) {
   off.compare(law.tensile_strength, 3.8274, 3.8274, "FT");
   off.compare(model::unconfined_strength(law.maximum), strength, strength, "f'c");
   off.compare(model::unconfined_strength(law.yield), 20.36, 20.36, "yield in compression");
+  // The formulas at two rates, of 45.4 MPa: below the knees and above.
+  model::ThreeSurfaceConcrete fast = law;
+  model::set_rate_factors(fast, strength, psi_per_mpa, 1);
+  const auto at = [](const model::ThreeSurfaceConcrete::RateFactors& of, double rate) {
+    return model::value_at({of.rate, of.factor}, rate);
+  };
+  const double delta = 1 / (1 + 0.8 * 45.4);
+  const double alpha = 1 / (5 + 0.9 * 45.4);
+  off.compare(at(fast.tension_rates, 1e-2), std::pow(1e4, delta), 1, "tension, slow");
+  off.compare(at(fast.tension_rates, 100), std::pow(10, 6 * delta - 2) * std::cbrt(1e8), 10, "tension, fast");
+  off.compare(at(fast.compression_rates, 3e-2), std::pow(1e3, 1.026 * alpha), 1, "compression, slow");
+  off.compare(at(fast.compression_rates, 300), std::pow(10, 6.156 * alpha - 2) * std::cbrt(1e7), 10,
+              "compression, fast");
   // In Pa and m.
   const model::ThreeSurfaceConcrete other =
       model::three_surface_concrete(strength * 1e6, 0.19, psi_per_mpa * 1e-6, 1 / 0.0254);

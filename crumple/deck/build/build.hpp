@@ -150,6 +150,9 @@ void take_damages(Build& build);
 // build_foams.cpp
 /// What the curves of a honeycomb, a soil or a foam make of its law.
 void take_foam_curves(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build);
+// build_rate_factors.cpp
+/// What the curve of rates of a concrete makes of its law.
+void take_rate_factors(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build);
 // check_materials.cpp
 void check_materials(Build& build);
 // check_parts.cpp

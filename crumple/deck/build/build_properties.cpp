@@ -483,6 +483,7 @@ void build_properties(Build& build, const ReadOptions& options) {
     if (auto* law = std::get_if<model::LowDensityFoam>(&model.materials.back().law))
       take_compression(raw, *law, build);
     take_foam_curves(raw, model.materials.back().law, build);
+    take_rate_factors(raw, model.materials.back().law, build);
   }
   build_spring_materials(build);
   take_erosions(build);

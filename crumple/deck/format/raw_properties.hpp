@@ -85,7 +85,8 @@ struct RawMaterial {
   std::array<RawDirectionCurve, 6> damping_curves{};
   std::array<RawDirectionCurve, 6> damping_factors{};
   std::array<RawDirectionCurve, 6> unloading_curves{};
-  /// Of honeycomb: aa, bb, cc, ab, bc, ca, factor over the rate. Of plasticity with damage: LCDM.
+  /// Of honeycomb: aa, bb, cc, ab, bc, ca, factor over the rate. Of plasticity with damage: LCDM. Of
+  /// concrete: LCRATE.
   std::array<UserId, 8> more_curves{};
   std::array<double, 2> gauge{};           ///< length and cross section of the specimen of a test
   std::array<UserId, 2> leakage_curves{};  ///< of fabric: FLC over time, FAC over pressure

@@ -91,6 +91,24 @@ void put_damage(std::vector<double>& numbers, const model::ThreeSurfaceConcrete&
   put_table(numbers, SurfacesDamage, damage, share, false);
 }
 
+void put_rates(std::vector<double>& numbers, int rows, int place,
+               const model::ThreeSurfaceConcrete::RateFactors& of) {
+  numbers[rows] = static_cast<double>(of.rate.size());
+  if (!of.rate.empty()) put_table(numbers, place, of.rate, of.factor, false);
+}
+
+void check_rates_of(const model::Material& material, const model::ThreeSurfaceConcrete& law) {
+  require(law.tension_rates.rate.empty() == law.compression_rates.rate.empty(), material,
+          "rate factors are needed in tension and in compression, or in neither");
+  for (const auto* of : {&law.tension_rates, &law.compression_rates}) {
+    if (of->rate.empty()) continue;
+    require(rises(of->rate) && of->rate.size() <= most_rate_rows && of->factor.size() == of->rate.size(),
+            material, "rate factors need 2 to 48 rates that rise from zero");
+    require(*std::min_element(of->factor.begin(), of->factor.end()) >= 1, material,
+            "rate factors must not be below 1");
+  }
+}
+
 }  // namespace
 
 void ThreeSurfaceConcreteLaw::declare_history(const model::ConstitutiveLaw& /*law*/,
@@ -116,6 +134,7 @@ std::vector<double> ThreeSurfaceConcreteLaw::constants(const model::Material& ma
   require_elastic(material, law.youngs_modulus, law.poissons_ratio);
   check_strength_of(material, law);
   check_tables_of(material, law);
+  check_rates_of(material, law);
   std::vector<double> numbers(SurfacesCount);
   const auto put = [&](int place, const Model::Surface& of) {
     numbers[place] = of.constant;
@@ -139,6 +158,8 @@ std::vector<double> ThreeSurfaceConcreteLaw::constants(const model::Material& ma
   put_table(numbers, SurfacesCompaction, law.compression, law.pressure, true);
   put_table(numbers, SurfacesUnloading, law.compression, law.unloading, false);
   put_damage(numbers, law);
+  put_rates(numbers, SurfacesTensionRows, SurfacesTensionRates, law.tension_rates);
+  put_rates(numbers, SurfacesPressRows, SurfacesPressRates, law.compression_rates);
   return numbers;
 }
 

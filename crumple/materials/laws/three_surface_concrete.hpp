@@ -5,6 +5,7 @@
 
 #include "materials/laws/total_deformation.hpp"
 #include "materials/laws/volume_history.hpp"
+#include "materials/plasticity/cowper_symonds.hpp"
 #include "materials/plasticity/three_surfaces.hpp"
 
 namespace crumple::materials {
@@ -42,8 +43,10 @@ struct ThreeSurfaceConcreteLaw {
     static constexpr bool may_fail = false;
 
     ThreeSurfaces<Pack> surfaces;
+    Real per_step;
 
-    CRUMPLE_INLINE explicit SolidUpdate(const SolidMaterialTask<Real>& task) : surfaces{task.constants} {}
+    CRUMPLE_INLINE explicit SolidUpdate(const SolidMaterialTask<Real>& task)
+        : surfaces{task.constants}, per_step(task.step > 0 ? Real(1) / task.step : Real(0)) {}
 
     CRUMPLE_INLINE Pack number(int place) const { return surfaces.number(place); }
     CRUMPLE_INLINE static Real* one(const History& history, int item) {
@@ -64,11 +67,12 @@ struct ThreeSurfaceConcreteLaw {
     }
 
     /// Opens cracks where the pressure is below the one at which the surface ends.
-    CRUMPLE_INLINE void open(Pressure& p, const Pack& size, const History& history) const {
+    CRUMPLE_INLINE void open(Pressure& p, const Pack& size, const Pack& rate_factor,
+                             const History& history) const {
       const Pack zero(Real(0));
       Real* const place = one(history, Damage);
       const Pack damage = load<Pack>(place);
-      const Pack least = -(number(SurfacesTension) * surfaces.held(damage));
+      const Pack least = -(number(SurfacesTension) * (rate_factor * surfaces.held(damage)));
       const Pack opened = larger(Pack(least - p.value), zero) / p.bulk;
       if (!any<Pack>(opened > zero)) return;
       const Pack tenth(Real(0.1));
@@ -97,8 +101,9 @@ struct ThreeSurfaceConcreteLaw {
                          multiply_add(g, strain.yz, old.yz),
                          multiply_add(g, strain.zx, old.zx)};
       const Pack size = square_root(equivalent_square(trial));
-      open(p, size, history);
-      const Pack scale = flow(trial, size, compression, p, history);
+      const Pack factor = rate_factor(p.value, strain);
+      open(p, size, factor, history);
+      const Pack scale = flow({trial, size, compression, factor}, p, history);
       TotalStress<Pack> found;
       found.stress = {multiply_add(scale, trial.xx, Pack(-p.value)),
                       multiply_add(scale, trial.yy, Pack(-p.value)),
@@ -111,37 +116,49 @@ struct ThreeSurfaceConcreteLaw {
       return found;
     }
 
+    CRUMPLE_INLINE Pack rate_factor(const Pack& p, const SolidStrain<Pack>& strain) const {
+      if (surfaces.c[SurfacesTensionRows] == 0) return Pack(Real(1));
+      return surfaces.rate_factor(p, Pack(Pack(per_step) * effective_strain(strain)));
+    }
+
+    struct Trial {
+      Stress deviator;
+      Pack size, compression, rate_factor;
+    };
     /// What is left of the trial deviator; the pressure that dilation adds goes to `p`.
-    CRUMPLE_INLINE Pack flow(const Stress& trial, const Pack& size, const Pack& compression, Pressure& p,
-                             const History& history) const {
+    CRUMPLE_INLINE Pack flow(const Trial& trial, Pressure& p, const History& history) const {
       const Pack whole(Real(1));
       Real* const place = one(history, Damage);
       const Pack damage = load<Pack>(place);
+      const Pack& factor = trial.rate_factor;
+      const Pack pressed = p.value / factor;
+      const Pack size = trial.size / factor;
       // Half of the strength in triaxial compression is within the surface at every angle.
-      const Pack least = Pack(Real(0.5)) * surfaces.strength(p.value, damage).value;
-      if (!any<Pack>(size > least)) return whole;
-      const Pack cosine = angle(trial, size);
-      const Pack ratio = surfaces.ratio(p.value, cosine);
-      const auto at = surfaces.strength(p.value, damage);
+      const auto at = surfaces.strength(pressed, damage);
+      if (!any<Pack>(size > Pack(Real(0.5)) * at.value)) return whole;
+      const Pack cosine = angle(trial.deviator, trial.size);
+      const Pack ratio = surfaces.ratio(pressed, cosine);
       const Mask yields = size > ratio * at.value;
       if (!any<Pack>(yields)) return whole;
       const Pack share = number(SurfacesDilatancy) * surfaces.held(damage);
-      const typename ThreeSurfaces<Pack>::Flow now{p.value,
+      const typename ThreeSurfaces<Pack>::Flow now{pressed,
                                                    size,
                                                    ratio,
                                                    damage,
                                                    share * (ratio * at.slope),
-                                                   p.bulk,
-                                                   load<Pack>(one(history, Softening))};
+                                                   p.bulk / factor,
+                                                   load<Pack>(one(history, Softening)),
+                                                   factor};
       const auto end = surfaces.returned(now, Pack(ratio * at.slope), yields);
       store(place, end.damage);
       Real* const dilation = one(history, Dilation);
       const Pack total = load<Pack>(dilation) + now.volume * end.strain;
       store(dilation, total);
-      const Pressure last = pressure(Pack(compression + total), history);
+      const Pressure last = pressure(Pack(trial.compression + total), history);
       p.value = select<Pack>(yields, last.value, p.value);
       p.slope = larger(p.slope, last.slope);
-      const Pack bound = surfaces.ratio(p.value, cosine) * surfaces.strength(p.value, end.damage).value;
+      const Pack after = p.value / factor;
+      const Pack bound = surfaces.ratio(after, cosine) * surfaces.strength(after, end.damage).value;
       const Pack scale = smaller(Pack(bound / larger(size, Pack(ThreeSurfaces<Pack>::tiny))), whole);
       return select<Pack>(yields, scale, whole);
     }

@@ -28,9 +28,14 @@ enum SurfacesPlace {
   SurfacesMeridians,                            ///< table of five rows: pressure, extension over compression
   SurfacesCompaction = SurfacesMeridians + 15,  ///< table of at most `most_compaction` rows
   SurfacesUnloading = SurfacesCompaction + 30,
-  SurfacesDamage = SurfacesUnloading + 30,  ///< table of at most 14 rows
-  SurfacesCount = SurfacesDamage + 42,
+  SurfacesDamage = SurfacesUnloading + 30,            ///< table of at most 14 rows
+  SurfacesTensionRows = SurfacesDamage + 42,          ///< rows of the factors of rates; zero is none
+  SurfacesTensionRates,                               ///< table of at most 48 rows
+  SurfacesPressRows = SurfacesTensionRates + 3 * 48,  ///< the same in compression
+  SurfacesPressRates,
+  SurfacesCount = SurfacesPressRates + 3 * 48,
 };
+constexpr int most_rate_rows = 48;
 
 /// The strength of the K&C concrete model (docs/theory/three_surface_concrete.md): pressures p are positive
 /// in compression, sizes are sqrt(3 J2), strengths those of triaxial compression.
@@ -45,6 +50,15 @@ struct ThreeSurfaces {
   CRUMPLE_INLINE Pack number(int place) const { return Pack(static_cast<Real>(c[place])); }
   CRUMPLE_INLINE PointTable<Real> table(int place, int rows) const {
     return {c + place, static_cast<int>(c[rows])};
+  }
+
+  /// How many times as strong the rate makes the surfaces: they grow in all directions from the origin.
+  /// Between tension and the pressure of unconfined compression the factors of both mix.
+  CRUMPLE_INLINE Pack rate_factor(const Pack& p, const Pack& rate) const {
+    const Pack torn = table(SurfacesTensionRates, SurfacesTensionRows).at(rate).stress;
+    const Pack pressed = table(SurfacesPressRates, SurfacesPressRows).at(rate).stress;
+    const Pack share = smaller(larger(Pack(p / number(SurfacesUnconfined)), Pack(Real(0))), Pack(Real(1)));
+    return multiply_add(share, Pack(pressed - torn), torn);
   }
 
   struct Curve {
@@ -151,12 +165,13 @@ struct ThreeSurfaces {
     return select<Pack>(psi >= one, one, above / larger(below, Pack(tiny)));
   }
 
-  /// A trial outside of the surface.
+  /// A trial outside of the surface, stresses over the factor of the rate.
   struct Flow {
     Pack pressure, size, ratio, damage;
     Pack volume;  ///< plastic volumetric strain per plastic strain of shear
     Pack bulk;
     Pack softening_speed;
+    Pack rate_factor;
   };
   struct End {
     Pack strain, damage;  ///< plastic strain of shear; lambda
@@ -169,7 +184,7 @@ struct ThreeSurfaces {
     const Pack power = select<Pack>(f.pressure < Pack(Real(0)), number(SurfacesTensionPower),
                                     number(SurfacesCompressionPower));
     const Pack all = square_root(multiply_add(Pack(Pack(Real(2.0 / 9.0)) * f.volume), f.volume, one));
-    return all / math::power(base, power);
+    return all / (f.rate_factor * math::power(base, power));
   }
 
   /// The size falls with the plastic strain, by shear and by what dilation adds to the pressure; the strength

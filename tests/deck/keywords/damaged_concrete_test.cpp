@@ -96,8 +96,38 @@ TEST(DamagedConcrete, EveryField) {
   EXPECT_NEAR(law.youngs_modulus, 57000 * std::sqrt(strength * 145) / 145, 1e-6);
 }
 
+TEST(DamagedConcrete, RatesByACurveOrByTheStrength) {
+  const std::string with_curve = replaced(by_strength, "0.03937,145,0", "0.03937,145,7");
+  const model::ThreeSurfaceConcrete law =
+      clean(with_curve + "*DEFINE_CURVE\n7\n-30,6\n-1,2\n0,1\n10,1.2\n100,1.5\n");
+  EXPECT_EQ(law.tension_rates.rate, (std::vector<double>{0, 1, 30}));
+  EXPECT_EQ(law.tension_rates.factor, (std::vector<double>{1, 2, 6}));
+  EXPECT_EQ(law.compression_rates.rate, (std::vector<double>{0, 10, 100}));
+  EXPECT_EQ(law.compression_rates.factor, (std::vector<double>{1, 1.2, 1.5}));
+  // One that begins at zero holds for both.
+  const model::ThreeSurfaceConcrete alike = clean(with_curve + "*DEFINE_CURVE\n7\n0,1\n10,1.2\n");
+  EXPECT_EQ(alike.tension_rates.factor, alike.compression_rates.factor);
+  EXPECT_TRUE(clean(by_strength).tension_rates.rate.empty());
+
+  model::ThreeSurfaceConcrete same;
+  model::set_rate_factors(same, 45.4, 145, 1);
+  const model::ThreeSurfaceConcrete own = clean(replaced(by_strength, "0.03937,145,0", "0.03937,145,-1"));
+  ASSERT_EQ(own.tension_rates.rate.size(), same.tension_rates.rate.size());
+  EXPECT_NEAR(own.tension_rates.factor.back(), same.tension_rates.factor.back(), 1e-9);
+  // kg, mm, ms: GPa.
+  const model::ThreeSurfaceConcrete other =
+      clean("*MAT_072R3\n1,2.4E-6,0.19\n0,-0.0454\n100,2,1,0.03937,145000,-1,0,13\n\n\n\n\n");
+  EXPECT_NEAR(other.tension_rates.rate.back(), 1e-3 * own.tension_rates.rate.back(), 1e-9);
+  EXPECT_NEAR(other.tension_rates.factor.back(), own.tension_rates.factor.back(), 1e-9);
+}
+
 TEST(DamagedConcrete, WrongFields) {
-  only_message(messages(replaced(by_strength, "0.03937,145,0", "0.03937,145,7")), "LCRATE");
+  const std::string with_curve = replaced(by_strength, "0.03937,145,0", "0.03937,145,7");
+  only_message(messages(with_curve), "LCRATE");
+  only_message(messages(with_curve + "*DEFINE_CURVE\n7\n-1,0.5\n10,1.2\n"), "factors of at least 1");
+  only_message(messages(replaced(by_strength, "0.03937,145,0", "0.03937,145,-2")), "a curve, 0 or -1");
+  only_message(messages("*MAT_072R3\n1,2.4E-3,0.19\n0,-45.4\n100,2,1,0.03937,145,-1,0,13\n\n\n\n\n"),
+               "RO is far from that of concrete");
   only_message(messages(replaced(by_strength, "100,2,1,", "100,2,3,")), "EDROP");
   only_message(messages(replaced(by_strength, "0.03937,145,0,0,13", "0.03937,145,0,0,9")), "NPTS");
   only_message(messages(replaced(by_strength, "0.03937,145", "0,145")), "RSIZE");

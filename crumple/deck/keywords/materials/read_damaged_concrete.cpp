@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/material_cards.hpp"
@@ -28,13 +29,18 @@ constexpr Field rel3_strength_card[] = {
     real("OMEGA", 0, within(0, 1, "a share of the normal plastic volume")),
     real("A1F", 0, not_negative),
 };
+/// -1 asks for the factors of the strength.
+IdKind kind_of_rates(const Card& card) {
+  return card.integer("LCRATE") == -1 ? IdKind::None : IdKind::Function;
+}
+
 constexpr Field rel3_option_card[] = {
     unused("SLAMBDA"),
     unused("NOUT"),
     only("EDROP", {0, 1}, "behind the maximum the dilatancy falls as the strength does"),
     real("RSIZE", 0, not_negative),
     real("UCF", 0, not_negative),
-    only("LCRATE", {0}, "the strength does not grow with the strain rate"),
+    signed_id("LCRATE", kind_of_rates),
     real("LOCWIDTH", 0, not_negative),
     only("NPTS", {0, 13}, "the table of damage has 13 points"),
 };
@@ -140,6 +146,43 @@ model::ThreeSurfaceConcrete given_concrete(const Rel3Cards& cards, Report& repor
   return law;
 }
 
+/// Seconds in the unit of time, for which no field asks: by the density, which is near 2400 kg/m3. Zero for
+/// one that is none of s, ms and us.
+double seconds_by_density(const Rel3Cards& cards) {
+  constexpr double usual_density = 2400;
+  constexpr double inch = 0.0254;
+  constexpr double psi = 6894.757;
+  const double length = inch * cards.option.real("RSIZE");
+  const double stress = psi * cards.option.real("UCF");
+  const double square = usual_density / cards.first.real("RO") * length * length / stress;
+  for (const double unit : {1.0, 1e-3, 1e-6}) {
+    const double off = square / (unit * unit);
+    if (off > 0.4 && off < 2.5) return unit;
+  }
+  return 0;
+}
+
+void take_rates(const Rel3Cards& cards, model::ThreeSurfaceConcrete& law, Report& report) {
+  const std::int64_t curve = cards.option.integer("LCRATE");
+  const std::string text(cards.option.text("LCRATE"));
+  if (!cards.option.good("LCRATE") || curve >= 0) return;
+  if (curve < -1) {
+    report.field_error(cards.option.where(),
+                       {"LCRATE", text, "a curve, 0 or -1", "-1 takes the factors of the strength", "rate"});
+    return;
+  }
+  const double strength = model::unconfined_strength(law.maximum);
+  const double seconds = seconds_by_density(cards);
+  if (strength > 0 && seconds > 0) {
+    model::set_rate_factors(law, strength, cards.option.real("UCF"), seconds);
+    return;
+  }
+  report.field_error(
+      cards.option.where(),
+      {"LCRATE", text, "a curve, or units of s, ms or us by RO, RSIZE and UCF",
+       "the factors of -1 are given per second, and RO is far from that of concrete in these units", "rate"});
+}
+
 }  // namespace
 
 void read_mat_concrete_damage_rel3(Cards& cards, RawDeck& deck) {
@@ -154,8 +197,12 @@ void read_mat_concrete_damage_rel3(Cards& cards, RawDeck& deck) {
     const Card more_share = cards.next_or_default(rel3_more_share_card);
     const Rel3Cards all{first, strength, option, damage, more_damage, share, more_share};
     RawMaterial raw = material_of(heading, first);
-    raw.material.law = strength.real("A0") < 0 ? concrete_by_strength(all, cards.report())
-                                               : given_concrete(all, cards.report());
+    model::ThreeSurfaceConcrete law = strength.real("A0") < 0 ? concrete_by_strength(all, cards.report())
+                                                              : given_concrete(all, cards.report());
+    take_rates(all, law, cards.report());
+    raw.material.law = std::move(law);
+    if (option.good("LCRATE") && option.integer("LCRATE") > 0) raw.more_curves[0] = option.integer("LCRATE");
+    raw.curve_where = option.where();
     if (first.good("MID")) deck.materials.push_back(std::move(raw));
   }
 }
