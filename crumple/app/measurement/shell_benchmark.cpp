@@ -84,7 +84,7 @@ Law steel() {
   if constexpr (requires { law.isotropic_fraction; }) law.isotropic_fraction = 1;
   if constexpr (requires { law.hardening = 300.0; }) law.hardening = 300;
   if constexpr (requires { law.exponent = 0.2; }) law.exponent = 0.2;
-  if constexpr (requires { law.strength = 960.0; }) {
+  if constexpr (requires { law.strength = law.yield_strain; }) {
     law.strength = 960;  // 250 at the yield strain
     law.yield_strain = yield_strain;
   }
