@@ -32,15 +32,20 @@ TEST(Connections, SpotWeldsOfPairsAndSets) {
 }
 
 TEST(Connections, AFibreOfSolidsAtAShellIsAWeldOfAllItsNodes) {
-  const model::Model model = read_with(
-      "*CONSTRAINED_SHELL_TO_SOLID\n         2         8\n*SET_NODE_LIST\n         8\n         6         "
-      "5\n");
-  ASSERT_EQ(model.spot_welds.size(), 1U);
-  EXPECT_EQ(model.spot_welds[0].nodes, (std::vector<Index>{1, 4, 5}));
-  EXPECT_EQ(model.spot_welds[0].failure_time, 1e20);
-  EXPECT_EQ(model.spot_welds[0].failure_strain, 0);
-  expect_one("*CONSTRAINED_SHELL_TO_SOLID\n        77         8\n*SET_NODE_LIST\n         8\n         6\n",
-             "77");
+  const std::string fibre =
+      "*CONSTRAINED_SHELL_TO_SOLID\n2,8\n*SET_NODE_LIST\n         8\n         6         5\n";
+  SmallDeck deck;
+  deck.more = fibre;
+  const ReadResult result = read_deck_text(deck.text());
+  ASSERT_TRUE(result.model);
+  ASSERT_EQ(result.model->spot_welds.size(), 1U);
+  const model::SpotWeld& weld = result.model->spot_welds[0];
+  EXPECT_EQ(weld.nodes, (std::vector<Index>{1, 4, 5}));
+  EXPECT_EQ(weld.failure_time, 1e20);
+  EXPECT_EQ(weld.failure_strain, 0);
+  EXPECT_NE(listed(result.diagnostics).find("LS-DYNA lets it stretch"), std::string::npos);
+  deck.more = "*CONSTRAINED_SHELL_TO_SOLID\n77,8\n" + fibre.substr(fibre.find("*SET"));
+  EXPECT_FALSE(read_deck_text(deck.text()).model);
 }
 
 TEST(Connections, RivetsAndNodeSets) {

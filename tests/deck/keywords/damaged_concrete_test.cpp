@@ -126,7 +126,7 @@ TEST(DamagedConcrete, WrongFields) {
   only_message(messages(with_curve), "LCRATE");
   only_message(messages(with_curve + "*DEFINE_CURVE\n7\n-1,0.5\n10,1.2\n"), "factors of at least 1");
   only_message(messages(replaced(by_strength, "0.03937,145,0", "0.03937,145,-2")), "a curve, 0 or -1");
-  only_message(messages("*MAT_072R3\n1,2.4E-3,0.19\n0,-45.4\n100,2,1,0.03937,145,-1,0,13\n\n\n\n\n"),
+  only_message(messages("*MAT_072R3\n1,2.4E-10,0.19\n0,-45.4\n100,2,1,0.03937,145,-1,0,13\n\n\n\n\n"),
                "RO is far from that of concrete");
   only_message(messages(replaced(by_strength, "100,2,1,", "100,2,3,")), "EDROP");
   only_message(messages(replaced(by_strength, "0.03937,145,0,0,13", "0.03937,145,0,0,9")), "NPTS");

@@ -171,7 +171,8 @@ void take_rates(const Rel3Cards& cards, model::ThreeSurfaceConcrete& law, Report
                        {"LCRATE", text, "a curve, 0 or -1", "-1 takes the factors of the strength", "rate"});
     return;
   }
-  const double strength = model::unconfined_strength(law.maximum);
+  const double given = cards.strength.real("A0");
+  const double strength = given < 0 ? -given : model::unconfined_strength(law.maximum);
   const double seconds = seconds_by_density(cards);
   if (strength > 0 && seconds > 0) {
     model::set_rate_factors(law, strength, cards.option.real("UCF"), seconds);
