@@ -61,7 +61,7 @@ struct OneDamagedPoint {
     state(3) = static_cast<Real>(xy);
     grow_damage(growth, tile);
   }
-  double damage() { return item("damage"); }
+  double damage() { return item("gissmo_damage"); }
   double stress() { return double(state(0)); }
   bool gone() const { return intact[0] == Real(0); }
 
@@ -362,7 +362,7 @@ TEST(GissmoDamage, PercentCountLayers) {
         failed_layers = 0;
         for (Index layer = 0; layer < 4; ++layer)
           for (Index plane = 0; plane < body.block().plane_points; ++plane)
-            if (body.item("damage", 0, plane * 4 + layer) == 1) {
+            if (body.item("gissmo_damage", 0, plane * 4 + layer) == 1) {
               ++failed_layers;
               break;
             }

@@ -87,7 +87,7 @@ TEST_P(DamagedBar, KeepsEnergyAndMomentum) {
       worst = test::larger_of(worst, std::fabs(now.energy.imbalance()) / now.energy.initial_total);
       worst_momentum = test::larger_of(worst_momentum, norm(test::momentum(now)));
       const domain::SolidBlock& middle = now.solids[1];
-      const double damage = middle.state(0, middle.find("damage")->first);
+      const double damage = middle.state(0, middle.find("gissmo_damage")->first);
       if (damage > 0.25 && damage < 1) faded = test::larger_of(faded, damage);
     });
     EXPECT_EQ(domain.solids[1].eroded, 8);

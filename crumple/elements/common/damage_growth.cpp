@@ -221,7 +221,7 @@ std::vector<Index> components_of(const domain::ElementBlock& block, const std::s
 }  // namespace
 
 DamageGrowth damage_growth(const domain::ElementBlock& block, double step) {
-  DamageGrowth growth{&*block.damage, block.find("damage")->first, block.find("damage_history")->first};
+  DamageGrowth growth{&*block.damage, block.find("gissmo_damage")->first, block.find("damage_history")->first};
   growth.step = step;
   const std::vector<Index> sum = components_of(block, "plastic_strain");
   const std::vector<Index> rest = components_of(block, "plastic_strain_rest");
@@ -232,7 +232,8 @@ DamageGrowth damage_growth(const domain::ElementBlock& block, double step) {
 void declare_damage(domain::ElementBlock& block) {
   if (!block.damage) return;
   components_of(block, "plastic_strain");
-  domain::add_item(block, "damage", "-", block.points);
+  // A law may have a damage of its own, as that of Johnson & Cook.
+  domain::add_item(block, "gissmo_damage", "-", block.points);
   domain::add_item(block, "damage_history", "length, -, work / volume",
                    damage_item::points + damage_item::per_point * block.points);
 }

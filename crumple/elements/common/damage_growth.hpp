@@ -35,7 +35,7 @@ inline constexpr Index per_point = 9;
 /// What makes damage grow in one block.
 struct DamageGrowth {
   const model::GissmoDamage* law = nullptr;
-  Index damage = 0;                                    ///< component of the item "damage" [point]
+  Index damage = 0;                                    ///< component of the item "gissmo_damage" [point]
   Index history = 0;                                   ///< and of "damage_history"
   std::vector<std::array<Index, 2>> plastic_strain{};  ///< by point: components of the sum
   double step = 0;                                     ///< [time]

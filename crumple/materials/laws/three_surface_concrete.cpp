@@ -118,6 +118,7 @@ void ThreeSurfaceConcreteLaw::declare_history(const model::ConstitutiveLaw& /*la
   domain::add_item(block, "largest_compression", "-", block.points);
   domain::add_item(block, "concrete_damage", "-", block.points);
   domain::add_item(block, "softening_speed", "-", block.points);
+  domain::add_item(block, "damage", "-", block.points);
 }
 
 void ThreeSurfaceConcreteLaw::prepare_solid_element(const model::ConstitutiveLaw& law,

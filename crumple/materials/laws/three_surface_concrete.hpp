@@ -31,6 +31,7 @@ struct ThreeSurfaceConcreteLaw {
     Largest,       ///< largest compression, the dilation taken out
     Damage,        ///< lambda
     Softening,     ///< how many times as fast lambda grows behind the maximum
+    Scaled,        ///< 2 lambda / (lambda + that of the maximum), for results alone
   };
 
   template <class Pack>
@@ -104,6 +105,8 @@ struct ThreeSurfaceConcreteLaw {
       const Pack factor = rate_factor(p.value, strain);
       open(p, size, factor, history);
       const Pack scale = flow({trial, size, compression, factor}, p, history);
+      const Pack damage = load<Pack>(one(history, Damage));
+      store(one(history, Scaled), Pack(damage + damage) / (damage + number(SurfacesPeakDamage)));
       TotalStress<Pack> found;
       found.stress = {multiply_add(scale, trial.xx, Pack(-p.value)),
                       multiply_add(scale, trial.yy, Pack(-p.value)),

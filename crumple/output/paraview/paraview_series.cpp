@@ -81,11 +81,8 @@ SolidCell cell_of(const model::SolidNodes& node) {
   return {vtk_hexahedron, {0, 1, 2, 3, 4, 5, 6, 7}};
 }
 
-bool has_damage(const domain::Domain& domain) {
-  const auto damaged = [](const domain::ElementBlock& block) {
-    return block.damage.has_value() || block.find("cohesive_damage") != nullptr ||
-           block.find("brittle_damage") != nullptr;
-  };
+bool any_has_damage(const domain::Domain& domain) {
+  const auto damaged = [](const domain::ElementBlock& block) { return has_damage(block); };
   return std::any_of(domain.shells.begin(), domain.shells.end(), damaged) ||
          std::any_of(domain.solids.begin(), domain.solids.end(), damaged);
 }
@@ -276,7 +273,7 @@ std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
   if (!solid_place_.empty())
     fields.push_back(make(
         "pressure", 0.0F, none, [](const SolidResults& r, Index place) { return r.pressure(place); }, none));
-  if (has_damage(view.domain))
+  if (any_has_damage(view.domain))
     fields.push_back(cell_array<1, float>(
         "damage", results,
         [&](const auto&, std::size_t block, Index place) {

@@ -19,11 +19,18 @@ inline double plastic_strain_of(const domain::ElementBlock& block, Index place, 
   return 0;
 }
 
+/// Items that hold a damage from 0 to 1 (of concrete of three surfaces to 2), of a law or added to it.
+inline constexpr const char* damage_items[] = {"gissmo_damage", "damage", "cohesive_damage", "brittle_damage",
+                                               "ductile_damage"};
+
+inline bool has_damage(const domain::ElementBlock& block) {
+  return std::ranges::any_of(damage_items, [&](const char* name) { return block.find(name) != nullptr; });
+}
+
 /// Largest damage of all points of an element [-]; zero of a material without.
 inline double damage_of(const domain::ElementBlock& block, Index place) {
   double largest = 0;
-  for (const char* const name :
-       {block.damage ? "damage" : "cohesive_damage", "brittle_damage", "ductile_damage"})
+  for (const char* const name : damage_items)
     if (const domain::StateItem* const item = block.find(name))
       for (Index i = 0; i < item->count; ++i)
         largest = std::max(largest, block.state(place, item->first + i));
