@@ -221,7 +221,8 @@ std::vector<Index> components_of(const domain::ElementBlock& block, const std::s
 }  // namespace
 
 DamageGrowth damage_growth(const domain::ElementBlock& block, double step) {
-  DamageGrowth growth{&*block.damage, block.find("gissmo_damage")->first, block.find("damage_history")->first};
+  DamageGrowth growth{&*block.damage, block.find("gissmo_damage")->first,
+                      block.find("damage_history")->first};
   growth.step = step;
   const std::vector<Index> sum = components_of(block, "plastic_strain");
   const std::vector<Index> rest = components_of(block, "plastic_strain_rest");
