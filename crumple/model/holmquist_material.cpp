@@ -4,8 +4,7 @@
 namespace crumple::model {
 namespace {
 
-template <class Law>
-void set_elastic_by(Law& law, double k) {
+void set_elastic_by(BrittleSolid& law, double k) {
   const double g = law.shear_modulus;
   if (!(g > 0 && k > 0)) return;
   law.youngs_modulus = 9 * k * g / (3 * k + g);

@@ -38,11 +38,6 @@ struct HolmquistCeramicLaw {
       LimitStress,  ///< von Mises stress at the Hugoniot elastic limit
       PerPressure,  ///< 1/PHEL
       Bulking,      ///< 2 BETA K1/(6 G)
-      FractureFactor,
-      FracturePower,
-      Bulk,
-      BulkQuadratic,
-      BulkCubic,
       Count
     };
 
@@ -50,20 +45,6 @@ struct HolmquistCeramicLaw {
 
     using Base::number;
     using Base::one;
-
-    struct Pressure {
-      Pack value, slope;  ///< without bulking and limit; over mu
-    };
-    CRUMPLE_INLINE Pressure pressure(const Pack& mu) const {
-      const Pack k1 = number(Bulk);
-      const Pack k2 = number(BulkQuadratic);
-      const Pack k3 = number(BulkCubic);
-      const Pack squeezed = larger(mu, Pack(Real(0)));
-      const Pack more = squeezed * (squeezed * multiply_add(k3, squeezed, k2));
-      const Pack slope =
-          multiply_add(squeezed, multiply_add(Pack(Real(3)) * k3, squeezed, Pack(Pack(Real(2)) * k2)), k1);
-      return {multiply_add(k1, mu, more), larger(slope, k1)};
-    }
 
     struct Strength {
       Pack intact, fractured;
@@ -83,7 +64,7 @@ struct HolmquistCeramicLaw {
                                const Pack& after) const {
       const Pack zero(Real(0));
       const Pack gain = number(Bulking) * larger(Pack((before - after) * (before + after)), zero);
-      const Pack base = multiply_add(number(Bulk), larger(mu, zero), bulking);
+      const Pack base = multiply_add(number(Base::Bulk), larger(mu, zero), bulking);
       const Pack sum = base + square_root(multiply_add(base, base, gain));
       return bulking + gain / larger(sum, Pack(Real(1e-30)));
     }
@@ -93,7 +74,7 @@ struct HolmquistCeramicLaw {
       const Pack zero(Real(0));
       const Pack whole(Real(1));
       const auto squeezed = Base::compress(history, strain, turn);
-      const Pressure from_volume = pressure(squeezed.mu);
+      const auto from_volume = Base::polynomial(squeezed.mu);
       const Pack bulking = load<Pack>(one(history, Base::Memory));
       const Pack damage = load<Pack>(one(history, Base::Damage));
       const Pack free = from_volume.value + bulking;
@@ -103,7 +84,7 @@ struct HolmquistCeramicLaw {
       const Strength bound = strength(p, shifted, this->rate.factor(strain));
       const Pack before = bound.at(damage);
       const auto flown = Base::flow(old, strain, p, before, history);
-      const Pack fracture = number(FractureFactor) * math::power(shifted, number(FracturePower));
+      const Pack fracture = number(Base::FractureFactor) * math::power(shifted, number(Base::FracturePower));
       const Pack now = Base::worn(damage, flown.strain, fracture);
       store(one(history, Base::Damage), now);
       store(one(history, Base::Memory), bulked(bulking, squeezed.mu, before, bound.at(now)));

@@ -32,24 +32,19 @@ double full_volume(const model::HolmquistConcrete& law) {
 }
 
 void check_strength(const model::Material& material, const model::HolmquistConcrete& law) {
-  require(law.strength > 0 && law.tension > 0, material,
-          "the compressive strength FC and the largest hydrostatic tension T must be above zero");
+  require(law.strength > 0, material, "the compressive strength FC must be above zero");
   require(law.cohesion >= 0 && law.pressure_factor >= 0 && law.pressure_power >= 0, material,
           "A, B and N must not be negative");
-  require(law.fracture_factor >= 0 && law.fracture_power >= 0 && law.least_fracture >= 0 &&
-              law.largest_strength >= 0,
-          material, "D1, D2, EFMIN and SFMAX must not be negative");
+  require(law.least_fracture >= 0 && law.largest_strength >= 0, material,
+          "EFMIN and SFMAX must not be negative");
   require(law.fracture_factor > 0 || law.least_fracture > 0, material,
           "one of D1 and EFMIN must be above zero, or the strain to fracture is none");
-  require(law.rate_coefficient >= 0 && law.reference_rate > 0, material,
-          "the rate coefficient C must not be negative, the reference rate EPS0 be above zero");
 }
 
 void check_pressure(const model::Material& material, const model::HolmquistConcrete& law) {
   require(law.crush_pressure > 0 && law.crush_volume > 0, material, "PC and UC must be above zero");
   require(law.lock_pressure > law.crush_pressure && law.lock_volume > law.crush_volume, material,
           "PL must be above PC, UL above UC");
-  require(law.bulk_modulus > 0, material, "K1 must be above zero");
   const double full = full_volume(law);
   require(full > 0, material, "the pressure by K1, K2 and K3 does not reach PL");
   const double slope = (law.lock_pressure - law.crush_pressure) / (full - law.crush_volume);
@@ -70,28 +65,18 @@ bool HolmquistConcreteLaw::can_fail(const model::ConstitutiveLaw& law) {
 
 std::vector<double> HolmquistConcreteLaw::constants(const model::Material& material) {
   const auto& law = std::get<Model>(material.law);
-  require_elastic(material, law.youngs_modulus, law.poissons_ratio);
-  require(law.shear_modulus > 0, material, "the shear modulus must be above zero");
+  check_brittle(material, law);
   check_strength(material, law);
   check_pressure(material, law);
-  constexpr double never = 1e15;
   const double full = full_volume(law);
-  std::vector<double> numbers(PorousPlace::Count);
-  numbers[PorousPlace::Shear] = law.shear_modulus;
-  numbers[PorousPlace::Tension] = law.tension;
-  numbers[PorousPlace::RateCoefficient] = law.rate_coefficient;
-  numbers[PorousPlace::ReferenceRate] = law.reference_rate;
-  numbers[PorousPlace::PerDensity] = 1 / material.density;
-  numbers[PorousPlace::FailsInTension] = law.erosion.at_tension ? 1 : 0;
-  numbers[PorousPlace::FailsByDamage] = law.erosion.by_damage ? 1 : 0;
-  numbers[PorousPlace::FailureStrain] = law.erosion.plastic_strain;
+  std::vector<double> numbers = brittle_constants(material.density, law, PorousPlace::Count);
   numbers[PorousPlace::Cohesion] = law.cohesion;
   numbers[PorousPlace::PressureFactor] = law.pressure_factor;
   numbers[PorousPlace::PressurePower] = law.pressure_power;
   numbers[PorousPlace::UniaxialStrength] = law.strength;
   numbers[PorousPlace::PerStrength] = 1 / law.strength;
   numbers[PorousPlace::PerTension] = 1 / law.tension;
-  numbers[PorousPlace::LargestStrength] = law.largest_strength > 0 ? law.largest_strength : never;
+  numbers[PorousPlace::LargestStrength] = law.largest_strength > 0 ? law.largest_strength : without_limit;
   numbers[PorousPlace::CrushPressure] = law.crush_pressure;
   numbers[PorousPlace::CrushVolume] = law.crush_volume;
   numbers[PorousPlace::CrushSlope] = (law.lock_pressure - law.crush_pressure) / (full - law.crush_volume);
@@ -99,12 +84,7 @@ std::vector<double> HolmquistConcreteLaw::constants(const model::Material& mater
   numbers[PorousPlace::PerCrushing] = 1 / (full - law.crush_volume);
   numbers[PorousPlace::ElasticBulk] = law.crush_pressure / law.crush_volume;
   numbers[PorousPlace::LockVolume] = law.lock_volume;
-  numbers[PorousPlace::Bulk] = law.bulk_modulus;
-  numbers[PorousPlace::BulkQuadratic] = law.bulk_quadratic;
-  numbers[PorousPlace::BulkCubic] = law.bulk_cubic;
   numbers[PorousPlace::LeastFracture] = law.least_fracture;
-  numbers[PorousPlace::FractureFactor] = law.fracture_factor;
-  numbers[PorousPlace::FracturePower] = law.fracture_power;
   return numbers;
 }
 

@@ -43,12 +43,7 @@ struct HolmquistConcreteLaw {
       PerCrushing,  ///< 1/(FullVolume - CrushVolume)
       ElasticBulk,
       LockVolume,
-      Bulk,
-      BulkQuadratic,
-      BulkCubic,
       LeastFracture,
-      FractureFactor,
-      FracturePower,
       Count
     };
 
@@ -68,7 +63,7 @@ struct HolmquistConcreteLaw {
       const Pack elastic = number(ElasticBulk);
       const Pack share = number(PerCrushing) * (start - first);
       return {start, multiply_add(number(CrushSlope), Pack(start - first), number(CrushPressure)),
-              multiply_add(share, Pack(number(Bulk) - elastic), elastic)};
+              multiply_add(share, Pack(number(Base::Bulk) - elastic), elastic)};
     }
 
     struct Pressure {
@@ -83,18 +78,11 @@ struct HolmquistConcreteLaw {
       const Pack most = larger(old, mu);
       store(place, most);
       const Line line = line_from(most);
-      const Pack k1 = number(Bulk);
-      const Pack k2 = number(BulkQuadratic);
-      const Pack k3 = number(BulkCubic);
       const Pack grain = whole / (whole + number(LockVolume));
-      const Pack bar = grain * (mu - number(LockVolume));
-      const Pack squeezed = larger(bar, zero);
-      const Pack dense = multiply_add(k1, bar, Pack(squeezed * (squeezed * multiply_add(k3, squeezed, k2))));
-      const Pack dense_slope =
-          multiply_add(squeezed, multiply_add(Pack(Real(3)) * k3, squeezed, Pack(Pack(Real(2)) * k2)), k1);
+      const auto dense = Base::polynomial(Pack(grain * (mu - number(LockVolume))));
       const Mask full = most > number(FullVolume);
-      return {select<Pack>(full, dense, Pack(line.top - line.stiffness * (line.start - mu))),
-              select<Pack>(full, larger(Pack(grain * dense_slope), k1),
+      return {select<Pack>(full, dense.value, Pack(line.top - line.stiffness * (line.start - mu))),
+              select<Pack>(full, larger(Pack(grain * dense.slope), number(Base::Bulk)),
                            larger(line.stiffness, number(CrushSlope))),
               larger(Pack(line.rest() - line_from(old).rest()), zero)};
     }
@@ -120,8 +108,9 @@ struct HolmquistConcreteLaw {
       const Pack p = larger(from_volume.value, Pack(-(tension * (whole - damage))));
       const auto flown = Base::flow(old, strain, p, strength(p, damage, this->rate.factor(strain)), history);
       const Pack shifted = larger(Pack(number(PerStrength) * (p + tension)), zero);
-      const Pack fracture = larger(Pack(number(FractureFactor) * math::power(shifted, number(FracturePower))),
-                                   number(LeastFracture));
+      const Pack fracture =
+          larger(Pack(number(Base::FractureFactor) * math::power(shifted, number(Base::FracturePower))),
+                 number(LeastFracture));
       store(one(history, Base::Damage),
             Base::worn(damage, Pack(flown.strain + from_volume.crushed), fracture));
       Base::judge(from_volume.value, damage, history);

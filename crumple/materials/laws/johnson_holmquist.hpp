@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "materials/common/history_view.hpp"
 #include "materials/common/solid_material.hpp"
 #include "materials/laws/johnson_cook.hpp"
@@ -29,6 +31,11 @@ struct BrittlePoint {
     FailsInTension,
     FailsByDamage,
     FailureStrain,
+    FractureFactor,
+    FracturePower,
+    Bulk,
+    BulkQuadratic,
+    BulkCubic,
     OwnConstants
   };
 
@@ -84,6 +91,21 @@ struct BrittlePoint {
             over};
   }
 
+  struct Polynomial {
+    Pack value, slope;  ///< the slope over mu is at least K1
+  };
+  /// K1 mu + K2 mu^2 + K3 mu^3 in compression, K1 mu in tension.
+  CRUMPLE_INLINE Polynomial polynomial(const Pack& mu) const {
+    const Pack k1 = number(Bulk);
+    const Pack k2 = number(BulkQuadratic);
+    const Pack k3 = number(BulkCubic);
+    const Pack squeezed = larger(mu, Pack(Real(0)));
+    const Pack more = squeezed * (squeezed * multiply_add(k3, squeezed, k2));
+    const Pack slope =
+        multiply_add(squeezed, multiply_add(Pack(Real(3)) * k3, squeezed, Pack(Pack(Real(2)) * k2)), k1);
+    return {multiply_add(k1, mu, more), larger(slope, k1)};
+  }
+
   /// Damage by a plastic strain, at most 1.
   CRUMPLE_INLINE static Pack worn(const Pack& damage, const Pack& strain, const Pack& fracture_strain) {
     const Pack least(Real(1e-30));
@@ -115,5 +137,14 @@ void declare_brittle_history(domain::ElementBlock& block, const char* memory, bo
 
 /// Whether points of this erosion fail.
 bool erodes(const model::BrittleErosion& erosion);
+
+/// Throw InputError where the numbers that both laws have are wrong.
+void check_brittle(const model::Material& material, const model::BrittleSolid& law);
+
+/// The constants of BrittlePoint, in `count` places.
+std::vector<double> brittle_constants(double density, const model::BrittleSolid& law, int count);
+
+/// A limit that no strength reaches, for laws that have none.
+constexpr double without_limit = 1e15;
 
 }  // namespace crumple::materials

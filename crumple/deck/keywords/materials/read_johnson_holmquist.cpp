@@ -66,6 +66,18 @@ double largest_strength(double read) {
   return read < 1e15 ? read : 0;
 }
 
+/// The fields of both laws whose meaning is one.
+void take_common(const Card& card, const Card& limit, const Card& pressure, model::BrittleSolid& law) {
+  law.shear_modulus = card.real("G");
+  law.rate_coefficient = card.real("C");
+  law.tension = limit.real("T");
+  law.fracture_factor = pressure.real("D1");
+  law.fracture_power = pressure.real("D2");
+  law.bulk_modulus = pressure.real("K1");
+  law.bulk_quadratic = pressure.real("K2");
+  law.bulk_cubic = pressure.real("K3");
+}
+
 }  // namespace
 
 void read_mat_johnson_holmquist_ceramics(Cards& cards, RawDeck& deck) {
@@ -76,23 +88,16 @@ void read_mat_johnson_holmquist_ceramics(Cards& cards, RawDeck& deck) {
     const Card pressure = cards.next(jh_pressure_card);
     RawMaterial raw = material_of(heading, card);
     model::HolmquistCeramic law;
-    law.shear_modulus = card.real("G");
+    take_common(card, limit, pressure, law);
     law.intact_factor = card.real("A");
     law.fractured_factor = card.real("B");
-    law.rate_coefficient = card.real("C");
     law.fractured_power = card.real("M");
     law.intact_power = card.real("N");
     law.reference_rate = reference_rate(limit, law.rate_coefficient, cards.report());
-    law.tension = limit.real("T");
     law.largest_fractured = largest_strength(limit.real("SFMAX"));
     law.elastic_limit = limit.real("HEL");
     law.limit_pressure = limit.real("PHEL");
     law.bulking = limit.real("BETA");
-    law.fracture_factor = pressure.real("D1");
-    law.fracture_power = pressure.real("D2");
-    law.bulk_modulus = pressure.real("K1");
-    law.bulk_quadratic = pressure.real("K2");
-    law.bulk_cubic = pressure.real("K3");
     const double failure = pressure.real("FS");
     law.erosion = {failure<0, false, failure> 0 ? failure : 0};
     model::set_elastic(law);
@@ -113,13 +118,11 @@ void read_mat_johnson_holmquist_concrete(Cards& cards, RawDeck& deck) {
     const Card pressure = cards.next(jh_pressure_card);
     RawMaterial raw = material_of(heading, card);
     model::HolmquistConcrete law;
-    law.shear_modulus = card.real("G");
+    take_common(card, limit, pressure, law);
     law.cohesion = card.real("A");
     law.pressure_factor = card.real("B");
-    law.rate_coefficient = card.real("C");
     law.pressure_power = card.real("N");
     law.strength = card.real("FC");
-    law.tension = limit.real("T");
     law.reference_rate = reference_rate(limit, law.rate_coefficient, cards.report());
     law.least_fracture = limit.real("EFMIN");
     law.largest_strength = largest_strength(limit.real("SFMAX"));
@@ -127,11 +130,6 @@ void read_mat_johnson_holmquist_concrete(Cards& cards, RawDeck& deck) {
     law.crush_volume = limit.real("UC");
     law.lock_pressure = limit.real("PL");
     law.lock_volume = limit.real("UL");
-    law.fracture_factor = pressure.real("D1");
-    law.fracture_power = pressure.real("D2");
-    law.bulk_modulus = pressure.real("K1");
-    law.bulk_quadratic = pressure.real("K2");
-    law.bulk_cubic = pressure.real("K3");
     const double failure = pressure.real("FS");
     law.erosion = {failure <= 0, failure<0, failure> 0 ? failure : 0};
     model::set_elastic(law);
