@@ -91,11 +91,15 @@ inline std::vector<std::string> messages_in(const SmallDeck& deck, const ReadOpt
   return found;
 }
 
-/// A deck has one error or warning, with this text in it.
-inline void expect_one(const SmallDeck& deck, const std::string& text) {
-  const std::vector<std::string> found = messages_in(deck);
+/// There is one message, with this text in it.
+inline void only_message(const std::vector<std::string>& found, const std::string& text) {
   ASSERT_EQ(found.size(), 1U) << testing::PrintToString(found);
   EXPECT_NE(found[0].find(text), std::string::npos) << found[0];
+}
+
+/// A deck has one error or warning, with this text in it.
+inline void expect_one(const SmallDeck& deck, const std::string& text) {
+  only_message(messages_in(deck), text);
 }
 
 /// The messages of the small deck with something added.
@@ -110,6 +114,26 @@ inline std::vector<std::string> messages_of(const std::string& material) {
   SmallDeck deck;
   deck.material = material;
   return messages_in(deck);
+}
+
+/// The messages of the cube with this material.
+inline std::vector<std::string> messages_of_cube(const std::string& material) {
+  CubeDeck deck;
+  deck.material = material;
+  return messages_in(deck);
+}
+
+/// The law of the cube of this material, which must have neither error nor warning.
+template <class Law>
+Law law_of_cube(const std::string& material) {
+  CubeDeck deck;
+  deck.material = material;
+  return std::get<Law>(read_clean(deck.text()).materials.at(0).law);
+}
+
+/// A text with its first `from` replaced.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
 }
 
 }  // namespace crumple::deck::test

@@ -15,21 +15,6 @@ CubeDeck cohesive(const std::string& material) {
   deck.material = material;
   return deck;
 }
-std::vector<std::string> messages(const CubeDeck& deck) {
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
-}
-void only_message(const CubeDeck& deck, const std::string& part) {
-  const std::vector<std::string> found = messages(deck);
-  ASSERT_EQ(found.size(), 1U) << (found.empty() ? "" : found.back());
-  EXPECT_NE(found[0].find(part), std::string::npos) << found[0];
-}
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
 const std::string mixed = "*MAT_COHESIVE_MIXED_MODE\n1,1.2E-9,1,3,5000,2000,0.3,1.1\n-1.5,30,0,0,0.05,1.2\n";
 
 TEST(CohesiveMaterial, MixedMode) {
@@ -82,21 +67,21 @@ TEST(CohesiveMaterial, Elastic) {
 }
 
 TEST(CohesiveMaterial, WrongFields) {
-  only_message(cohesive(replaced(mixed, "-1.5,30", "-1.5,-30")), "it is a curve over the size of elements");
-  only_message(cohesive(replaced(mixed, "-1.5,30", "-1.5,0")), "a strength above zero, or UND");
-  only_message(cohesive(replaced(mixed, ",1,3,", ",1,5,")), "INTFAIL");
-  only_message(cohesive(replaced(mixed, ",1,3,", ",2,3,")), "ROFLG");
-  only_message(cohesive(replaced(mixed, ",5000,", ",0,")), "EN");
+  expect_one(cohesive(replaced(mixed, "-1.5,30", "-1.5,-30")), "it is a curve over the size of elements");
+  expect_one(cohesive(replaced(mixed, "-1.5,30", "-1.5,0")), "a strength above zero, or UND");
+  expect_one(cohesive(replaced(mixed, ",1,3,", ",1,5,")), "INTFAIL");
+  expect_one(cohesive(replaced(mixed, ",1,3,", ",2,3,")), "ROFLG");
+  expect_one(cohesive(replaced(mixed, ",5000,", ",0,")), "EN");
 }
 
 TEST(CohesiveMaterial, GoesWithItsSectionAlone) {
   CubeDeck deck = cohesive(mixed);
   deck.section = "*SECTION_SOLID\n         1         1\n";
-  only_message(deck, "goes with a section of ELFORM 19");
-  only_message(cohesive("*MAT_ELASTIC\n1,1.2E-9,5000,0.3\n"), "is cohesive, ELFORM 19");
+  expect_one(deck, "goes with a section of ELFORM 19");
+  expect_one(cohesive("*MAT_ELASTIC\n1,1.2E-9,5000,0.3\n"), "is cohesive, ELFORM 19");
   deck.section = "*SECTION_SOLID\n         1        20\n";
   deck.material = mixed;
-  only_message(deck, "take 19");
+  expect_one(deck, "take 19");
 }
 
 TEST(CohesiveSolid, MayHaveNoVolume) {
@@ -109,19 +94,19 @@ TEST(CohesiveSolid, WrongShapes) {
   CubeDeck deck = cohesive(mixed);
   deck.shells =
       "*ELEMENT_SOLID\n      21       1       5       6       7       8       1       2       3       4\n";
-  only_message(deck, "has the negative thickness -1; N1 to N4 run counter-clockwise");
+  expect_one(deck, "has the negative thickness -1; N1 to N4 run counter-clockwise");
   deck.shells =
       "*ELEMENT_SOLID\n      21       1       1       2       3       4       5       5       5       5\n";
-  only_message(deck, "has a face with fewer than three nodes");
+  expect_one(deck, "has a face with fewer than three nodes");
   // A wedge is a hexahedron with triangles.
   deck.shells =
       "*ELEMENT_SOLID\n      21       1       1       2       3       3       5       6       7       7\n";
-  EXPECT_TRUE(messages(deck).empty()) << messages(deck).front();
+  EXPECT_TRUE(messages_in(deck).empty()) << messages_in(deck).front();
   deck = cohesive(mixed);
   for (int k = 0; k < 4; ++k) deck.nodes = replaced(deck.nodes, "             1.0\n", "             0.0\n");
   for (const char* y : {"             1.0             0.0\n"})
     for (int k = 0; k < 4; ++k) deck.nodes = replaced(deck.nodes, y, "             0.0             0.0\n");
-  only_message(deck, "has no area");
+  expect_one(deck, "has no area");
 }
 
 }  // namespace

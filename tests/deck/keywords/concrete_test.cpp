@@ -10,25 +10,8 @@
 namespace crumple::deck::test::concrete_test {
 namespace {
 
-std::vector<std::string> messages(const std::string& material) {
-  CubeDeck deck;
-  deck.material = material;
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
-}
 model::CapConcrete clean(const std::string& material) {
-  CubeDeck deck;
-  deck.material = material;
-  return std::get<model::CapConcrete>(read_clean(deck.text()).materials[0].law);
-}
-void only_message(const std::vector<std::string>& found, const std::string& part) {
-  ASSERT_EQ(found.size(), 1U) << (found.empty() ? "" : found.back());
-  EXPECT_NE(found[0].find(part), std::string::npos) << found[0];
-}
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
+  return law_of_cube<model::CapConcrete>(material);
 }
 
 const std::string own =
@@ -132,7 +115,7 @@ TEST(ConcreteMaterial, Units) {
 
 TEST(ConcreteMaterial, Faults) {
   const auto with = [](const std::string& from, const std::string& to) {
-    return messages(replaced(own, from, to));
+    return messages_of_cube(replaced(own, from, to));
   };
   only_message(with("1.05,10.4,0", "1.05,10.4,1"), "field ITRETRC");
   only_message(with("1.05,10.4,0", "1.05,1.4,0"), "field RECOV");
@@ -144,9 +127,9 @@ TEST(ConcreteMaterial, Faults) {
   only_message(with("5,90.5", "0,90.5"), "field R:");
   only_message(with("7.2,0.11,0.072", "7.2,0.11,0"), "field GFT");
   only_message(with("0.78,6.2E-5", "1.2,6.2E-5"), "field NC");
-  only_message(messages(replaced(by_strength, "38,25,2", "38,25,5")), "field UNITS");
-  only_message(messages(replaced(by_strength, "38,25,2", "0.038,25,2")), "which is no concrete");
-  only_message(messages(replaced(by_strength, "38,25,2", "15,25,2")), "fitted from 20 to 58 MPa");
+  only_message(messages_of_cube(replaced(by_strength, "38,25,2", "38,25,5")), "field UNITS");
+  only_message(messages_of_cube(replaced(by_strength, "38,25,2", "0.038,25,2")), "which is no concrete");
+  only_message(messages_of_cube(replaced(by_strength, "38,25,2", "15,25,2")), "fitted from 20 to 58 MPa");
 }
 
 TEST(ConcreteMaterial, IsForSolidsAlone) {

@@ -10,25 +10,8 @@
 namespace crumple::deck::test::damaged_concrete_test {
 namespace {
 
-std::vector<std::string> messages(const std::string& material) {
-  CubeDeck deck;
-  deck.material = material;
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
-}
 model::ThreeSurfaceConcrete clean(const std::string& material) {
-  CubeDeck deck;
-  deck.material = material;
-  return std::get<model::ThreeSurfaceConcrete>(read_clean(deck.text()).materials[0].law);
-}
-void only_message(const std::vector<std::string>& found, const std::string& part) {
-  ASSERT_EQ(found.size(), 1U) << (found.empty() ? "" : found.back());
-  EXPECT_NE(found[0].find(part), std::string::npos) << found[0];
-}
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
+  return law_of_cube<model::ThreeSurfaceConcrete>(material);
 }
 
 const std::string by_strength =
@@ -123,16 +106,27 @@ TEST(DamagedConcrete, RatesByACurveOrByTheStrength) {
 
 TEST(DamagedConcrete, WrongFields) {
   const std::string with_curve = replaced(by_strength, "0.03937,145,0", "0.03937,145,7");
-  only_message(messages(with_curve), "LCRATE");
-  only_message(messages(with_curve + "*DEFINE_CURVE\n7\n-1,0.5\n10,1.2\n"), "factors of at least 1");
-  only_message(messages(replaced(by_strength, "0.03937,145,0", "0.03937,145,-2")), "a curve, 0 or -1");
-  only_message(messages("*MAT_072R3\n1,2.4E-10,0.19\n0,-45.4\n100,2,1,0.03937,145,-1,0,13\n\n\n\n\n"),
+  only_message(messages_of_cube(with_curve), "LCRATE");
+  only_message(messages_of_cube(with_curve + "*DEFINE_CURVE\n7\n-1,0.5\n10,1.2\n"), "factors of at least 1");
+  only_message(messages_of_cube(replaced(by_strength, "0.03937,145,0", "0.03937,145,-2")),
+               "a curve, 0 or -1");
+  only_message(messages_of_cube("*MAT_072R3\n1,2.4E-10,0.19\n0,-45.4\n100,2,1,0.03937,145,-1,0,13\n\n\n\n\n"),
                "RO is far from that of concrete");
-  only_message(messages(replaced(by_strength, "100,2,1,", "100,2,3,")), "EDROP");
-  only_message(messages(replaced(by_strength, "0.03937,145,0,0,13", "0.03937,145,0,0,9")), "NPTS");
-  only_message(messages(replaced(by_strength, "0.03937,145", "0,145")), "RSIZE");
-  only_message(messages(replaced(by_strength, "0.03937,145", "0.03937,1.45E-4")), "which is no concrete");
-  only_message(messages(replaced(given, "3.1,11", "3.1,0")), "the bulk modulus follows from the strength");
+  only_message(messages_of_cube(replaced(by_strength, "100,2,1,", "100,2,3,")), "EDROP");
+  only_message(messages_of_cube(replaced(by_strength, "0.03937,145,0,0,13", "0.03937,145,0,0,9")), "NPTS");
+  only_message(messages_of_cube(replaced(by_strength, "0.03937,145", "0,145")), "RSIZE");
+  only_message(messages_of_cube(replaced(by_strength, "0.03937,145", "0.03937,1.45E-4")),
+               "which is no concrete");
+  only_message(messages_of_cube(replaced(given, "3.1,11", "3.1,0")),
+               "the bulk modulus follows from the strength");
+  only_message(messages_of_cube(replaced(given, "4E-5,6E-5", "6E-5,6E-5")), "LAMBDA05");
+  only_message(messages_of_cube(replaced(given, "4E-5,6E-5", "0,6E-5")), "LAMBDA05");
+}
+
+TEST(DamagedConcrete, ABlankEndLeavesTheTableShort) {
+  const std::string short_table = replaced(given, "5E-4,6E-4,1,10,1E10", "5E-4,6E-4,,,");
+  EXPECT_EQ(clean(short_table).damage,
+            (std::vector<double>{0, 1e-5, 2e-5, 4e-5, 6e-5, 8e-5, 1e-4, 3e-4, 5e-4, 6e-4}));
 }
 
 }  // namespace

@@ -20,10 +20,7 @@ model::ErosionCriteria criteria(const std::string& cards) {
 std::vector<std::string> messages(const std::string& cards) {
   CubeDeck deck;
   deck.material = steel + cards;
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
+  return messages_in(deck);
 }
 void only_message(const std::string& cards, const std::string& part) {
   const auto found = messages(cards);

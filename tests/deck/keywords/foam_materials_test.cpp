@@ -14,23 +14,13 @@ std::vector<std::string> messages(const std::string& material, const std::string
   CubeDeck deck;
   deck.material = material;
   deck.more = more;
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
+  return messages_in(deck);
 }
 model::Model clean(const std::string& material, const std::string& more) {
   CubeDeck deck;
   deck.material = material;
   deck.more = more;
   return read_clean(deck.text());
-}
-void only_message(const std::vector<std::string>& found, const std::string& part) {
-  ASSERT_EQ(found.size(), 1U) << (found.empty() ? "" : found.back());
-  EXPECT_NE(found[0].find(part), std::string::npos) << found[0];
-}
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
 }
 
 // Over 1 - V, over V, and of shear.

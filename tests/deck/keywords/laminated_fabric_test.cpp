@@ -12,22 +12,12 @@ using Law = model::LaminatedFabric;
 std::vector<std::string> messages(const std::string& material) {
   SmallDeck deck;
   deck.material = material;
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
+  return messages_in(deck);
 }
 Law law_of(const std::string& material) {
   SmallDeck deck;
   deck.material = material;
   return std::get<Law>(read_clean(deck.text()).materials.at(0).law);
-}
-void only_message(const std::vector<std::string>& found, const std::string& part) {
-  ASSERT_EQ(found.size(), 1U) << (found.empty() ? "" : found.back());
-  EXPECT_NE(found[0].find(part), std::string::npos) << found[0];
-}
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
 }
 
 const std::string fabric =

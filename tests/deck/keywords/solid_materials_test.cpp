@@ -20,10 +20,7 @@ std::vector<std::string> messages(const std::string& material, const std::string
   deck.material = material;
   deck.more = more;
   deck.part = std::string("*PART\nblock\n1,1,1,") + eos + "\n";
-  std::vector<std::string> found;
-  for (const Diagnostic& diagnostic : read_deck_text(deck.text()).diagnostics)
-    if (diagnostic.severity != Severity::Note) found.push_back(to_string(diagnostic));
-  return found;
+  return messages_in(deck);
 }
 model::Model clean(const std::string& material, const std::string& more, const char* eos) {
   CubeDeck deck;
@@ -31,10 +28,6 @@ model::Model clean(const std::string& material, const std::string& more, const c
   deck.more = more;
   deck.part = std::string("*PART\nblock\n1,1,1,") + eos + "\n";
   return read_clean(deck.text());
-}
-void only_message(const std::vector<std::string>& found, const std::string& part) {
-  ASSERT_EQ(found.size(), 1U) << (found.empty() ? "" : found.back());
-  EXPECT_NE(found[0].find(part), std::string::npos) << found[0];
 }
 
 TEST(EquationOfState, Gruneisen) {

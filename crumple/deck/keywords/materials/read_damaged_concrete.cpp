@@ -114,14 +114,26 @@ model::ThreeSurfaceConcrete concrete_by_strength(const Rel3Cards& cards, Report&
   return law;
 }
 
-/// The table of damage until it stops to rise.
-void take_table(const Rel3Cards& cards, model::ThreeSurfaceConcrete& law) {
+/// The table of damage, which a blank end leaves short; an error where its points do not rise.
+void take_table(const Rel3Cards& cards, model::ThreeSurfaceConcrete& law, Report& report) {
+  bool blank = false;
   for (int k = 1; k <= 13; ++k) {
+    const Card& damages = k <= 8 ? cards.damage : cards.more_damage;
+    const Card& shares = k <= 8 ? cards.share : cards.more_share;
     const std::string place = fmt::format("{:02}", k);
-    const double damage = (k <= 8 ? cards.damage : cards.more_damage).real("LAMBDA" + place);
-    if (k > 1 && !(damage > law.damage.back())) return;
+    const std::string name = "LAMBDA" + place;
+    const double damage = damages.real(name);
+    blank = blank || (k > 1 && damage == 0);
+    if (blank && damage == 0) continue;
+    if (blank || (k > 1 && !(damage > law.damage.back()))) {
+      if (damages.good(name))
+        report.field_error(damages.where(),
+                           {name, std::string(damages.text(name)), "a number above that of the point before",
+                            "the damage at a point of the table", "table"});
+      return;
+    }
     law.damage.push_back(damage);
-    law.share.push_back((k <= 8 ? cards.share : cards.more_share).real("ETA" + place));
+    law.share.push_back(shares.real("ETA" + place));
   }
 }
 
@@ -132,7 +144,7 @@ model::ThreeSurfaceConcrete given_concrete(const Rel3Cards& cards, Report& repor
   law.yield = {cards.more_damage.real("A0Y"), cards.more_damage.real("A1Y"), cards.more_share.real("A2Y")};
   law.residual = {0, cards.strength.real("A1F"), cards.more_share.real("A2F")};
   take_given(cards, law);
-  take_table(cards, law);
+  take_table(cards, law, report);
   const double strength = model::unconfined_strength(law.maximum);
   const double psi = cards.option.real("UCF");
   if (!cards.strength.good("A0") || !cards.option.good("UCF")) return law;
