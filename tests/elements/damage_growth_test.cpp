@@ -341,6 +341,34 @@ TEST(GissmoDamage, LeavesTheLawAsItIs) {
     }
 }
 
+/// Johnson & Cook's fracture strain 0.4, GISSMO's 0.1: each damage grows as it would alone.
+TEST(GissmoDamage, StandsBesideTheDamageOfTheLaw) {
+  model::Material material = plastic();
+  model::JohnsonCook law;
+  law.youngs_modulus = youngs_modulus;
+  law.poissons_ratio = poissons_ratio;
+  law.yield_stress = 250;
+  law.damage = {0.4, 0, 0, 0, 0};
+  material.law = law;
+  model::Material with = material;
+  with.damage = damage_over_triaxiality();
+  with.damage->failure_strain = model::constant_family(0.1);
+  const auto stretch = [](const Vec3& x) { return Vec3{1.002 * x.x, 0.999 * x.y, 0.999 * x.z}; };
+  const auto none = [](const Vec3&) { return Vec3{}; };
+  for (const auto& execution : all_executions()) {
+    for (const auto& model :
+         {solid_cube(solid_cases[0], 1, 0, with), plate(belytschko_tsay.formulation, 1, 0, 3, with)}) {
+      Driven body(model, execution);
+      for (int step = 0; step < 30; ++step) body.step(dt, stretch, none);
+      const double plastic_strain = body.item("plastic_strain", 0);
+      ASSERT_GT(plastic_strain, 0.04);
+      EXPECT_NEAR(body.item("damage", 0), plastic_strain / 0.4, 100 * round_off(execution));
+      EXPECT_NEAR(body.item("gissmo_damage", 0), std::pow(plastic_strain / 0.1, 2),
+                  100 * round_off(execution));
+    }
+  }
+}
+
 /// Two of four layers; of formulations with four points in plane any point counts for its layer.
 TEST(GissmoDamage, PercentCountLayers) {
   for (const Kind& kind : {belytschko_tsay, fully_integrated}) {

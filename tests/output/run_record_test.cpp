@@ -46,6 +46,8 @@ TEST_F(RunRecordTest, HasEveryDocumentedName) {
                            "state_hash",
                            "timings",
                            "contact",
+                           "ties",
+                           "embedded_beams",
                            "units",
                            "parts",
                            "plane_walls",
@@ -101,6 +103,23 @@ TEST_F(RunRecordTest, SaysWhatTheSearchOfAContactCost) {
   EXPECT_EQ(written_contact["search"], expected);
   EXPECT_EQ(written_contact["timings"]["find"], 0.5);
   EXPECT_EQ(written_contact["timings"]["search"], 0.75);
+}
+
+TEST_F(RunRecordTest, SaysWhatBecameOfBeamsInSolids) {
+  domain::Embedding embedding;
+  embedding.id = 8;
+  embedding.nodes.resize(3);
+  embedding.outside = {41, 42};
+  embedding.released = 1;
+  embedding.lost = 0.25;
+  domain_.embeddings.push_back(embedding);
+  const auto beams = written({})["embedded_beams"];
+  ASSERT_EQ(beams.size(), 1U);
+  EXPECT_EQ(beams[0]["id"], 8);
+  EXPECT_EQ(beams[0]["coupled"], 3);
+  EXPECT_EQ(beams[0]["outside"], 2);
+  EXPECT_EQ(beams[0]["released"], 1);
+  EXPECT_EQ(beams[0]["energy"], 0.25);
 }
 
 TEST_F(RunRecordTest, WhatIsNotANumberIsNullAndBadTextDoesNotStopIt) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Frames of models with solids.
 #include "output/paraview/paraview_series.hpp"
+#include "output/results/point_results.hpp"
 #include "output/sample.hpp"
 #include "output/vtu_reader.hpp"
 #include "support/meshes.hpp"
@@ -53,19 +54,21 @@ TEST_F(SolidFrameTest, ShowsShellsThenSolidsAsTheShapesTheyAre) {
   EXPECT_EQ(file["alive"].values<std::uint8_t>(), (std::vector<std::uint8_t>(5, 1)));
 }
 
-TEST_F(SolidFrameTest, ShowsTheLargestDamageWhereThereIsAny) {
-  const model::Model model = solids();
-  domain::Domain domain = domain::build(model, {});
-  domain::SolidBlock& block = domain.solids.at(0);
-  block.damage.emplace();
-  domain::add_item(block, "damage", "-", 2);
-  block.allocate(Precision::Double);
-  for (Index place = 0; place < block.elements; ++place)
-    block.set_state(place, place % 2, static_cast<double>(model.solids[block.element[place]].id) / 8);
-  const View view{model, domain, 0};
-  ParaviewSeries(folder_, "run", view).write_frame(view);
-  const VtuReader file(read(folder_ / "vtu/run_000000.vtu"));
-  EXPECT_EQ(file["damage"].values<float>(), (std::vector<float>{0, 0.125F, 0.25F, 0.375F, 0.5F}));
+TEST_F(SolidFrameTest, ShowsTheLargestDamageOfLawsThatHaveSomeAndOfGissmo) {
+  for (const char* const item : damage_items) {
+    SCOPED_TRACE(item);
+    const model::Model model = solids();
+    domain::Domain domain = domain::build(model, {});
+    domain::SolidBlock& block = domain.solids.at(0);
+    domain::add_item(block, item, "-", 2);
+    block.allocate(Precision::Double);
+    for (Index place = 0; place < block.elements; ++place)
+      block.set_state(place, place % 2, static_cast<double>(model.solids[block.element[place]].id) / 8);
+    const View view{model, domain, 0};
+    ParaviewSeries(folder_, "run", view).write_frame(view);
+    const VtuReader file(read(folder_ / "vtu/run_000000.vtu"));
+    EXPECT_EQ(file["damage"].values<float>(), (std::vector<float>{0, 0.125F, 0.25F, 0.375F, 0.5F}));
+  }
 }
 
 TEST_F(SolidFrameTest, HasStressTensorsIfAskedFor) {
