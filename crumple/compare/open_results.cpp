@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "compare/curves/quantity_names.hpp"
 #include "compare/readers/ascii_reader.hpp"
@@ -138,12 +139,17 @@ class Reader {
   /// Curves of groups that another file has given are left out.
   void keep(std::vector<Curve> curves, const std::string& name) {
     std::set<std::string> added;
+    std::size_t not_finite = 0;
     for (Curve& curve : curves) {
       if (groups_.contains(curve.group)) continue;
+      not_finite += curve.not_finite;
+      if (curve.times.empty()) continue;
       added.insert(curve.group);
       set_.curves.push_back(std::move(curve));
     }
     if (!added.empty()) set_.files.push_back(name);
+    if (not_finite > 0)
+      note(name, counted(not_finite, "value") + " not finite, and left out: the run may have gone wrong");
     groups_.merge(added);
   }
 

@@ -102,6 +102,13 @@ TEST_F(OpenResults, WhatCannotBeReadIsANote) {
   EXPECT_NE(set.notes[2].find("rcforc"), std::string::npos);
 }
 
+TEST_F(OpenResults, ValuesThatAreNotFiniteAreNoted) {
+  write("glstat.csv", "time,kinetic,internal\n0,1,nan\n1,nan,nan\n2,3,nan\n");
+  const CurveSet set = open_results(folder_);
+  ASSERT_EQ(set.notes.size(), 1U);
+  EXPECT_NE(set.notes[0].find("glstat.csv: 4 values"), std::string::npos) << set.notes[0];
+}
+
 TEST_F(OpenResults, NothingToReadIsAnError) {
   EXPECT_THROW(open_results(folder_), Error);
   EXPECT_THROW(open_results(folder_ / "nowhere"), Error);

@@ -21,7 +21,10 @@ Curve curve_named(const std::string& name) {
 }
 
 void append_point(Curve& curve, double time, double value) {
-  if (!std::isfinite(time) || !std::isfinite(value)) return;
+  if (!std::isfinite(time) || !std::isfinite(value)) {
+    ++curve.not_finite;
+    return;
+  }
   while (!curve.times.empty() && curve.times.back() >= time) {
     curve.times.pop_back();
     curve.values.pop_back();

@@ -15,6 +15,7 @@ struct Curve {
   bool derived = false;  ///< computed of others of the same file
   std::vector<double> times = {};   ///< strictly ascending [time]
   std::vector<double> values = {};  ///< as many as times
+  std::size_t not_finite = 0;       ///< points that were left out, as they are no numbers
 };
 
 /// `rwforc.fx[3]`: what a curve is called on the command line and in tables.
@@ -24,7 +25,7 @@ std::string name_of(const Curve& curve);
 Curve curve_named(const std::string& name);
 
 /// Adds a point. Points of the same or a later time are dropped first, as a restarted run writes them anew.
-/// Numbers that are not finite are left out.
+/// Numbers that are not finite are left out, and counted.
 void append_point(Curve& curve, double time, double value);
 
 /// Range of a history over several runs of one model (`crumple scatter`). Values have the unit of the curve.

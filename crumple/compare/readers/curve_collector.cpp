@@ -19,11 +19,7 @@ void CurveCollector::add(std::string_view quantity, std::string_view item, doubl
 
 std::vector<Curve> CurveCollector::take() {
   places_.clear();
-  std::vector<Curve> curves;
-  for (Curve& curve : curves_)
-    if (!curve.times.empty()) curves.push_back(std::move(curve));
-  curves_.clear();
-  return curves;
+  return std::exchange(curves_, {});
 }
 
 }  // namespace crumple::compare

@@ -18,7 +18,7 @@ class CurveCollector {
   /// Does nothing for a quantity without a name.
   void add(std::string_view quantity, std::string_view item, double time, double value);
 
-  /// The curves that have a point, with nothing left here.
+  /// The curves, with nothing left here. One whose values are no numbers has no point.
   std::vector<Curve> take();
 
  private:

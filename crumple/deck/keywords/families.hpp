@@ -142,6 +142,7 @@ void read_eos_gruneisen(Cards& cards, RawDeck& deck);
 // read_curves.cpp
 void read_define_curve(Cards& cards, RawDeck& deck);
 void read_define_curve_function(Cards& cards, RawDeck& deck);
+void read_define_curve_smooth(Cards& cards, RawDeck& deck);
 void read_define_table(Cards& cards, RawDeck& deck);
 void read_define_table_2d(Cards& cards, RawDeck& deck);
 

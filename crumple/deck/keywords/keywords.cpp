@@ -63,6 +63,7 @@ constexpr Keyword keyword_rows[] = {
     {"DEFINE_SD_ORIENTATION", read_define_sd_orientation, title},
     {"DEFINE_CURVE", read_define_curve, title},
     {"DEFINE_CURVE_FUNCTION", read_define_curve_function, title},
+    {"DEFINE_CURVE_SMOOTH", read_define_curve_smooth, title},
     {"DEFINE_TABLE", read_define_table, title},
     {"DEFINE_TABLE_2D", read_define_table_2d, title},
     {"DEFINE_BOX", read_define_box, title},

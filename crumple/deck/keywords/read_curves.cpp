@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *DEFINE_CURVE, *DEFINE_CURVE_FUNCTION, *DEFINE_TABLE.
+// *DEFINE_CURVE, *DEFINE_CURVE_SMOOTH, *DEFINE_CURVE_FUNCTION, *DEFINE_TABLE.
 #include <fmt/core.h>
 
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -41,6 +42,16 @@ constexpr Field value_curve_card[] = {sized(20, real("VALUE")), sized(20, id("CU
 
 constexpr Field point_card[] = {sized(20, real("A")), sized(20, real("O"))};
 
+constexpr Field smooth_card[] = {
+    id("LCID"),
+    only("SIDR", {0, 1, 2}, "0 acts in the run, 1 in a dynamic relaxation before it, 2 in both"),
+    real("DIST"),
+    real("TSTART", 0, not_negative),
+    real("TEND", 0, not_negative),
+    real("TRISE", 0, above_zero),
+    real("VMAX"),
+};
+
 RawCurve::Phase phase_of(const Card& card) {
   if (card.real("SIDR") == 1) return RawCurve::Phase::Relaxation;
   return card.real("SIDR") == 2 ? RawCurve::Phase::Both : RawCurve::Phase::Run;
@@ -74,6 +85,68 @@ void read_define_curve(Cards& cards, RawDeck& deck) {
     cards.report().error(
         card.where(), "points",
         fmt::format("the curve has {}, expected at least two", counted(raw.curve.abscissa.size(), "point")));
+  if (card.good("LCID")) deck.curves.push_back(std::move(raw));
+}
+
+namespace {
+
+/// From zero to `top` and back in ramps of half a cosine, `rise` long; the area is (end - start - rise) top.
+model::Curve smooth_curve(double start, double end, double rise, double top) {
+  constexpr int pieces = 64;
+  model::Curve curve;
+  const auto add = [&](double time, double value) {
+    curve.abscissa.push_back(time);
+    curve.ordinate.push_back(value);
+  };
+  const auto height = [&](int i) { return 0.5 * top * (1 - std::cos(std::numbers::pi * i / pieces)); };
+  if (start > 0) add(0, 0);
+  for (int i = 0; i <= pieces; ++i) add(start + rise * i / pieces, height(i));
+  const bool stays = end - rise > start + rise;
+  for (int i = stays ? pieces : pieces - 1; i >= 0; --i) add(end - rise * i / pieces, height(i));
+  return curve;
+}
+
+/// TEND of VMAX or VMAX of TEND, so that the area is DIST. False, with a message, if that cannot be.
+bool complete_smooth(const Card& card, double& end, double& top, Report& report) {
+  const double start = card.real("TSTART");
+  const double rise = card.real("TRISE");
+  const double distance = card.real("DIST");
+  if (end > 0 && top == 0) top = distance / (end - start - rise);
+  if (top != 0 && end == 0) end = start + rise + distance / top;
+  // Round-off of a curve without a straight piece.
+  constexpr double enough = 1 - 1e-9;
+  if (top == 0 && end == 0)
+    report.error(card.where(), "smooth curve",
+                 "one of TEND and VMAX must be given, the other follows by DIST");
+  else if (!(end - start >= 2 * rise * enough))
+    report.error(
+        card.where(), "smooth curve",
+        fmt::format("from TSTART {} to {} there is no time for two ramps of TRISE {}", start, end, rise));
+  else if (std::fabs((end - start - rise) * top - distance) > 1e-3 * std::fabs(distance) && distance != 0)
+    report.error(
+        card.where(), "smooth curve",
+        fmt::format("the area by TEND and VMAX is {:.6g}, DIST is {}; give one of the two, the other follows",
+                    (end - start - rise) * top, distance));
+  else
+    return true;
+  return false;
+}
+
+}  // namespace
+
+void read_define_curve_smooth(Cards& cards, RawDeck& deck) {
+  cards.heading();
+  const Card card = cards.next(smooth_card);
+  RawCurve raw;
+  raw.where = card.where();
+  raw.phase = phase_of(card);
+  double end = card.real("TEND");
+  double top = card.real("VMAX");
+  const bool good = card.good("TSTART") && card.good("TEND") && card.good("TRISE") && card.good("VMAX") &&
+                    card.good("DIST");
+  if (good && complete_smooth(card, end, top, cards.report()))
+    raw.curve = smooth_curve(card.real("TSTART"), end, card.real("TRISE"), top);
+  raw.curve.id = card.integer("LCID");
   if (card.good("LCID")) deck.curves.push_back(std::move(raw));
 }
 

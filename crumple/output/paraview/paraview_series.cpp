@@ -272,7 +272,8 @@ std::vector<VtuArray> ParaviewSeries::cell_fields(const View& view) {
         none));
   if (!solid_place_.empty())
     fields.push_back(make(
-        "pressure", 0.0F, none, [](const SolidResults& r, Index place) { return r.pressure(place); }, none));
+        "pressure", 0.0F, [](const ShellResults& r, Index place) { return r.pressure(place); },
+        [](const SolidResults& r, Index place) { return r.pressure(place); }, none));
   if (any_has_damage(view.domain))
     fields.push_back(cell_array<1, float>(
         "damage", results,

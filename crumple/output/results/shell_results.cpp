@@ -43,6 +43,15 @@ double ShellResults::von_mises_of(const Stress& s) {
   return std::sqrt(s[0] * s[0] - s[0] * s[1] + s[1] * s[1] + 3 * (s[2] * s[2] + s[3] * s[3] + s[4] * s[4]));
 }
 
+double ShellResults::pressure(Index place) const {
+  double sum = 0;
+  for (Index layer = 0; layer < layers(); ++layer) {
+    const Stress mean = stress(place, layer);
+    sum -= (mean[0] + mean[1]) / 3;
+  }
+  return sum / layers();
+}
+
 Index ShellResults::layers() const {
   return stress_ == nullptr ? 1 : stress_->count / stress_components / block_->plane_points;
 }

@@ -25,6 +25,8 @@ class ShellResults {
   double plastic_strain(Index place) const;
   /// Largest von Mises stress of all points [stress].
   double von_mises(Index place) const;
+  /// Mean pressure of all points, positive in compression; zz is zero [stress].
+  double pressure(Index place) const;
   /// Points through the thickness.
   Index layers() const;
   /// Mean components of a layer over the points in plane, along the axes of the element [stress].

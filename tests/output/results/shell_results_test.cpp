@@ -44,6 +44,11 @@ TEST_F(ShellResultsTest, BendingShowsAtTheSurfacesAndNotInTheMiddle) {
   EXPECT_DOUBLE_EQ(even.mid_von_mises(0), 0.5) << "the mean of the points at -2 and 3";
 }
 
+TEST_F(ShellResultsTest, PressureIsTheMeanOverTheThickness) {
+  EXPECT_DOUBLE_EQ(results({{-3, 0, 7, 0, 0}}).pressure(0), 1);
+  EXPECT_DOUBLE_EQ(results({{-9, 0, 0, 0, 0}, {3, -3, 0, 0, 0}, {0, -6, 0, 0, 0}}).pressure(0), 5.0 / 3);
+}
+
 /// Points in plane, each with its own points through the thickness one after the other.
 TEST_F(ShellResultsTest, BendingInPlaneShowsAtThePointsAndNotInTheMiddle) {
   const auto odd = results({{90, 0, 0, 0, 0},
