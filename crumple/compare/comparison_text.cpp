@@ -132,6 +132,8 @@ std::string comparison_table(const Comparison& comparison, const CurveSet& refer
   add_list(text, "not rated, as they are zero or small beside others of their kind on both sides", small);
   add_list(text, "only in the reference", comparison.only_reference);
   add_list(text, "only in the other", comparison.only_other);
+  for (const CurveSet* side : {&reference, &other})
+    for (const std::string& note : side->notes) text += "note: " + note + "\n";
   for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
   return text;
 }

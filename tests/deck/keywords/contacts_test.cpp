@@ -94,6 +94,20 @@ TEST(Contact, MortarIsTheSameContactWithAWarningAndWithoutPenmax) {
   }
 }
 
+TEST(Contact, OfTwoSurfacesWithoutAnyIsOfAllParts) {
+  SmallDeck deck;
+  deck.more = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n0,0,0,0\n0.3\n\n";
+  const ReadResult result = read_deck_text(deck.text());
+  ASSERT_TRUE(result.model) << listed(result.diagnostics);
+  EXPECT_NE(listed(result.diagnostics).find("neither surface is named"), std::string::npos);
+  EXPECT_EQ(result.model->contacts.at(0).kind, model::ContactKind::SingleSurface);
+  // One that is named keeps its meaning, and the other is missing.
+  deck.more = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n1,0,3,0\n0.3\n\n";
+  expect_one(deck, "field MSID");
+  deck.more = "*CONTACT_SURFACE_TO_SURFACE\n0,0,0,0\n0.3\n\n";
+  EXPECT_NE(listed(read_deck_text(deck.text()).diagnostics).find("field SSID"), std::string::npos);
+}
+
 TEST(Contact, SoftnessAndLimitOfFriction) {
   SmallDeck deck;
   deck.more = "*CONTACT_SINGLE_SURFACE_ID\n3,both\n0\n0.3,0.2,,0.5\n,,,,,,,2\n1,0.3\n";

@@ -296,10 +296,27 @@ bool has_side(const Card& card, const SideFields& fields, Cards& cards) {
   return false;
 }
 
-void read(Cards& cards, RawDeck& deck, const Form& form) {
+/// Whether an automatic contact of two surfaces names neither: it is then one of all parts with each other.
+bool names_no_surface(const Card& first, const Form& form) {
+  const auto blank = [&](const SideFields& fields) {
+    constexpr double all = 5;
+    return first.good(fields.id) && first.good(fields.type) && first.integer(fields.id) == 0 &&
+           first.real(fields.type) != all;
+  };
+  return form.kind == model::ContactKind::SurfaceToSurface && form.automatic && !form.only_measures &&
+         blank(first_fields) && blank(second_fields);
+}
+
+void read(Cards& cards, RawDeck& deck, Form form) {
   const Heading heading = cards.heading();
   skip_mpp_cards(cards);
   const Card first = cards.next(card_1_of(form));
+  if (names_no_surface(first, form)) {
+    form.kind = model::ContactKind::SingleSurface;
+    cards.report().warning(first.where(), "surfaces",
+                           "neither surface is named: all parts are in contact with each other, as in "
+                           "*CONTACT_AUTOMATIC_SINGLE_SURFACE");
+  }
   if (has_option(cards, "_MORTAR"))
     cards.report().warning(first.where(), "mortar",
                            "the penalty acts at nodes and edges, as in the contact without MORTAR: forces "
