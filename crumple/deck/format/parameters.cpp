@@ -28,6 +28,8 @@ constexpr Field duplication_card[] = {
                                         "of two values 1 takes the first with a warning, 2 the last with a "
                                         "warning, 3 is an error, 4 takes the last, 5 the first"))};
 
+constexpr double exact_limit = 9007199254740992.0;  // 2^53: whole numbers are exact below it
+
 bool is_name(std::string_view text) {
   if (text.empty() || (text.front() >= '0' && text.front() <= '9')) return false;
   for (const char c : text) {
@@ -50,12 +52,31 @@ bool Parameters::is_reference(std::string_view text) {
 
 std::optional<std::string> Parameters::substitute(std::string_view reference) const {
   const std::string_view name = trimmed(without_sign(reference).substr(1));
+  if (!is_name(name)) return computed(reference);
   const Value* found = use(name);
   if (found == nullptr) return std::nullopt;
   const std::string& text = found->text;
   if (!reference.starts_with('-')) return text;
   if (text.starts_with('-')) return text.substr(1);
   return fmt::format("-{}", without_sign(text));
+}
+
+/// `&end-0.001`: of references and numbers.
+std::optional<std::string> Parameters::computed(std::string_view text) const {
+  const Evaluated result = evaluated(std::string(text));
+  if (!result.fault.empty()) return std::nullopt;
+  const double value = result.number.value;
+  const bool whole = std::floor(value) == value && std::fabs(value) < exact_limit;
+  return whole ? fmt::format("{}", static_cast<std::int64_t>(value)) : fmt::format("{}", value);
+}
+
+Evaluated Parameters::evaluated(const std::string& expression) const {
+  return evaluate(expression, [&](std::string_view other) -> std::optional<Number> {
+    const Value* found = use(other);
+    const std::optional<double> number = found == nullptr ? std::nullopt : parse_real(found->text);
+    if (!number) return std::nullopt;
+    return Number{*number, found->is_whole};
+  });
 }
 
 bool Parameters::is_keyword(std::string_view name) {
@@ -237,14 +258,8 @@ void Parameters::define(std::string_view name_and_type, std::string_view text, b
 
 void Parameters::define_by(const std::string& expression, const Name& name, const Where& where,
                            Report& report) {
-  const Evaluated result = evaluate(expression, [&](std::string_view other) -> std::optional<Number> {
-    const Value* found = use(other);
-    const std::optional<double> number = found == nullptr ? std::nullopt : parse_real(found->text);
-    if (!number) return std::nullopt;
-    return Number{*number, found->is_whole};
-  });
+  const Evaluated result = evaluated(expression);
   const double value = result.number.value;
-  constexpr double exact_limit = 9007199254740992.0;  // 2^53
   if (!result.fault.empty())
     report.error(where, "expression",
                  fmt::format("parameter {}: read \"{}\", but {}", name.name, expression, result.fault));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "deck/format/expression.hpp"
 #include "deck/format/report.hpp"
 
 namespace crumple::deck {
@@ -46,10 +47,11 @@ class Parameters {
   /// Reads a block of this name. Faults go to the cards' report.
   void read(std::string_view keyword, Cards& cards);
 
-  /// True if the text is `&name`, `-&name` or `+&name`.
+  /// True if the text is `&name`, `-&name` or `+&name`, or begins so.
   static bool is_reference(std::string_view text);
 
-  /// The text that stands for a reference, its sign included; nothing if the parameter is not defined.
+  /// The text that stands for a reference, its sign included, or for what is computed of some (`&end-0.001`);
+  /// nothing if a parameter is not defined.
   std::optional<std::string> substitute(std::string_view reference) const;
 
  private:
@@ -79,6 +81,8 @@ class Parameters {
   void read_values(Cards& cards, bool is_local);
   void read_expressions(Cards& cards, bool is_local);
   void read_duplication(Cards& cards);
+  std::optional<std::string> computed(std::string_view text) const;
+  Evaluated evaluated(const std::string& expression) const;
   const Value* find(std::string_view name) const;
   /// The same in any case, for a reference.
   const Value* use(std::string_view name) const;
