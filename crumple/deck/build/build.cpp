@@ -183,6 +183,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_discretes(build);
   check_empty_parts(build);
   build_sets(build);
+  build_solid_welds(build);
   make_parts_rigid(build);
   build_interiors(build);
   build_masses(build);

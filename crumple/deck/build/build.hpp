@@ -266,6 +266,11 @@ void build_rigid_bodies(Build& build);
 // build_stoppers.cpp
 /// Bounds of the motion of rigid bodies. What holds these must be known.
 void build_stoppers(Build& build);
+// build_solid_welds.cpp
+/// What solids of *MAT_SPOTWELD do not do as beams of it do.
+void check_solid_weld(const RawPart& raw, const model::SpotWeldLaw& law, Report& report);
+/// Gives solid welds the law of their metal.
+void build_solid_welds(Build& build);
 // build_rigid_bodies.cpp
 /// Before anything asks which parts are rigid: those of *DEFORMABLE_TO_RIGID are.
 void make_parts_rigid(Build& build);

@@ -44,9 +44,11 @@ void check_cohesive(const RawPart& raw, const RawMaterial& material, const model
 }
 
 void check_solids(const RawPart& raw, const RawMaterial& material, Report& report) {
+  const auto* const weld = std::get_if<model::SpotWeldLaw>(&material.material.law);
+  if (weld != nullptr) check_solid_weld(raw, *weld, report);
   const model::LawUse use = model::use_of(material.material.law);
   const std::string eos = std::to_string(raw.equation_of_state);
-  if (!use.solids)
+  if (!use.solids && weld == nullptr)
     report.field_unsupported(raw.where, {"MID", std::to_string(raw.material), "a material of solids",
                                          fmt::format("{} is there for {} only", material.where.keyword,
                                                      use.shells ? "shells" : "beams"),
