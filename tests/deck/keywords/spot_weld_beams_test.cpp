@@ -7,7 +7,10 @@
 namespace crumple::deck::spot_weld_beams_test {
 namespace {
 
+using test::CubeDeck;
+using test::expect_one;
 using test::messages_with;
+using test::read_clean;
 using test::read_with;
 
 const std::string element =
