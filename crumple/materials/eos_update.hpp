@@ -92,7 +92,7 @@ struct EosUpdate {
 
   /// Pressure cut-off and spall.
   CRUMPLE_INLINE void bound(SolidStress<Pack>& deviator, Pack& pressure) const {
-    using Spall = model::JohnsonCook::Spall;
+    using model::Spall;
     const Pack least = number(eos_place::least_pressure);
     const auto kind = static_cast<Spall>(static_cast<int>(c[eos_place::spall]));
     if (kind == Spall::None) {

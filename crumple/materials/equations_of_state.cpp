@@ -34,6 +34,16 @@ struct LeastPressure {
   }
 };
 
+struct SpallOf {
+  template <class Law>
+  model::Spall operator()(const Law& law) const {
+    if constexpr (requires { law.spall; })
+      return law.spall;
+    else
+      return model::Spall::None;
+  }
+};
+
 template <class... Equations>
 std::vector<double> own_constants(const Material& material, const EquationOfState& equation, int& kind,
                                   LawList<Equations...> /*list*/) {
@@ -75,11 +85,9 @@ Index declare_eos_history(domain::ElementBlock& block) {
 std::vector<double> eos_constants(const Material& material, const EquationOfState& equation, Index history) {
   constexpr double unbounded = -1e30;
   constexpr double least_share = 0.01;
-  using Spall = model::JohnsonCook::Spall;
   const double least = std::visit(LeastPressure(), material.law);
   require(least <= 0, material, "the pressure cut-off must not be above zero");
-  const auto* metal = std::get_if<model::JohnsonCook>(&material.law);
-  const Spall spall = metal != nullptr && least < 0 ? metal->spall : Spall::None;
+  const model::Spall spall = least < 0 ? std::visit(SpallOf(), material.law) : model::Spall::None;
   const double speed = eos_wave_speed(material, equation);
   int kind = -1;
   const std::vector<double> own = own_constants(material, equation, kind, EquationsOfState{});

@@ -34,12 +34,15 @@
 #include "materials/laws/cap_concrete.hpp"
 #include "materials/laws/cohesive.hpp"
 #include "materials/laws/composite_damage.hpp"
+#include "materials/laws/compression_tension.hpp"
 #include "materials/laws/crushable_foam.hpp"
 #include "materials/laws/elastic.hpp"
 #include "materials/laws/fabric.hpp"
+#include "materials/laws/failing_solid.hpp"
 #include "materials/laws/holmquist_ceramic.hpp"
 #include "materials/laws/holmquist_concrete.hpp"
 #include "materials/laws/honeycomb.hpp"
+#include "materials/laws/hydro_plasticity.hpp"
 #include "materials/laws/johnson_cook.hpp"
 #include "materials/laws/laminated_fabric.hpp"
 #include "materials/laws/low_density_foam.hpp"
@@ -75,6 +78,7 @@ using ShellLaws = LawList<         //
     ElasticLaw,                    //
     PlasticKinematicLaw,           //
     PlasticityWithDamageLaw,       //
+    CompressionTensionLaw,         //
     StrainLimitedPlasticityLaw,    //
     PiecewiseLinearPlasticityLaw,  //
     PowerLawPlasticityLaw,         //
@@ -114,6 +118,9 @@ using SolidLaws = LawList<         //
     ThreeSurfaceConcreteLaw,       //
     HolmquistCeramicLaw,           //
     HolmquistConcreteLaw,          //
+    HydroPlasticityLaw,            //
+    FailingSolidLaw,               //
+    CompressionTensionLaw,         //
     CohesiveLaw>;
 
 /// Every equation of state of solids. What one must have: `constants`, and at(constants, mu) as eos_point.hpp

@@ -32,6 +32,8 @@ struct Refusal {
   std::string operator()(const NullMaterial& /*law*/) const { return "the material has no stress"; }
   std::string operator()(const SheetPlasticity& /*law*/) const { return plastic_refusal(stress, nullptr); }
   std::string operator()(const PowerLawPlasticity& /*law*/) const { return plastic_refusal(stress, nullptr); }
+  std::string operator()(const CompressionTension& /*law*/) const { return plastic_refusal(stress, nullptr); }
+  std::string operator()(const FailingSolid& /*law*/) const { return plastic_refusal(stress, nullptr); }
   std::string operator()(const PiecewiseLinearPlasticity& law) const {
     return plastic_refusal(
         stress, has_strain_limits(law) ? "the strains at which points fail count from the start" : nullptr);

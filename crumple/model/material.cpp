@@ -35,6 +35,8 @@ struct Use {
   LawUse operator()(const ThreeSurfaceConcrete& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const HolmquistCeramic& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const HolmquistConcrete& /*law*/) const { return {false, true, false, false}; }
+  LawUse operator()(const HydroPlasticity& /*law*/) const { return {false, true, true, true}; }
+  LawUse operator()(const FailingSolid& /*law*/) const { return {false, true, false, false}; }
   LawUse operator()(const LaminatedFabric& /*law*/) const { return {true, false, false, false}; }
   LawUse operator()(const SheetPlasticity& /*law*/) const { return {true, false, false, false}; }
   LawUse operator()(const BilkhuDuboisFoam& /*law*/) const { return {false, true, false, false}; }
@@ -67,7 +69,9 @@ bool is_crushable(const ConstitutiveLaw& law) {
 bool has_plastic_strain(const ConstitutiveLaw& law) {
   return std::holds_alternative<PlasticKinematic>(law) || std::holds_alternative<PowerLawPlasticity>(law) ||
          std::holds_alternative<PiecewiseLinearPlasticity>(law) ||
-         std::holds_alternative<SheetPlasticity>(law) || std::holds_alternative<JohnsonCook>(law);
+         std::holds_alternative<SheetPlasticity>(law) || std::holds_alternative<JohnsonCook>(law) ||
+         std::holds_alternative<HydroPlasticity>(law) || std::holds_alternative<FailingSolid>(law) ||
+         std::holds_alternative<CompressionTension>(law);
 }
 
 bool has_damage(const PiecewiseLinearPlasticity& law) {

@@ -9,12 +9,16 @@
 
 #include "base/index.hpp"
 #include "model/cohesive_material.hpp"
+#include "model/compression_tension.hpp"
 #include "model/concrete_material.hpp"
 #include "model/damage.hpp"
 #include "model/erosion.hpp"
+#include "model/failing_solid.hpp"
 #include "model/foam_material.hpp"
 #include "model/holmquist_material.hpp"
+#include "model/hydro_material.hpp"
 #include "model/orthotropic_material.hpp"
+#include "model/spall.hpp"
 
 namespace crumple::model {
 
@@ -93,12 +97,7 @@ struct PowerLawPlasticity {
 /// (A + B p^n) (1 + C ln(rate / reference)) (1 - T*^m) after Johnson & Cook, with their failure criterion
 /// (*MAT_JOHNSON_COOK, *MAT_SIMPLIFIED_JOHNSON_COOK).
 struct JohnsonCook {
-  /// Behaviour of solids in tension, where `least_pressure` is not zero.
-  enum class Spall {
-    None,      ///< the pressure stays at its bound
-    Stress,    ///< rubble as soon as the largest principal stress reaches minus the bound
-    Pressure,  ///< rubble as soon as the pressure reaches the bound
-  };
+  using Spall = model::Spall;
 
   double youngs_modulus = 0;         ///< E [stress]
   double poissons_ratio = 0;         ///< nu [-]
@@ -396,7 +395,8 @@ using ConstitutiveLaw =
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
                  DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric,
                  BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive, CapConcrete,
-                 ThreeSurfaceConcrete, HolmquistCeramic, HolmquistConcrete>;
+                 ThreeSurfaceConcrete, HolmquistCeramic, HolmquistConcrete, HydroPlasticity,
+                 FailingSolid, CompressionTension>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

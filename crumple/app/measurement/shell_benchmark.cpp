@@ -92,6 +92,12 @@ Law steel() {
     law.plastic_strain = {0, 0.002, 0.01, 0.03, 0.1};
     law.yield_stress = {250, 260, 280, 300, 320};
   }
+  if constexpr (requires { law.tension_strain.size(); }) {
+    law.compression_strain = law.tension_strain = {0, 0.01, 0.1};
+    law.compression_stress = {280, 310, 350};
+    law.tension_stress = {250, 280, 320};
+    law.tension_pressure = law.compression_pressure = 50;
+  }
   return law;
 }
 

@@ -143,6 +143,11 @@ void build_properties(Build& build, const ReadOptions& options);
 Index find_points(Build& build, const Reference& reference);
 /// The model's curve of every value of a table; no_index where find_points() has none.
 std::vector<Index> curves_of(const RawTable& raw, Build& build);
+// build_hardening.cpp
+/// What the curves of hardening make of a law.
+void take_hardening(const RawMaterial& raw, model::PiecewiseLinearPlasticity& law, Build& build);
+void take_hardening(const RawMaterial& raw, model::SheetPlasticity& law, Build& build);
+void take_hardening(const RawMaterial& raw, model::CompressionTension& law, Build& build);
 // build_failure.cpp
 /// Gives criteria of erosion and damage to materials that are there already.
 void take_erosions(Build& build);

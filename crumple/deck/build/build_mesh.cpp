@@ -221,6 +221,18 @@ void warn_of_assumed_strain(const RawPart& raw, const model::Part& part, Build& 
                   raw.id));
 }
 
+/// A law that has no bulk modulus of its own takes that of the equation of state, for what wants Poisson's
+/// ratio: hourglass control and damping by stiffness.
+void complete_elasticity(const model::Part& part, Build& build) {
+  if (part.material == no_index || part.equation_of_state == no_index) return;
+  model::Material& material = build.model.materials[static_cast<std::size_t>(part.material)];
+  auto* const law = std::get_if<model::HydroPlasticity>(&material.law);
+  if (law == nullptr) return;
+  const auto& equation = build.model.equations_of_state[static_cast<std::size_t>(part.equation_of_state)];
+  const double bulk = model::initial_bulk_modulus(equation, material.density);
+  if (bulk > 0) model::set_elastic(*law, bulk);
+}
+
 }  // namespace
 
 Index find_part_of(Build& build, ElementKind kind, const Reference& reference) {
@@ -273,6 +285,7 @@ void build_parts(Build& build) {
     if (raw.hourglass != 0) part.hourglass = build.find(Item::Hourglass, {raw.hourglass, "HGID", raw.where});
     if (raw.equation_of_state != 0 && part.solid_section != no_index)
       part.equation_of_state = build.find(Item::EquationOfState, {raw.equation_of_state, "EOSID", raw.where});
+    complete_elasticity(part, build);
     const bool complete = has_section && has_material;
     if (complete && !is_composite) check_part(raw, part, build);
     if (!complete || !build_part_layup(build, raw, part)) {

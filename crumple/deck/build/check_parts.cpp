@@ -56,7 +56,7 @@ void check_solids(const RawPart& raw, const RawMaterial& material, Report& repor
   else if (raw.equation_of_state != 0 && !use.takes_equation_of_state)
     report.field_error(raw.where, {"EOSID", eos, "0",
                                    fmt::format("{} brings its own pressure; an equation of state goes with "
-                                               "*MAT_JOHNSON_COOK and *MAT_NULL",
+                                               "*MAT_JOHNSON_COOK, *MAT_ELASTIC_PLASTIC_HYDRO and *MAT_NULL",
                                                material.where.keyword),
                                    "equation"});
   else if (raw.equation_of_state == 0 && use.needs_equation_of_state)

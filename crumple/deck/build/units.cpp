@@ -78,7 +78,8 @@ bool is_plastic(const model::ConstitutiveLaw& law) {
          !std::holds_alternative<model::CapConcrete>(law) &&
          !std::holds_alternative<model::ThreeSurfaceConcrete>(law) &&
          !std::holds_alternative<model::HolmquistCeramic>(law) &&
-         !std::holds_alternative<model::HolmquistConcrete>(law);
+         !std::holds_alternative<model::HolmquistConcrete>(law) &&
+         !std::holds_alternative<model::HydroPlasticity>(law);
 }
 
 /// Its stiffness is no stress, and of cohesive solids the density may be one per area.

@@ -84,13 +84,19 @@ void read_part_contact(Cards& cards, RawPart& part);
 void read_mat_elastic(Cards& cards, RawDeck& deck);
 void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck);
 void read_mat_isotropic_elastic_plastic(Cards& cards, RawDeck& deck);
+void read_mat_isotropic_elastic_failure(Cards& cards, RawDeck& deck);
 void read_mat_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_modified_piecewise_linear_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_plasticity_with_damage(Cards& cards, RawDeck& deck);
+// read_compression_tension.cpp
+void read_mat_plasticity_compression_tension(Cards& cards, RawDeck& deck);
 // read_rate_materials.cpp
 void read_mat_power_law_plasticity(Cards& cards, RawDeck& deck);
 void read_mat_johnson_cook(Cards& cards, RawDeck& deck);
 void read_mat_simplified_johnson_cook(Cards& cards, RawDeck& deck);
+// read_hydro_materials.cpp
+void read_mat_elastic_plastic_hydro(Cards& cards, RawDeck& deck);
+void read_mat_elastic_plastic_hydro_spall(Cards& cards, RawDeck& deck);
 // read_elastic_materials.cpp
 void read_mat_orthotropic_elastic(Cards& cards, RawDeck& deck);
 void read_mat_null(Cards& cards, RawDeck& deck);

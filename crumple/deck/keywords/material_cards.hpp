@@ -38,6 +38,9 @@ RawMaterial material_of(const Heading& heading, const Card& card);
 /// LS-DYNA's default for "never" is a huge strain; here it is zero.
 double failure_strain(double read);
 
+/// A time step of deletion, for whose "never" decks have a huge number; here it is zero.
+double deletion_step(double read);
+
 /// The direction that AOPT of a card calls for: of the card with A1 to A3, or of that with V1 to V3.
 void take_direction(const Card& second, const Card& third, const Card& fourth, model::OrthotropicElastic& law,
                     Report& report);

@@ -21,10 +21,9 @@ struct Substitute {
 
 // The first that fits counts.
 constexpr Substitute substitutes[] = {
-    {"MAT_ELASTIC_PLASTIC_HYDRO", "MAT_JOHNSON_COOK",
-     "takes the equation of state as well; hardening is a power law, without rate effect where C is 0"},
-    {"MAT_010", "MAT_JOHNSON_COOK",
-     "takes the equation of state as well; hardening is a power law, without rate effect where C is 0"},
+    {"MAT_ELASTIC_PLASTIC_HYDRO_STOCHASTIC", "MAT_ELASTIC_PLASTIC_HYDRO_SPALL",
+     "strength and failure do not scatter"},
+    {"MAT_010_STOCHASTIC", "MAT_ELASTIC_PLASTIC_HYDRO_SPALL", "strength and failure do not scatter"},
     {"ELEMENT_SOLID_TET4TOTET10", "ELEMENT_SOLID",
      "tetrahedra keep their four nodes, which are stiffer; take ELFORM 13 for them"},
     {"MAT_SOIL_AND_FOAM_FAILURE", "MAT_SOIL_AND_FOAM", "keeps its strength in tension at the cut-off"},
@@ -65,9 +64,9 @@ constexpr Substitute substitutes[] = {
     {"MAT_100_", "MAT_SPOTWELD", "welds fail by the resultants of card 2, without damage"},
     {"MAT_GURSON", "MAT_PIECEWISE_LINEAR_PLASTICITY", "no voids grow; failure is by plastic strain alone"},
     {"MAT_120", "MAT_PIECEWISE_LINEAR_PLASTICITY", "no voids grow; failure is by plastic strain alone"},
-    {"MAT_PLASTICITY_COMPRESSION_TENSION", "MAT_PIECEWISE_LINEAR_PLASTICITY",
-     "yield is the same in tension and compression"},
-    {"MAT_124", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield is the same in tension and compression"},
+    {"MAT_PLASTICITY_COMPRESSION_TENSION_EOS", "MAT_PLASTICITY_COMPRESSION_TENSION",
+     "the pressure is elastic"},
+    {"MAT_155", "MAT_PLASTICITY_COMPRESSION_TENSION", "the pressure is elastic"},
     {"MAT_SAMP-1", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield does not depend on the pressure"},
     {"MAT_187", "MAT_PIECEWISE_LINEAR_PLASTICITY", "yield does not depend on the pressure"},
     {"MAT_TABULATED_JOHNSON_COOK", "MAT_JOHNSON_COOK", "hardening and failure by formulas instead of tables"},

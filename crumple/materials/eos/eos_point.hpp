@@ -25,7 +25,7 @@ inline constexpr int per_density = 4;     ///< one over the reference density [v
 inline constexpr int shear = 5;           ///< 4/3 of the shear modulus [stress]
 inline constexpr int least_square = 6;    ///< lower bound of the square of the wave speed
 inline constexpr int least_pressure = 7;  ///< lower bound of the pressure [stress]
-inline constexpr int spall = 8;           ///< model::JohnsonCook::Spall as a number
+inline constexpr int spall = 8;           ///< model::Spall as a number
 inline constexpr int own = 9;
 }  // namespace eos_place
 

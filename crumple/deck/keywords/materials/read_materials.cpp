@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_ISOTROPIC_ELASTIC_PLASTIC, *MAT_PIECEWISE_LINEAR_PLASTICITY, its
-// modified form and *MAT_PLASTICITY_WITH_DAMAGE.
+// *MAT_ELASTIC, *MAT_PLASTIC_KINEMATIC, *MAT_ISOTROPIC_ELASTIC_PLASTIC, *MAT_ISOTROPIC_ELASTIC_FAILURE,
+// *MAT_PIECEWISE_LINEAR_PLASTICITY, its modified form and *MAT_PLASTICITY_WITH_DAMAGE.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -49,6 +49,13 @@ constexpr Field isotropic_card[] = {
     real("SIGY", 0, above_zero),
     real("ETAN", 0, not_negative),
     real("BULK", 0, above_zero),
+};
+
+constexpr Field isotropic_failure_card[] = {
+    real("EPF", 0, not_negative),
+    real("PRF"),  // not above zero
+    real("REM"),  // anything but zero keeps failed elements
+    real("TREM", 0, not_negative),
 };
 
 constexpr Field piecewise_card[] = {
@@ -242,6 +249,11 @@ double failure_strain(double read) {
   return read >= never ? 0 : read;
 }
 
+double deletion_step(double read) {
+  constexpr double never = 1e20;
+  return read < never ? read : 0;
+}
+
 void check_rate(const Card& card, std::string_view rate, std::string_view exponent, Report& report) {
   if (card.real(rate) > 0 && card.good(exponent) && !(card.real(exponent) > 0))
     report.field_error(card.where(),
@@ -297,6 +309,40 @@ void read_mat_plastic_kinematic(Cards& cards, RawDeck& deck) {
   }
 }
 
+namespace {
+
+/// E and Poisson's ratio of G and BULK.
+template <class Law>
+void take_moduli(const Card& card, Law& law, Report& report) {
+  const double shear = card.good("G") ? card.real("G") : 1;
+  const double bulk = card.good("BULK") ? card.real("BULK") : shear;
+  law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
+  law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+  if (law.poissons_ratio < 0)
+    report.field_error(
+        card.where(), {"BULK", std::string(card.text("BULK")), "at least two thirds of G",
+                       fmt::format("Poisson's ratio comes out as {:.4g}", law.poissons_ratio), "poisson"});
+}
+
+/// PRF, of which zero is taken as none.
+double failure_pressure(const Card& card, Report& report) {
+  constexpr double never = -1e15;
+  const double read = card.real("PRF");
+  if (read > 0)
+    report.field_error(card.where(), {"PRF", std::string(card.text("PRF")), "a pressure not above zero",
+                                      "it is the lower bound of the pressure, tension is below zero",
+                                      "failure"});
+  else if (card.good("PRF") && read == 0)
+    report.field_warning(card.where(),
+                         {"PRF", std::string(card.text("PRF")), "a pressure below zero",
+                          "sources do not say whether zero is failure in any tension; it is taken as none, "
+                          "as -1e20 is",
+                          "failure"});
+  return read > never && read < 0 ? read : 0;
+}
+
+}  // namespace
+
 /// The law of *MAT_PLASTIC_KINEMATIC with BETA = 1. ETAN is the slope over the plastic strain, as the Keyword
 /// Manual, Volume II, calls it.
 void read_mat_isotropic_elastic_plastic(Cards& cards, RawDeck& deck) {
@@ -304,16 +350,9 @@ void read_mat_isotropic_elastic_plastic(Cards& cards, RawDeck& deck) {
     const Heading heading = cards.heading();
     const Card card = cards.next(isotropic_card);
     RawMaterial raw = material_of(heading, card);
-    const double shear = card.good("G") ? card.real("G") : 1;
-    const double bulk = card.good("BULK") ? card.real("BULK") : shear;
     const double hardening = card.real("ETAN");
     model::PlasticKinematic law;
-    law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
-    law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
-    if (law.poissons_ratio < 0)
-      cards.report().field_error(
-          card.where(), {"BULK", std::string(card.text("BULK")), "at least two thirds of G",
-                         fmt::format("Poisson's ratio comes out as {:.4g}", law.poissons_ratio), "poisson"});
+    take_moduli(card, law, cards.report());
     law.yield_stress = card.real("SIGY");
     law.tangent_modulus = law.youngs_modulus * hardening / (law.youngs_modulus + hardening);
     law.isotropic_fraction = 1;
@@ -322,14 +361,31 @@ void read_mat_isotropic_elastic_plastic(Cards& cards, RawDeck& deck) {
   }
 }
 
-namespace {
-
-/// TDEL; decks switch it off by huge numbers as they do with FAIL.
-double least_step(const Card& card) {
-  constexpr double never = 1e20;
-  const double step = card.real("TDEL");
-  return step < never ? step : 0;
+/// With TREM the time step alone deletes, as the Keyword Manual has it.
+void read_mat_isotropic_elastic_failure(Cards& cards, RawDeck& deck) {
+  while (cards.more()) {
+    const Heading heading = cards.heading();
+    const Card card = cards.next(isotropic_card);
+    const Card failure = cards.next(isotropic_failure_card);
+    RawMaterial raw = material_of(heading, card);
+    model::FailingSolid law;
+    take_moduli(card, law, cards.report());
+    law.yield_stress = card.real("SIGY");
+    law.hardening = card.real("ETAN");
+    law.failure_strain = failure_strain(failure.real("EPF"));
+    law.failure_pressure = failure_pressure(failure, cards.report());
+    raw.material.least_step = deletion_step(failure.real("TREM"));
+    law.keeps_failed = failure.real("REM") != 0 || raw.material.least_step > 0;
+    if (failure.real("REM") == 0 && law.keeps_failed)
+      cards.report().add(Severity::Note, failure.where(), "removal",
+                         "TREM goes before REM: failed elements stay, without tension and shear, until "
+                         "their time step is below TREM");
+    raw.material.law = law;
+    if (card.good("MID")) deck.materials.push_back(std::move(raw));
+  }
 }
+
+namespace {
 
 /// What a form of the law has beside hardening.
 enum class Failure { Strain, StrainLimits, Damage };
@@ -368,7 +424,7 @@ void read_piecewise(Cards& cards, RawDeck& deck, Layout first_fields, Layout rat
     if (raw.hardening_curve == 0) take_points(strain, stress, law, cards.report());
     if (raw.hardening_curve == 0 && law.plastic_strain.empty()) take_line(card, law, cards.report());
     raw.material.law = law;
-    raw.material.least_step = least_step(card);
+    raw.material.least_step = deletion_step(card.real("TDEL"));
     raw.curve_where = rate.where();
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
