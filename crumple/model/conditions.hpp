@@ -82,6 +82,14 @@ struct PressureLoad {
   Index shell = no_index;  ///< in Model::shells: the load ends when this shell erodes
 };
 
+/// A face of a solid that waves leave as if the solid went on behind it (*BOUNDARY_NON_REFLECTING).
+struct ViscousSegment {
+  std::array<Index, 4> node{no_index, no_index, no_index, no_index};  ///< a triangle repeats its third node
+  Index solid = no_index;  ///< in Model::solids: its density and wave speeds; ends when it erodes
+  bool normal = true;      ///< takes dilatational waves (AD = 0)
+  bool tangential = true;  ///< takes shear waves (AS = 0)
+};
+
 /// Motion of a node or of a rigid body along or about one axis (*BOUNDARY_PRESCRIBED_MOTION): scale times the
 /// curve's ordinate at the time since birth.
 struct PrescribedMotion {

@@ -73,6 +73,7 @@ struct Model {
   std::vector<PressureLoad> pressure_loads;
   std::vector<AirBlast> air_blasts;
   std::vector<BlastSegment> blast_segments;
+  std::vector<ViscousSegment> viscous_segments;
   std::vector<ControlVolume> control_volumes;
   std::vector<BodyLoad> body_loads;
   std::vector<InertiaField> inertia_fields;

@@ -11,6 +11,7 @@
 #include "elements/elements.hpp"
 #include "materials/common/shell_material.hpp"
 #include "timeloop/guards.hpp"
+#include "timeloop/impedances.hpp"
 #include "timeloop/initial_motion.hpp"
 
 namespace crumple::timeloop {
@@ -66,6 +67,7 @@ Simulation::Simulation(const model::Model& model, const domain::Execution& execu
       inertia_fields_(model, domain_),
       mass_damping_(model, domain_),
       relative_dampings_(model, domain_),
+      viscous_boundary_(model, domain_, impedances_of_parts(model)),
       terminations_(model, domain_) {
   for (const model::RigidWall& wall : model.rigid_walls) {
     domain_.walls.push_back({.id = wall.id});
@@ -129,6 +131,7 @@ domain::StateList Simulation::state() {
   inertia_fields_.declare(list);
   mass_damping_.declare(list);
   relative_dampings_.declare(list);
+  viscous_boundary_.declare(list);
   terminations_.declare(list);
   if (energy_trace_) energy_trace_->declare(list);
   return list;

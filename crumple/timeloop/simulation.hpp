@@ -13,7 +13,8 @@
 //     drift            x(n) = x(n-1) + step v(n-1/2)                nodes, rigid bodies, tied nodes
 //     compute_forces   f(n) of elements, contacts, tied contacts with springs, joints, loads, damping
 //     choose_step      next_step: TSSFAC times the smallest stable step of an element; bounds on its growth
-//     close_gaps       contacts by multipliers, which need all other forces and next_step
+//     close_gaps       non-reflecting boundaries and contacts by multipliers, which need all other forces
+//                      and next_step
 //     kick             v(n+1/2) = v(n-1/2) + interval f(n) / m, then what constrains velocities: ties,
 //                      rivets, prescribed motions, rigid walls, rigid bodies
 //     balance          energies of time n, and guards that end a run which has lost its stability
@@ -63,6 +64,7 @@
 #include "loads/nodal_loads.hpp"
 #include "loads/pressure_loads.hpp"
 #include "loads/relative_damping.hpp"
+#include "loads/viscous_boundary.hpp"
 #include "model/model.hpp"
 #include "timeloop/held_step.hpp"
 #include "timeloop/node_kernels.hpp"
@@ -201,6 +203,7 @@ class Simulation {
   loads::InertiaFields inertia_fields_;
   loads::MassDamping mass_damping_;
   loads::RelativeDampings relative_dampings_;
+  loads::ViscousBoundary viscous_boundary_;
   Terminations terminations_;
   AlignedArray<math::Vec3> previous_velocity_;  ///< v(n-1/2), kept by the kick if joints or walls change it
   KickSums kick_sums_;                          ///< of the last kick, walls included

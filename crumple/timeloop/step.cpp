@@ -68,7 +68,7 @@ void Simulation::start() {
   kick(0.5 * next_step_);
   const StartLoss::Left left = start_loss.of_kick(domain_, 0.5 * next_step_);
   // What holds the balance of a relaxed model dissipates nothing in that.
-  start_loss_ = begins_relaxed_ ? 0 : left.inner;
+  start_loss_ = (begins_relaxed_ ? 0 : left.inner) + viscous_boundary_.start_loss();
   start_work_ = begins_relaxed_ ? left.loads + left.inner : left.loads;
 }
 
@@ -194,9 +194,10 @@ void Simulation::choose_step() {
     throw_trouble(*model_, domain_, "The time step is no longer a positive number: an element has collapsed");
 }
 
-/// The contact forces that need to know all others, and the step.
+/// The forces that need to know all others, and the step.
 void Simulation::close_gaps(double interval) {
   local_constraints_.refresh(domain_);
+  viscous_boundary_.add_forces(domain_, interval);
   for (contact::Interface& contact : contacts_) contact.add_multipliers(domain_, interval, next_step_);
   for (std::size_t i = 0; i < transducers_.size(); ++i)
     domain_.transducers[i].force = transducers_[i].measure(contacts_);

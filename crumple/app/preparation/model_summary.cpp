@@ -205,6 +205,8 @@ void print_conditions(std::ostream& out, const model::Model& model) {
   if (!model.blast_segments.empty())
     print(out, "  segments under blast  {}, of {}\n", model.blast_segments.size(),
           counted(model.air_blasts.size(), "charge"));
+  if (!model.viscous_segments.empty())
+    print(out, "  non-reflecting faces  {}\n", model.viscous_segments.size());
   if (!model.control_volumes.empty())
     print(out, "  airbags               {}\n", model.control_volumes.size());
   if (!model.body_loads.empty()) print(out, "  body loads            {}\n", model.body_loads.size());

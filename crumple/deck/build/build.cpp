@@ -197,6 +197,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_velocities(build);
   build_initial_stresses(build);
   build_loads(build);
+  build_viscous_boundaries(build);
   build_airbags(build);
   build_motions(build);
   build_stoppers(build);

@@ -311,6 +311,9 @@ void build_loads(Build& build);
 // build_blasts.cpp
 /// Charges and the segments that they load, but for the shells which these are.
 void build_blasts(Build& build);
+// build_viscous_boundaries.cpp
+/// Segments of solids that do not reflect waves.
+void build_viscous_boundaries(Build& build);
 // build_airbags.cpp
 void build_airbags(Build& build);
 /// Force and moment on a node or a body at a factor of one.

@@ -79,6 +79,7 @@ void check_relaxation(const Where& where, Build& build) {
                        fmt::format("{} is not supported with a dynamic relaxation", what));
   };
   if (!build.model.control_volumes.empty()) refuse("an airbag");
+  if (!build.model.viscous_segments.empty()) refuse("a non-reflecting boundary");
   const auto moves = [](const model::RigidWall& wall) {
     return wall.motion.curve != no_index || wall.mass > 0;
   };

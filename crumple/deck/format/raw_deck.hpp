@@ -460,6 +460,7 @@ struct RawDeck {
   std::vector<RawMassDamping> part_dampings;
   std::vector<RawStiffnessDamping> stiffness_dampings;
   std::vector<RawRelativeDamping> relative_dampings;
+  std::vector<RawViscousBoundary> viscous_boundaries;
   std::vector<RawInertiaField> inertia_fields;
   std::vector<RawBodyLoadParts> body_load_parts;
   std::vector<RawVector> vectors;

@@ -143,6 +143,14 @@ struct RawRelativeDamping {
   Where where;
 };
 
+/// A segment set whose faces of solids do not reflect waves.
+struct RawViscousBoundary {
+  UserId set = 0;
+  bool normal = true;
+  bool tangential = true;
+  Where where;
+};
+
 /// Mass that is spread over the nodes of a part or of the parts of a set.
 struct RawPartMass {
   UserId target = 0;

@@ -304,6 +304,9 @@ void read_load_body_generalized_set_part(Cards& cards, RawDeck& deck);
 void read_load_gravity_part(Cards& cards, RawDeck& deck);
 void read_load_gravity_part_set(Cards& cards, RawDeck& deck);
 
+// read_non_reflecting.cpp
+void read_boundary_non_reflecting(Cards& cards, RawDeck& deck);
+
 // read_damping.cpp
 void read_damping_global(Cards& cards, RawDeck& deck);
 void read_damping_part_mass(Cards& cards, RawDeck& deck);

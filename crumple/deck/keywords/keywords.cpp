@@ -133,6 +133,7 @@ constexpr Keyword keyword_rows[] = {
     {"BOUNDARY_PRESCRIBED_MOTION_NODE", read_boundary_prescribed_motion_node, identity},
     {"BOUNDARY_PRESCRIBED_MOTION_NODES", read_boundary_prescribed_motion_node, identity},
     {"BOUNDARY_PRESCRIBED_MOTION_SET", read_boundary_prescribed_motion_set, identity},
+    {"BOUNDARY_NON_REFLECTING", read_boundary_non_reflecting},
     {"BOUNDARY_PRESCRIBED_MOTION_RIGID", read_boundary_prescribed_motion_rigid, identity},
     {"CONSTRAINED_SPOTWELD", read_constrained_spotweld, identity},
     {"CONSTRAINED_GENERALIZED_WELD_SPOT", read_constrained_generalized_weld_spot, identity},
