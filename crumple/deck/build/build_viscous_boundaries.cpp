@@ -19,8 +19,10 @@ using Faces = std::map<Segment, model::SolidFace>;
 
 /// Rigid solids have no waves, and a layer of glue has no thickness for them.
 bool has_waves(const model::Model& model, const model::SolidElement& solid) {
+  if (solid.part == no_index) return false;  // reported
   const model::Part& part = model.parts[static_cast<std::size_t>(solid.part)];
-  const model::SolidSection& section = model.solid_sections[static_cast<std::size_t>(part.section)];
+  if (part.solid_section == no_index) return false;
+  const model::SolidSection& section = model.solid_sections[static_cast<std::size_t>(part.solid_section)];
   return !model::is_rigid(model, part) && !model::is_cohesive(section.formulation);
 }
 
