@@ -15,12 +15,12 @@ struct HydroPlasticity {
   double shear_modulus = 0;              ///< G [stress]
   std::vector<double> plastic_strain{};  ///< ascending from 0
   std::vector<double> yield_stress{};    ///< there [stress]; the slope before the last point goes on
-  double hardening = 0;         ///< EH: slope of the yield stress behind one point alone [stress]
-  double pressure_factor = 0;   ///< A1: of the pressure above zero, added to the yield stress [-]
-  double pressure_square = 0;   ///< A2: of its square [1/stress]
-  double least_pressure = 0;    ///< PC, not above zero; 0 is no cut-off [stress]
-  Spall spall = Spall::None;    ///< what happens at the cut-off
-  double failure_strain = 0;    ///< FS, effective plastic strain; 0 is none
+  double hardening = 0;                  ///< EH: slope of the yield stress behind one point alone [stress]
+  double pressure_factor = 0;            ///< A1: of the pressure above zero, added to the yield stress [-]
+  double pressure_square = 0;            ///< A2: of its square [1/stress]
+  double least_pressure = 0;             ///< PC, not above zero; 0 is no cut-off [stress]
+  Spall spall = Spall::None;             ///< what happens at the cut-off
+  double failure_strain = 0;             ///< FS, effective plastic strain; 0 is none
 };
 
 /// Sets modulus and Poisson's ratio from G and a bulk modulus above zero [stress].

@@ -395,8 +395,8 @@ using ConstitutiveLaw =
                  MooneyRivlin, CrushableFoam, LowDensityFoam, OgdenRubber, PolynomialRubber, Viscoelastic,
                  DiscreteBeamLaw, Honeycomb, SoilAndFoam, ViscousFoam, SimplifiedRubber, Fabric,
                  BilkhuDuboisFoam, SheetPlasticity, LaminatedFabric, Cohesive, CapConcrete,
-                 ThreeSurfaceConcrete, HolmquistCeramic, HolmquistConcrete, HydroPlasticity,
-                 FailingSolid, CompressionTension>;
+                 ThreeSurfaceConcrete, HolmquistCeramic, HolmquistConcrete, HydroPlasticity, FailingSolid,
+                 CompressionTension>;
 
 /// Which elements a law is for, and whether an equation of state gives its pressure in solids.
 struct LawUse {

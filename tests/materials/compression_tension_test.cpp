@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// *MAT_PLASTICITY_COMPRESSION_TENSION of solids: the yield stress between two curves by the pressure.
+// *MAT_PLASTICITY_COMPRESSION_TENSION: the yield stress between two curves by the pressure.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "materials/motion_driver.hpp"
+#include "materials/point_driver.hpp"
 #include "support/drawn.hpp"
 #include "support/largest.hpp"
 
@@ -39,9 +40,8 @@ double joined(const std::vector<double>& x, const std::vector<double>& y, double
 }
 /// By the formula of the manual, with the pressure p.
 double yield_stress(const model::CompressionTension& law, double strain, double p) {
-  const double scale = std::clamp((law.compression_pressure - p) /
-                                      (law.compression_pressure + law.tension_pressure),
-                                  0.0, 1.0);
+  const double scale = std::clamp(
+      (law.compression_pressure - p) / (law.compression_pressure + law.tension_pressure), 0.0, 1.0);
   return scale * joined(law.tension_strain, law.tension_stress, strain) +
          (1 - scale) * joined(law.compression_strain, law.compression_stress, strain);
 }
@@ -64,8 +64,8 @@ void expect_on_surface(Isa isa, test::Largest& off) {
     const double swing = i <= 200 ? -1 + 0.01 * i : 3 - 0.01 * i;
     point.move_to(sheared(2e-3 * i, 1 - 8e-3 * swing * std::min(1.0, 0.02 * i)));
     if (i > 30)
-      off.compare(equivalent(point.stress()), yield_stress(law, point.item("plastic_strain"), point.pressure()),
-                  30);
+      off.compare(equivalent(point.stress()),
+                  yield_stress(law, point.item("plastic_strain"), point.pressure()), 30);
   }
   EXPECT_GT(point.item("plastic_strain"), 0.3);
 }
@@ -133,6 +133,29 @@ TEST_P(TwoSided, FailsAtAPlasticStrain) {
   } while (point.intact() && i < 300);
   EXPECT_GE(point.item("plastic_strain"), 0.05);
   EXPECT_LT(point.item("plastic_strain"), 0.051);
+}
+
+/// In uniaxial stress s the pressure is -s/3: beyond PC and PT the stress is that of one curve exactly,
+/// between them to second order in what a step exceeds it by.
+TEST_P(TwoSided, ShellsInUniaxialStress) {
+  test::Largest off("compression-tension plasticity, shells, one curve alone: stress over 30 MPa, error",
+                    "the curve", 1e-9);
+  test::Largest between("compression-tension plasticity, shells, between the curves: the same",
+                        "the manual's formula", 2e-3);
+  for (const bool wide : {false, true})
+    for (const double sign : {-1.0, 1.0}) {
+      model::CompressionTension law = plastic();
+      if (wide) law.compression_pressure = law.tension_pressure = 40;
+      PointDriver<double> point(material(law), GetParam());
+      for (int i = 1; i <= 200; ++i) {
+        point.apply_uniaxial(sign * 5e-4, law.poissons_ratio);
+        if (i < 100) continue;
+        const double stress = point.stress()[0];
+        const double expected = yield_stress(law, point.item("plastic_strain"), -stress / 3);
+        (wide ? between : off).compare(sign * stress, expected, 30);
+      }
+      EXPECT_GT(point.item("plastic_strain"), 0.03);
+    }
 }
 
 TEST(TwoSidedPlasticity, RefusesWhatHasNoSense) {

@@ -17,7 +17,8 @@ void require_curve(const model::Material& material, const model::HydroPlasticity
   const auto& strain = law.plastic_strain;
   const auto& stress = law.yield_stress;
   if (stress.size() == 1 && stress[0] == 0) {  // strength by hardening and pressure alone
-    require(strain.size() == 1 && strain[0] == 0, material, "the hardening must start at zero plastic strain");
+    require(strain.size() == 1 && strain[0] == 0, material,
+            "the hardening must start at zero plastic strain");
     return;
   }
   require_hardening_table(material, law.youngs_modulus, strain, stress);

@@ -72,9 +72,8 @@ struct HydroPlasticityLaw {
     }
 
     CRUMPLE_INLINE static HydroHardening<Real> hardening_of(const double* c) {
-      return {{c + Table, static_cast<int>(c[Rows])},
-              static_cast<Real>(c[Least]),
-              static_cast<Real>(c[Floor])};
+      return {
+          {c + Table, static_cast<int>(c[Rows])}, static_cast<Real>(c[Least]), static_cast<Real>(c[Floor])};
     }
 
     /// The pressure is that of the start of the step: the equation of state needs the deviator first.

@@ -58,8 +58,7 @@ TEST(IsotropicFailure, Faults) {
   only_message(messages_of("*MAT_013" + metal + "0.2,-5\n"), "is there for solids only");
 }
 
-const std::string curves =
-    "*DEFINE_CURVE\n7\n0,50\n0.1,70\n0.2,90\n*DEFINE_CURVE\n8\n0,30\n0.1,45\n20,45\n";
+const std::string curves = "*DEFINE_CURVE\n7\n0,50\n0.1,70\n0.2,90\n*DEFINE_CURVE\n8\n0,30\n0.1,45\n20,45\n";
 const std::string two_sided = "\n1,1.1E-9,2000,0.4,100,3,0.8,1E-7\n7,8,0,0,2,0,0,0.5\n15,8\n";
 
 CubeDeck cube(const std::string& material, const std::string& more = curves) {

@@ -77,8 +77,8 @@ TEST(HydroMaterial, EveryPointOfTheTable) {
   expect(law_of("*MAT_010" + line + points));
   expect(law_of("*MAT_010_SPALL" + line + "0,0,2\n" + points));
   // Ten points.
-  const auto law = law_of("*MAT_010" + line +
-                          "0,0.01,0.02,0.03,0.04,0.05,0.06,0.07\n0.08,0.09\n1,2,3,4,5,6,7,8\n9,10\n");
+  const auto law =
+      law_of("*MAT_010" + line + "0,0.01,0.02,0.03,0.04,0.05,0.06,0.07\n0.08,0.09\n1,2,3,4,5,6,7,8\n9,10\n");
   EXPECT_EQ(law.plastic_strain.size(), 10U);
   EXPECT_EQ(law.yield_stress.back(), 10);
 }

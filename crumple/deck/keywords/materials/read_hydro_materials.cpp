@@ -116,10 +116,10 @@ void take_strength(const HydroCards& cards, bool has_spall, model::HydroPlastici
     take_points(cards, count, law, report);
     for (const std::string_view name : {"A1", "A2"})
       if (has_spall && cards.spall.real(name) != 0)
-        report.field_warning(cards.spall.where(),
-                             {name, std::string(cards.spall.text(name)), "0",
-                              "it acts on the yield stress of SIGY and EH alone, not on that of EPS and ES",
-                              "pressure"});
+        report.field_warning(
+            cards.spall.where(),
+            {name, std::string(cards.spall.text(name)), "0",
+             "it acts on the yield stress of SIGY and EH alone, not on that of EPS and ES", "pressure"});
     return;
   }
   law.plastic_strain = {0};

@@ -319,9 +319,9 @@ void take_moduli(const Card& card, Law& law, Report& report) {
   law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
   law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
   if (law.poissons_ratio < 0)
-    report.field_error(
-        card.where(), {"BULK", std::string(card.text("BULK")), "at least two thirds of G",
-                       fmt::format("Poisson's ratio comes out as {:.4g}", law.poissons_ratio), "poisson"});
+    report.field_error(card.where(),
+                       {"BULK", std::string(card.text("BULK")), "at least two thirds of G",
+                        fmt::format("Poisson's ratio comes out as {:.4g}", law.poissons_ratio), "poisson"});
 }
 
 /// PRF, of which zero is taken as none.
@@ -329,9 +329,9 @@ double failure_pressure(const Card& card, Report& report) {
   constexpr double never = -1e15;
   const double read = card.real("PRF");
   if (read > 0)
-    report.field_error(card.where(), {"PRF", std::string(card.text("PRF")), "a pressure not above zero",
-                                      "it is the lower bound of the pressure, tension is below zero",
-                                      "failure"});
+    report.field_error(card.where(),
+                       {"PRF", std::string(card.text("PRF")), "a pressure not above zero",
+                        "it is the lower bound of the pressure, tension is below zero", "failure"});
   else if (card.good("PRF") && read == 0)
     report.field_warning(card.where(),
                          {"PRF", std::string(card.text("PRF")), "a pressure below zero",
