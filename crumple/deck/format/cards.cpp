@@ -299,7 +299,9 @@ void Cards::parse(std::size_t index, Card& card) {
     value.good = false;
     return;
   }
-  const CheckResult result = check_field(field, value.real, value.text);
+  const bool refers = Parameters::is_reference(value.text);
+  const CheckResult result =
+      check_field(field, value.real, refers ? fmt::format("{} = {:g}", value.text, value.real) : value.text);
   if (!result.fault) return;
   value.good = result.is_harmless;
   if (result.is_harmless) {
