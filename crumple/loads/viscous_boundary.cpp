@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "loads/viscous_boundary.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "base/error.hpp"
@@ -40,9 +39,9 @@ ViscousBoundary::ViscousBoundary(const model::Model& model, const domain::Domain
     const Index own = domain.nodes.domain_node[node];
     if (domain.nodes.is_tied(own) && std::binary_search(nodes_.begin(), nodes_.end(), own))
       throw Error(
-          fmt::format("Node {} of a non-reflecting boundary is tied to a segment, which moves it: the "
-                      "boundary cannot act there. Leave its segments or the node out of one of the two.",
-                      model.nodes.id[node]));
+          "Node " + std::to_string(model.nodes.id[node]) +
+          " of a non-reflecting boundary is tied to a segment, which moves it: the boundary cannot act "
+          "there. Leave its segments or the node out of one of the two.");
   }
 }
 

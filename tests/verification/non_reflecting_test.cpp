@@ -12,9 +12,12 @@
 #include <numbers>
 #include <vector>
 
+#include "base/error.hpp"
+#include "model/solid_faces.hpp"
 #include "support/larger.hpp"
 #include "support/meshes.hpp"
 #include "support/run.hpp"
+#include "support/ties.hpp"
 #include "support/verified.hpp"
 
 namespace crumple::non_reflecting_test {
@@ -251,6 +254,20 @@ TEST(NonReflecting, DoesNotActOnNodesOfARigidBody) {
   const Left left = run_to_end(model);
   EXPECT_NEAR(left.energy, 1, 1e-9);
   EXPECT_EQ(left.damped, 0);
+}
+
+/// A node that follows a segment is not the boundary's to stop.
+TEST(NonReflecting, RefusesTiedNodes) {
+  model::Model model = test::two_blocks(1, 1, 1, model::TieMethod::Constraint);
+  timeloop::Simulation simulation(model, test::execution());
+  const domain::NodeFields& nodes = simulation.domain().nodes;
+  for (std::size_t solid = 0; solid < model.solids.size(); ++solid)
+    for (const std::array<Index, 4>& face : model::faces_of(model.solids[solid]))
+      if (std::any_of(face.begin(), face.end(),
+                      [&](Index node) { return nodes.is_tied(nodes.domain_node[node]); }))
+        model.viscous_segments.push_back({.node = face, .solid = static_cast<Index>(solid)});
+  ASSERT_FALSE(model.viscous_segments.empty());
+  EXPECT_THROW(timeloop::Simulation(model, test::execution()), Error);
 }
 
 /// The boundary of a solid ends with it.

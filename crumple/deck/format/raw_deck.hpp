@@ -213,18 +213,6 @@ struct RawInterior {
   Where where;
 };
 
-struct RawFixed {
-  UserId target = 0;
-  bool is_set = false;
-  std::array<bool, 3> translation{};
-  std::array<bool, 3> rotation{};
-  Where where;
-  UserId system = 0;      ///< CID; 0 is global axes
-  bool is_timed = false;  ///< BIRTH_DEATH
-  double birth = 0;
-  double death = 1e28;
-};
-
 struct RawVelocity {
   enum class Target { All, NodeSet, Node, Part, PartSet };
   Target target = Target::All;

@@ -9,7 +9,20 @@
 
 namespace crumple::deck {
 
-// Loads and prescribed motions as the deck has them: what they refer to by the user's ids.
+// Supports, loads and prescribed motions as the deck has them: what they refer to by the user's ids.
+
+/// What *BOUNDARY_SPC holds of a node or of every node of a set.
+struct RawFixed {
+  UserId target = 0;
+  bool is_set = false;
+  std::array<bool, 3> translation{};
+  std::array<bool, 3> rotation{};
+  Where where;
+  UserId system = 0;      ///< CID; 0 is global axes
+  bool is_timed = false;  ///< BIRTH_DEATH
+  double birth = 0;
+  double death = 1e28;
+};
 
 /// A force or a moment on a node or on every node of a set.
 struct RawNodalLoad {
