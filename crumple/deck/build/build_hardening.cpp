@@ -2,6 +2,8 @@
 // Curves of the yield stress over the plastic strain.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +70,20 @@ void take_hardening(const model::Curve& curve, const Where& where, std::vector<d
     }
 }
 
+/// Strain rates of a table, or their natural logarithms where it is interpolated in these.
+std::vector<double> rates_of(const RawMaterial& raw, const RawTable& table, Report& report) {
+  std::vector<double> rates = table.value;
+  if (!raw.by_log_of_rates || rates.front() < 0) return rates;
+  if (rates.front() == 0)
+    report.error(
+        table.where, "logarithm",
+        fmt::format("table {} begins with the rate 0, which has no logarithm, and is interpolated in the "
+                    "logarithms of its rates by _LOG_INTERPOLATION; begin with a small rate",
+                    table.id));
+  for (double& rate : rates) rate = std::log(std::max(rate, 1e-30));
+  return rates;
+}
+
 /// Hardening curves by strain rate.
 void take_table(const RawMaterial& raw, const RawTable& table, model::PiecewiseLinearPlasticity& law,
                 Build& build) {
@@ -78,11 +94,12 @@ void take_table(const RawMaterial& raw, const RawTable& table, model::PiecewiseL
     return;
   }
   // A first value below zero says that all are natural logarithms of the rates.
-  law.logarithmic_rates = table.value.front() < 0;
+  law.logarithmic_rates = table.value.front() < 0 || raw.by_log_of_rates;
+  const std::vector<double> rates = rates_of(raw, table, build.report);
   const std::vector<Index> curves = curves_of(table, build);
   for (std::size_t i = 0; i < table.value.size(); ++i) {
     if (curves[i] == no_index) continue;
-    model::HardeningAtRate at{table.value[i], {}, {}};
+    model::HardeningAtRate at{rates[i], {}, {}};
     const model::Curve& curve = build.model.curves[static_cast<std::size_t>(curves[i])];
     take_hardening(curve, raw.where, at.plastic_strain, at.yield_stress, build.report);
     const Where& points = build.deck.curves[static_cast<std::size_t>(curves[i])].where;

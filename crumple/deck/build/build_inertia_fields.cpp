@@ -98,10 +98,20 @@ bool choose_masses(const RawInertiaField& raw, const std::optional<std::vector<I
   return !field.parts.empty() || !field.nodes.empty();
 }
 
+/// The curve of a field, or one that is always 1 where it has none (*LOAD_GRAVITY_PART).
+Index curve_of(const RawInertiaField& raw, Build& build) {
+  if (raw.curve != 0) return build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  model::Curve steady;
+  steady.abscissa = {0, 1e30};
+  steady.ordinate = {1, 1};
+  build.model.curves.push_back(std::move(steady));
+  return static_cast<Index>(build.model.curves.size() - 1);
+}
+
 void build_inertia_field(const RawInertiaField& raw, const std::optional<std::vector<Index>>& parts,
                          Build& build) {
   model::InertiaField field = raw.field;
-  field.curve = build.find(Item::Curve, {raw.curve, "LCID", raw.where});
+  field.curve = curve_of(raw, build);
   const auto acceleration = turned(build, raw.field.acceleration, raw.system, "CID", raw.where);
   const auto spin = turned(build, raw.field.spin, raw.system, "CID", raw.where);
   if (!choose_masses(raw, parts, build, field) || field.curve == no_index || !acceleration || !spin) return;

@@ -22,6 +22,8 @@ constexpr Keyword material_rows[] = {
     {"MAT_010_SPALL", read_mat_elastic_plastic_hydro_spall, titled},
     {"MAT_PIECEWISE_LINEAR_PLASTICITY", read_mat_piecewise_linear_plasticity, titled},
     {"MAT_024", read_mat_piecewise_linear_plasticity, titled},
+    {"MAT_PIECEWISE_LINEAR_PLASTICITY_LOG_INTERPOLATION", read_mat_piecewise_linear_plasticity, titled},
+    {"MAT_024_LOG_INTERPOLATION", read_mat_piecewise_linear_plasticity, titled},
     {"MAT_MODIFIED_PIECEWISE_LINEAR_PLASTICITY", read_mat_modified_piecewise_linear_plasticity, titled},
     {"MAT_123", read_mat_modified_piecewise_linear_plasticity, titled},
     {"MAT_PLASTICITY_WITH_DAMAGE", read_mat_plasticity_with_damage, titled},

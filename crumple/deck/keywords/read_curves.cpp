@@ -36,7 +36,8 @@ constexpr Field function_card[] = {
 
 constexpr Field table_card[] = {id("TBID"), real_or_default("SFA", 1.0), real("OFFA")};
 
-constexpr Field value_card[] = {sized(20, real("VALUE"))};
+// Without LCID the curves follow in the order of the values.
+constexpr Field value_card[] = {sized(20, real("VALUE")), sized(20, reference("LCID", IdKind::Function))};
 
 constexpr Field value_curve_card[] = {sized(20, real("VALUE")), sized(20, id("CURVEID"))};
 
@@ -224,7 +225,20 @@ void add_value(const Card& card, const Card& point, RawTable& raw, Report& repor
 void read_define_table(Cards& cards, RawDeck& deck) {
   Card card;
   RawTable raw = table_of(cards, deck, card);
-  while (cards.more()) add_value(card, cards.next_filled(value_card), raw, cards.report());
+  while (cards.more()) {
+    const Card point = cards.next_filled(value_card);
+    add_value(card, point, raw, cards.report());
+    raw.curve.push_back(point.integer("LCID"));
+    if (point.good("LCID") && (raw.curve.front() == 0) != (raw.curve.back() == 0))
+      cards.report().field_error(
+          point.where(),
+          {"LCID", std::string(point.text("LCID")),
+           raw.curve.front() == 0 ? "a blank field" : "the id of a curve",
+           "all values of a table name their curves, or none does and the curves follow in the "
+           "same order; use *DEFINE_TABLE_2D for the former",
+           "curve"});
+  }
+  if (!raw.curve.empty() && raw.curve.front() == 0) raw.curve.clear();
   if (card.good("TBID")) deck.tables.push_back(std::move(raw));
 }
 

@@ -294,13 +294,20 @@ TEST(Wall, GeometricShapes) {
   EXPECT_EQ(walls[4].lengths, (Vector{6, 7, 0}));
 }
 
+TEST(Wall, NodesThatShowAMovingOneAreWarnedOf) {
+  const auto found = messages_with("*RIGIDWALL_PLANAR_MOVING_FORCES\n0\n3,0,0,2,0,0\n50,-1\n0,0,1,2,3,4\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].find("do not move with it"), std::string::npos) << found[0];
+  EXPECT_TRUE(messages_with("*RIGIDWALL_PLANAR_FORCES\n0\n3,0,0,2,0,0\n0,0,1,2,3,4\n").empty());
+}
+
 TEST(Wall, MovingOnesHaveAMassAndAVelocity) {
   const model::Model model = read_with(
       "*RIGIDWALL_PLANAR_MOVING\n0\n3,0,0,2,0,0,0.2\n0.5,8\n0\n4,0,0,3,0,0\n0.75\n"
       "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n         7hammer\n0\n3,0,0,2,0,0\n3,4,0,6,7\n100,-2.5\n"
       "*RIGIDWALL_PLANAR_MOVING_FINITE\n0\n3,0,0,2,0,0\n3,4,0,6,7\n100,-2.5\n"
       "*RIGIDWALL_PLANAR\n0\n3,0,0,2,0,0\n"
-      "*RIGIDWALL_PLANAR_MOVING_FORCES_FINITE_ID\n8,shown\n0\n3,0,0,2,0,0\n3,4,0,6,7\n50,-1\n0,3,1,2,3,4\n");
+      "*RIGIDWALL_PLANAR_MOVING_FORCES_FINITE_ID\n8,shown\n0\n3,0,0,2,0,0\n3,4,0,6,7\n50,-1\n0,3\n");
   ASSERT_EQ(model.rigid_walls.size(), 6U);
   EXPECT_EQ(model.rigid_walls[5].id, 8);
   EXPECT_EQ(model.rigid_walls[5].lengths, (Vector{6, 7, 0}));

@@ -157,6 +157,14 @@ TEST(InertiaFields, AreOfPartsByRotationAndAlongVectors) {
   EXPECT_EQ(rest.inertia_fields[3].parts, std::vector<Index>{0});
 }
 
+TEST(GravityOfParts, StaysWithoutACurve) {
+  const model::Model model = read_with("*LOAD_GRAVITY_PART\n1,3,0,9.81\n");
+  ASSERT_EQ(model.inertia_fields.size(), 1U);
+  const model::Curve& curve = model.curves.at(static_cast<std::size_t>(model.inertia_fields[0].curve));
+  EXPECT_EQ(curve.at(0), 1);
+  EXPECT_EQ(curve.at(1e6), 1);
+}
+
 TEST(PartDamping, TakesACurveAFactorAndDirections) {
   const model::Model model = read_with(curve + "*DAMPING_PART_MASS\n1,1,0.5\n1,1,2,1\n1,0,0,0.5\n1,0\n");
   ASSERT_EQ(model.part_dampings.size(), 2U);

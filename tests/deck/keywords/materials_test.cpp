@@ -413,6 +413,36 @@ TEST(RateMaterial, TableByCurveNumbersWithLogarithms) {
   EXPECT_EQ(law.by_rate[1].yield_stress[0], 0.2);
 }
 
+TEST(RateMaterial, TableWhoseLinesNameTheirCurves) {
+  const std::string start = "*MAT_024\n1,7.83E-6,200,0.3\n0,0,12\n\n\n" + std::string(two_curves);
+  const auto law =
+      law_of<model::PiecewiseLinearPlasticity>(start +
+                                               "*DEFINE_TABLE\n12\n                 1.0                  "
+                                               "22\n                10.0                  21\n");
+  ASSERT_EQ(law.by_rate.size(), 2U);
+  EXPECT_EQ(law.by_rate[0].yield_stress[0], 0.3);
+  EXPECT_EQ(law.by_rate[1].yield_stress[0], 0.2);
+  const auto mixed = messages_of(start + "*DEFINE_TABLE\n12\n1.0,22\n10.0\n");
+  ASSERT_FALSE(mixed.empty());
+  EXPECT_NE(mixed[0].find("all values of a table name their curves"), std::string::npos) << mixed[0];
+}
+
+TEST(RateMaterial, LogarithmicInterpolationOfRates) {
+  const auto material = [](const std::string& first) {
+    return "*MAT_PIECEWISE_LINEAR_PLASTICITY_LOG_INTERPOLATION\n1,7.83E-6,200,0.3\n0,0,12\n\n\n" +
+           std::string(two_curves) + "*DEFINE_TABLE_2D\n12\n" + first + ",21\n100,22\n";
+  };
+  const auto law = law_of<model::PiecewiseLinearPlasticity>(material("0.01"));
+  EXPECT_TRUE(law.logarithmic_rates);
+  EXPECT_DOUBLE_EQ(law.by_rate[0].rate, std::log(0.01));
+  EXPECT_DOUBLE_EQ(law.by_rate[1].rate, std::log(100.0));
+  // They are logarithms already.
+  EXPECT_EQ(law_of<model::PiecewiseLinearPlasticity>(material("-4")).by_rate[1].rate, 100);
+  const auto messages = messages_of(material("0"));
+  ASSERT_FALSE(messages.empty());
+  EXPECT_NE(messages[0].find("has no logarithm"), std::string::npos) << messages[0];
+}
+
 TEST(RateMaterial, CurveOfFactors) {
   const auto law = law_of<model::PiecewiseLinearPlasticity>(
       "*MAT_024\n1,7.83E-6,200,0.3,0.25\n0,0,0,7\n\n\n*DEFINE_CURVE\n7\n1,1.1\n100,1.5\n");

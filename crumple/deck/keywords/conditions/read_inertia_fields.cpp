@@ -66,7 +66,7 @@ IdKind kind_of_heavy(const Card& card) {
 constexpr Field gravity_card[] = {
     id("PID", kind_of_heavy),
     axes(integer("DOF", 0, within(1, 3, "1, 2, 3 are x, y, z"))),
-    id("LC", IdKind::Function),
+    reference("LC", IdKind::Function),  // 0: ACCEL stays
     real("ACCEL"),
     reference("LCDR", IdKind::Function),
     only("STGA", {0}, "there are no stages of construction"),

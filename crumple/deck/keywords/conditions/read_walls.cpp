@@ -173,6 +173,17 @@ void take_shape(Cards& cards, RawWall& raw) {
   }
 }
 
+/// N1 to N4, which move with a wall in LS-DYNA to show where it is.
+void warn_of_shown_nodes(const Card& card, const RawWall& raw, Report& report) {
+  if (!(raw.wall.mass > 0) || card.real("N1") == 0) return;
+  report.field_warning(
+      card.where(),
+      {"N1", std::string(card.text("N1")), "no node",
+       "nodes that show the wall do not move with it: what nodout has of them is not the motion "
+       "of the wall, which is in rwmotion.csv",
+       "shown nodes"});
+}
+
 void take_motion(Cards& cards, RawWall& raw) {
   const Card card = cards.next(motion_card);
   raw.wall.motion.is_displacement = card.real("OPT") == 1;
@@ -204,7 +215,7 @@ void read_rigidwall_planar(Cards& cards, RawDeck& deck) {
       raw.wall.mass = moving.real("MASS");
       raw.wall.initial_velocity = moving.real("V0");
     }
-    if (has_option(cards, "_FORCES")) cards.next(forces_card);
+    if (has_option(cards, "_FORCES")) warn_of_shown_nodes(cards.next(forces_card), raw, cards.report());
     if (has_option(cards, "_DISPLAY") && cards.has_line()) cards.next(display_card);
     if (good(first)) deck.walls.push_back(std::move(raw));
   } while (cards.more());

@@ -426,6 +426,7 @@ void read_piecewise(Cards& cards, RawDeck& deck, Layout first_fields, Layout rat
     raw.material.law = law;
     raw.material.least_step = deletion_step(card.real("TDEL"));
     raw.curve_where = rate.where();
+    raw.by_log_of_rates = card.where().keyword.find("LOG_INTERPOLATION") != std::string_view::npos;
     if (card.good("MID")) deck.materials.push_back(std::move(raw));
   }
 }
