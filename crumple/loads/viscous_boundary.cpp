@@ -15,7 +15,7 @@ using math::Vec3;
 
 namespace {
 
-constexpr Index piece = 1024;
+constexpr Index nodes_at_once = 1024;
 
 /// The matrix that projects on the directions in which a node is free.
 Matrix3 free_directions(const domain::NodeFields& nodes, Index node) {
@@ -128,12 +128,12 @@ void ViscousBoundary::add_forces(domain::Domain& domain, double interval) {
   domain::NodeFields& nodes = domain.nodes;
   const double half_step = 0.5 * domain.clock.step;
   const auto count = static_cast<Index>(nodes_.size());
-  taken_.assign(static_cast<std::size_t>(pieces(count, piece)), 0.0);
+  taken_.assign(static_cast<std::size_t>(pieces(count, nodes_at_once)), 0.0);
   lost_at_start_ = taken_;
-  parallel_for(pieces(count, piece), domain.execution.threads, [&](Index p) {
+  parallel_for(pieces(count, nodes_at_once), domain.execution.threads, [&](Index p) {
     double taken = 0;
     double lost = 0;
-    for (Index k = p * piece; k < std::min((p + 1) * piece, count); ++k) {
+    for (Index k = p * nodes_at_once; k < std::min((p + 1) * nodes_at_once, count); ++k) {
       const auto place = static_cast<std::size_t>(k);
       const Index node = nodes_[place];
       const Push now = push_on(nodes, node, resistance(domain, place), interval);

@@ -69,7 +69,7 @@ TEST(HydroMaterial, EveryPointOfTheTable) {
   const auto expect = [](const model::HydroPlasticity& law) {
     ASSERT_EQ(law.plastic_strain.size(), 16U);
     for (std::size_t i = 0; i < 16; ++i) {
-      EXPECT_EQ(law.plastic_strain[i], i / 100.0);
+      EXPECT_EQ(law.plastic_strain[i], static_cast<double>(i) / 100.0);
       EXPECT_EQ(law.yield_stress[i], static_cast<double>(i + 1));
     }
     EXPECT_EQ(law.hardening, 0);

@@ -119,15 +119,15 @@ TEST(SpotWeldSolids, AreMetalThatHardens) {
   CubeDeck deck;
   deck.material = "*MAT_SPOTWELD\n1,7.85E-6,210,0.3,0.35,1.5,,7\n0.2\n";
   const model::Model model = read_clean(deck.text());
-  const model::Material& material = model.materials.at(static_cast<std::size_t>(model.parts.at(0).material));
-  const auto& law = std::get<model::PlasticKinematic>(material.law);
+  const model::Material& metal = model.materials.at(static_cast<std::size_t>(model.parts.at(0).material));
+  const auto& law = std::get<model::PlasticKinematic>(metal.law);
   EXPECT_EQ(law.yield_stress, 0.35);
   EXPECT_EQ(law.isotropic_fraction, 1);
   EXPECT_EQ(law.failure_strain, 0.2);
   // Slope of the stress over the plastic strain.
   EXPECT_NEAR(law.tangent_modulus / (1 - law.tangent_modulus / 210), 1.5, 1e-12);
-  ASSERT_TRUE(material.erosion);
-  EXPECT_EQ(material.erosion->time, 7);
+  ASSERT_TRUE(metal.erosion);
+  EXPECT_EQ(metal.erosion->time, 7);
 }
 
 TEST(SpotWeldSolids, HaveNoResultants) {

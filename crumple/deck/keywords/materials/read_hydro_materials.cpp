@@ -136,7 +136,8 @@ void take_strength(const HydroCards& cards, bool has_spall, model::HydroPlastici
                         "or give the yield stress with EPS and ES, or with A1 and A2", "yield"});
 }
 
-model::Spall spall_of(double number) {
+/// Zero is 1 here, and 2 with *MAT_JOHNSON_COOK.
+model::Spall hydro_spall(double number) {
   using enum model::Spall;
   return number == 2 ? Stress : number == 3 ? Pressure : None;
 }
@@ -156,7 +157,7 @@ void read_hydro(Cards& cards, RawDeck& deck, bool has_spall) {
     take_strength(read, has_spall, law, cards.report());
     check_pressure_cut_off(read.first, cards.report());
     law.least_pressure = read.first.real("PC");
-    if (has_spall) law.spall = spall_of(read.spall.real("SPALL"));
+    if (has_spall) law.spall = hydro_spall(read.spall.real("SPALL"));
     law.failure_strain = failure_strain(read.first.real("FS"));
     raw.material.law = std::move(law);
     if (read.first.good("MID")) deck.materials.push_back(std::move(raw));
