@@ -29,6 +29,25 @@ constexpr double rise = 0.2;
 
 enum class Plate { Shells, Solids };
 
+/// The block, its pressure and its contact with the plate, of which all nodes are held. Returns its first
+/// node.
+Index add_pressed_block(model::Model& model) {
+  const Index block = model.nodes.count();
+  test::hold(model, 0, block);
+  test::add_box(model, 0, 4, 4, 2, [](double u, double v, double w) {
+    return test::Point{side * (u - 0.5), side * (v - 0.5), height * w};
+  });
+  model.curves.push_back({1, {0, rise, 1e6}, {0, 1, 1}});
+  for (Index i = 0; i < 4; ++i)
+    for (Index j = 0; j < 4; ++j) {
+      const Index corner = block + 50 + 5 * j + i;
+      model.pressure_loads.push_back(
+          {.node = {corner, corner + 1, corner + 6, corner + 5}, .pressure = pressure, .curve = 0});
+    }
+  test::touch_all(model, friction);
+  return block;
+}
+
 /// mm, ms, kg. The plate's mesh is turned against the block's and does not match it.
 model::Model block_on(Plate plate) {
   model::Model model = test::one_solid_part(test::elastic_steel());
@@ -44,21 +63,29 @@ model::Model block_on(Plate plate) {
   else
     test::add_box(model, test::add_solid_part(model), 9, 6, 1,
                   [&](double u, double v, double w) { return turned(u, v, 7 * w - 7); });
-  const Index block = model.nodes.count();
-  test::hold(model, 0, block);
-  test::add_box(model, 0, 4, 4, 2, [](double u, double v, double w) {
-    return test::Point{side * (u - 0.5), side * (v - 0.5), height * w};
-  });
-  test::set_moving(model, block, {speed, 0, 0});
-  model.curves.push_back({1, {0, rise, 1e6}, {0, 1, 1}});
-  for (Index i = 0; i < 4; ++i)
-    for (Index j = 0; j < 4; ++j) {
-      const Index corner = block + 50 + 5 * j + i;
-      model.pressure_loads.push_back(
-          {.node = {corner, corner + 1, corner + 6, corner + 5}, .pressure = pressure, .curve = 0});
-    }
-  test::touch_all(model, friction);
+  test::set_moving(model, add_pressed_block(model), {speed, 0, 0});
   model.control.end_time = 1.2;
+  return model;
+}
+
+constexpr double drawn_from = 0.3;
+constexpr double drawn_until = 0.5;  ///< the force rises to its size
+constexpr double drawn_share = 1.2;  ///< of that size over mu N
+
+/// A block at rest, whose nodes lie on those of the plate, and which is then drawn along x.
+model::Model drawn_block(bool mass_stiffness) {
+  model::Model model = test::one_solid_part(test::elastic_steel());
+  test::add_box(model, test::add_solid_part(model), 12, 8, 1, [](double u, double v, double w) {
+    return test::Point{60 * u - 25, 40 * v - 20, 7 * w - 7};
+  });
+  const Index block = add_pressed_block(model);
+  model.contacts.back().mass_stiffness = mass_stiffness;
+  model.curves.push_back({2, {0, drawn_from, drawn_until, 1e6}, {0, 0, 1, 1}});
+  const Index count = model.nodes.count() - block;
+  const double force = drawn_share * friction * pressure * side * side / count;
+  for (Index i = block; i < model.nodes.count(); ++i)
+    model.nodal_loads.push_back({.node = i, .force = {force, 0, 0}, .curve = 1});
+  model.control.end_time = 0.8;
   return model;
 }
 
@@ -132,6 +159,25 @@ TEST_P(SlidingBlock, StopsWhereCoulombSays) {
       .accepted("Coulomb", path)
       .found("block of 32 solids", found.path)
       .note();
+}
+
+/// Nodes of the plate that lie under the rim of the block slide as well: a twelfth of the friction was
+/// missing.
+TEST(DrawnBlock, SlidesWhereMeshesAreAlikeAsCoulombSays) {
+  const double sliding = friction * pressure * side * side / block_mass;
+  for (const bool mass_stiffness : {false, true}) {
+    const model::Model model = drawn_block(mass_stiffness);
+    const Slide found = slide(model);
+    const double growing = (drawn_share - 1) / drawn_share * (drawn_until - drawn_from);
+    const double rate = drawn_share * sliding / (drawn_until - drawn_from);
+    const double left = model.control.end_time - drawn_until;
+    const double exact = rate * growing * growing * growing / 6 + 0.5 * rate * growing * growing * left +
+                         0.5 * (drawn_share - 1) * sliding * left * left;
+    std::printf("distance %.5f of %.5f mm, error %.1e\n", found.distance, exact, found.energy.error());
+    test::verified("block drawn over a plate meshed alike: distance over exact", "Coulomb")
+        .near(found.distance / exact, 1, 0.02);
+    EXPECT_LT(found.energy.error(), 1e-5);
+  }
 }
 
 std::string name_of(const ::testing::TestParamInfo<Plate>& info) {

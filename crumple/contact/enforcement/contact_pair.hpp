@@ -47,7 +47,7 @@ struct ContactPair {
   double offset = 0;         ///< [length]
   double share = 1;          ///< of the force; below 1 in a concave ridge that is almost flat
   double fade = 1;           ///< part of that which acts where an edge takes over
-  Vec3 slip;                 ///< movement of the contact point over the surface since the last step [length]
+  Vec3 slip;                 ///< movement of the node over the surface since the last step [length]
   Vec3 friction;             ///< friction force of the last step, turned with the segment [force]
   Frame frame;               ///< of the segment, where friction has needed it
   PenaltyMemory penalty;     ///< of the last step

@@ -27,6 +27,13 @@ int sign_of(double a) {
   return a > 0 ? 1 : a < 0 ? -1 : 0;
 }
 
+/// Whether a contact point lies on an edge of its segment. A node beyond the edge slides while its point does
+/// not move over the segment.
+bool is_on_edge(const std::array<double, 4>& weight) {
+  constexpr double none = 1e-12;
+  return std::ranges::count_if(weight, [](double part) { return part <= none; }) >= 2;
+}
+
 }  // namespace
 
 NodeSearch::NodeSearch(const StepView& view, Index place, std::span<const RememberedPair> remembered)
@@ -430,7 +437,11 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
   const SegmentShape shape = view_.now.shape(from->segment);
   Vec3 old_point;
   for (int k = 0; k < 4; ++k) old_point += from->weight[k] * shape.corner[k];
-  pair.slip = pair.point - old_point;
+  const Vec3* v = view_.now.x.velocity;
+  Vec3 relative = v[node_];
+  for (int k = 0; k < 4; ++k) relative -= from->weight[k] * v[surface_.segment(from->segment)[k]];
+  pair.slip =
+      is_on_edge(pair.weight) || is_on_edge(from->weight) ? view_.step * relative : pair.point - old_point;
   if (dot(from->friction, from->friction) > 0) {
     const Frame frame = frame_of(shape);
     pair.friction = frame.to_global(from->friction);
@@ -438,9 +449,6 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
   }
   pair.penalty = from->penalty;
   pair.heir_of = from->segment;
-  const Vec3* v = view_.now.x.velocity;
-  Vec3 relative = v[node_];
-  for (int k = 0; k < 4; ++k) relative -= from->weight[k] * v[surface_.segment(from->segment)[k]];
   pair.last_speed = dot(relative, from->normal);
   if (from->segment == pair.segment) return;
   // What the spring holds goes to one successor only.

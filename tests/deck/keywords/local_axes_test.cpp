@@ -160,9 +160,9 @@ TEST(InertiaFields, AreOfPartsByRotationAndAlongVectors) {
 TEST(GravityOfParts, StaysWithoutACurve) {
   const model::Model model = read_with("*LOAD_GRAVITY_PART\n1,3,0,9.81\n");
   ASSERT_EQ(model.inertia_fields.size(), 1U);
-  const model::Curve& curve = model.curves.at(static_cast<std::size_t>(model.inertia_fields[0].curve));
-  EXPECT_EQ(curve.at(0), 1);
-  EXPECT_EQ(curve.at(1e6), 1);
+  const model::Curve& steady = model.curves.at(static_cast<std::size_t>(model.inertia_fields[0].curve));
+  EXPECT_EQ(steady.at(0), 1);
+  EXPECT_EQ(steady.at(1e6), 1);
 }
 
 TEST(PartDamping, TakesACurveAFactorAndDirections) {
