@@ -349,6 +349,7 @@ TEST(GissmoDamage, StandsBesideTheDamageOfTheLaw) {
   law.poissons_ratio = poissons_ratio;
   law.yield_stress = 250;
   law.damage = {0.4, 0, 0, 0, 0};
+  law.least_fracture_strain = 1e-6;
   material.law = law;
   model::Material with = material;
   with.damage = damage_over_triaxiality();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <limits>
 #include <string>
 
 #include "base/error.hpp"
@@ -64,6 +65,14 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+/// What printf writes of numbers that are none.
+bool is_not_finite(const std::string& cell) {
+  const std::string text = lower_case(cell);
+  const std::string_view unsigned_text =
+      std::string_view(text).substr(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+  return unsigned_text == "nan" || unsigned_text == "inf";
+}
+
 bool is_item(const std::string& name) {
   return std::find(item_columns.begin(), item_columns.end(), name) != item_columns.end();
 }
@@ -86,6 +95,8 @@ class Table {
       if (is_item(names_[column])) continue;
       if (const std::optional<double> value = only_number(cells[column]))
         collector_.add(names_[column], item, *time, *value);
+      else if (is_not_finite(cells[column]))
+        collector_.add(names_[column], item, *time, std::numeric_limits<double>::quiet_NaN());
     }
   }
 

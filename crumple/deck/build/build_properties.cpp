@@ -39,6 +39,10 @@ std::vector<Index> curves_of(const RawTable& raw, Build& build) {
   }
   for (std::size_t i = 0; i < raw.value.size(); ++i) {
     const UserId id = raw.curve.empty() ? curves[raw.first_curve + i].curve.id : raw.curve[i];
+    if (id == 0) {  // reported
+      found.push_back(no_index);
+      continue;
+    }
     found.push_back(find_points(build, {id, "CURVEID", raw.where}));
   }
   return found;

@@ -247,11 +247,11 @@ TEST(Parameter, WholeRealMayStandForAnInteger) {
 TEST(Parameter, MayHaveArithmeticBehindIt) {
   SmallDeck deck;
   deck.keyword += "*PARAMETER\nR thick,0.3\nI count,7\n";
-  deck.section = "*SECTION_SHELL\n         1         2              &count-4\n&thick*0.5\n";
+  deck.section = "*SECTION_SHELL\n         1         2            &count-4\n&thick*0.5\n";
   const model::Model model = read_clean(deck.text());
   EXPECT_EQ(model.shell_sections.at(0).thickness_points, 3);
   EXPECT_DOUBLE_EQ(model.shell_sections.at(0).thickness[0], 0.15);
-  deck.section = "*SECTION_SHELL\n         1         2              &count-4\n&thin*0.5\n";
+  deck.section = "*SECTION_SHELL\n         1         2            &count-4\n&thin*0.5\n";
   expect_one(deck, "read \"&thin*0.5\", expected a parameter that is defined");
 }
 
