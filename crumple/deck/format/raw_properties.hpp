@@ -79,7 +79,7 @@ struct RawDirectionCurve {
 struct RawMaterial {
   model::Material material;
   UserId held_system = 0;  ///< of a rigid material: the coordinate system of what is held; 0 is global axes
-  UserId hardening_curve = 0;  ///< a curve or a table; of foam that of its crush
+  UserId hardening_curve = 0;    ///< a curve or a table; of foam that of its crush
   bool by_log_of_rates = false;  ///< a table of hardening is interpolated in the logarithm of its rates
   UserId rate_curve = 0;
   std::array<RawDirectionCurve, 6> direction_curves{};  ///< of discrete beams; of cables the first: stresses
