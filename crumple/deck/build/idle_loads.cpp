@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loads on nodes that do not take them: they would be lost without a word.
+// Loads and velocities of nodes that do not take them: they would be lost without a word.
 #include <fmt/core.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -54,11 +55,35 @@ std::vector<Index> loaded_nodes(const RawNodalLoad& raw, const Build& build) {
                     : std::vector<Index>{found};
 }
 
+double norm_of(const RawVelocity& raw) {
+  return std::hypot(raw.velocity[0], raw.velocity[1], raw.velocity[2]) +
+         std::hypot(raw.angular_velocity[0], raw.angular_velocity[1], raw.angular_velocity[2]);
+}
+
+/// Velocities of *INITIAL_VELOCITY_NODE; those of sets often have nodes that only orient something.
+void check_velocities(const NodeUses& uses, Build& build) {
+  std::size_t idle = 0;
+  const RawVelocity* first = nullptr;
+  for (const RawVelocity& raw : build.deck.velocities) {
+    if (raw.target != RawVelocity::Target::Node || norm_of(raw) == 0) continue;
+    const Index node = build.find_quietly(Item::Node, raw.id);
+    if (node == no_index || uses.has_mass[static_cast<std::size_t>(node)] != 0) continue;
+    if (idle++ == 0) first = &raw;
+  }
+  if (idle == 0) return;
+  build.report.warning(
+      first->where, "velocity without mass",
+      fmt::format("node {}{} has no mass: no element with mass, *ELEMENT_MASS or rigid body has "
+                  "it; its velocity has no effect",
+                  first->id, idle > 1 ? fmt::format(", as {} more,", idle - 1) : ""));
+}
+
 }  // namespace
 
 void check_idle_loads(Build& build) {
-  if (build.deck.nodal_loads.empty()) return;
+  if (build.deck.nodal_loads.empty() && build.deck.velocities.empty()) return;
   const NodeUses uses = uses_of_nodes(build);
+  check_velocities(uses, build);
   constexpr int last_force = 4;
   for (const RawNodalLoad& raw : build.deck.nodal_loads) {
     const bool is_force = raw.direction <= last_force;

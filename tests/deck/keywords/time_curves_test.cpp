@@ -115,5 +115,14 @@ TEST(IdleLoads, ForcesOnNodesWithoutMass) {
   EXPECT_TRUE(messages_in(deck).empty());
 }
 
+TEST(IdleLoads, VelocitiesOfNodesWithoutMass) {
+  CubeDeck deck;
+  deck.nodes += "       9             3.0             0.0             0.0\n";
+  deck.more = "*INITIAL_VELOCITY_NODE\n8,0,0,2\n9,0,0,2\n";
+  expect_one(deck, "node 9 has no mass");
+  deck.more += "*ELEMENT_MASS\n1,9,1.0\n";
+  EXPECT_TRUE(messages_in(deck).empty());
+}
+
 }  // namespace
 }  // namespace crumple::deck::test::time_curves_test
