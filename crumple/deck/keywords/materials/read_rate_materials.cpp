@@ -142,8 +142,8 @@ void check_exponent(const Card& card, Report& report) {
                                       "B switches hardening on, and it needs both", "exponent"});
 }
 
-model::JohnsonCook::Spall spall_of(double number) {
-  using enum model::JohnsonCook::Spall;
+model::Spall spall_of(double number) {
+  using enum model::Spall;
   return number == 1 ? None : number == 3 ? Pressure : Stress;
 }
 
