@@ -59,6 +59,11 @@ run_tests() {
 sanitized_tests() {
   local folder=$1 left_out=${2:-nightly|golden|slow} tool=tools/with_asan
   [ "${folder#tsan}" = "$folder" ] || tool=tools/with_tsan
+  # ctest goes on without an expression that it cannot read, and leaves out nothing.
+  if ctest --test-dir "build/$folder" -N -LE "$left_out" "${@:3}" 2>&1 | grep 'RegularExpression'; then
+    echo "ctest reads expressions of at most 9 groups; the tests to leave out need fewer"
+    return 1
+  fi
   "$tool" ctest --test-dir "build/$folder" --output-on-failure --no-tests=error -j "$(nproc)" -LE "$left_out" "${@:3}"
 }
 
