@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/concrete_material.hpp"
+#include "model/elastic_moduli.hpp"
 
 #include <cmath>
 
@@ -86,11 +87,7 @@ CapConcrete normal_strength_concrete(double strength, double aggregate, const Co
 }
 
 void set_elastic(CapConcrete& law) {
-  const double g = law.shear_modulus;
-  const double k = law.bulk_modulus;
-  if (!(g > 0 && k > 0)) return;
-  law.youngs_modulus = 9 * k * g / (3 * k + g);
-  law.poissons_ratio = (3 * k - 2 * g) / (2 * (3 * k + g));
+  if (law.shear_modulus > 0 && law.bulk_modulus > 0) set_moduli(law, law.bulk_modulus, law.shear_modulus);
 }
 
 void set_compaction(ThreeSurfaceConcrete& law, double bulk_modulus) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/holmquist_material.hpp"
 
+#include "model/elastic_moduli.hpp"
+
 namespace crumple::model {
 namespace {
 
-void set_elastic_by(BrittleSolid& law, double k) {
-  const double g = law.shear_modulus;
-  if (!(g > 0 && k > 0)) return;
-  law.youngs_modulus = 9 * k * g / (3 * k + g);
-  law.poissons_ratio = (3 * k - 2 * g) / (2 * (3 * k + g));
+void set_elastic_by(BrittleSolid& law, double bulk) {
+  if (law.shear_modulus > 0 && bulk > 0) set_moduli(law, bulk, law.shear_modulus);
 }
 
 }  // namespace

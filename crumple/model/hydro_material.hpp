@@ -23,7 +23,4 @@ struct HydroPlasticity {
   double failure_strain = 0;             ///< FS, effective plastic strain; 0 is none
 };
 
-/// Sets modulus and Poisson's ratio from G and a bulk modulus above zero [stress].
-void set_elastic(HydroPlasticity& law, double bulk_modulus);
-
 }  // namespace crumple::model

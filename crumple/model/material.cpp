@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/elastic_moduli.hpp"
+
 namespace crumple::model {
 
 namespace {
@@ -98,8 +100,7 @@ void set_instantaneous(Viscoelastic& law) {
   for (const Relaxation& part : law.shear) shear += part.modulus;
   for (const Relaxation& part : law.bulk) bulk += part.modulus;
   if (!(shear > 0 && bulk > 0)) return;
-  law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
-  law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+  set_moduli(law, bulk, shear);
 }
 
 void set_stand_in(OrthotropicElastic& law) {

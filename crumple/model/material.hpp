@@ -97,8 +97,6 @@ struct PowerLawPlasticity {
 /// (A + B p^n) (1 + C ln(rate / reference)) (1 - T*^m) after Johnson & Cook, with their failure criterion
 /// (*MAT_JOHNSON_COOK, *MAT_SIMPLIFIED_JOHNSON_COOK).
 struct JohnsonCook {
-  using Spall = model::Spall;
-
   double youngs_modulus = 0;         ///< E [stress]
   double poissons_ratio = 0;         ///< nu [-]
   double yield_stress = 0;           ///< A [stress]

@@ -115,7 +115,7 @@ model::Model bar_into_water() {
   copper.heat_capacity = 383;
   copper.shear_modulus = 46;
   copper.least_pressure = -0.5;
-  copper.spall = model::JohnsonCook::Spall::Pressure;
+  copper.spall = model::Spall::Pressure;
   const model::NullMaterial water{.least_pressure = -1e-4, .viscosity = 1e-6};
   const auto hexahedron = SolidFormulation::OnePointHexahedron;
   row.add_part(hexahedron, SolidHourglassForm::FlanaganBelytschkoStiffness, 8.96e-6, copper);

@@ -265,14 +265,13 @@ TEST_P(Eos, PressureCutOffIsKept) {
                  "reversible")
       .below(std::fabs(water.item("internal_energy")) / spent, 1e-12);
   EXPECT_NEAR(water.pressure(), 2.02 * water.item("internal_energy"), 1e-15);
-  for (const auto spall : {model::JohnsonCook::Spall::None, model::JohnsonCook::Spall::Stress,
-                           model::JohnsonCook::Spall::Pressure}) {
+  for (const auto spall : {model::Spall::None, model::Spall::Stress, model::Spall::Pressure}) {
     auto metal = test::ofhc_copper();
     metal.least_pressure = -1.2;
     metal.spall = spall;
     MotionDriver<double> point(material(metal), GetParam(), &law);
     point.move_in_steps({{{1.05, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 100, 1e-3);
-    const bool rubble = spall != model::JohnsonCook::Spall::None;
+    const bool rubble = spall != model::Spall::None;
     EXPECT_EQ(point.item("rubble") != 0, rubble);
     EXPECT_NEAR(point.pressure(), rubble ? 0 : -1.2, 1e-14);
     EXPECT_EQ(equivalent(point.stress()) > 0, !rubble);
@@ -286,7 +285,7 @@ TEST_P(Eos, PressureCutOffIsKept) {
 /// Spall by stress comes when mean stress and deviator together reach the bound: before that of the pressure.
 TEST_P(Eos, SpallByStressLooksAtTheLargestPrincipalStress) {
   const auto law = equation(copper());
-  const auto volume_at_spall = [&](model::JohnsonCook::Spall spall) {
+  const auto volume_at_spall = [&](model::Spall spall) {
     auto metal = test::ofhc_copper();
     metal.least_pressure = -1.2;
     metal.spall = spall;
@@ -300,14 +299,13 @@ TEST_P(Eos, SpallByStressLooksAtTheLargestPrincipalStress) {
       whole.move_to(f, 1e-3);
       point.move_to(f, 1e-3);
       if (point.item("rubble") != 0) {
-        const double tension = spall == model::JohnsonCook::Spall::Stress
+        const double tension = spall == model::Spall::Stress
                                    ? mean(whole.stress()) + 2.0 / 3 * equivalent(whole.stress())
                                    : mean(whole.stress());
-        test::verified(
-            std::string("spall by ") +
-                (spall == model::JohnsonCook::Spall::Stress ? "largest principal stress" : "pressure") +
-                ": tension when it comes [GPa]",
-            "the bound")
+        test::verified(std::string("spall by ") +
+                           (spall == model::Spall::Stress ? "largest principal stress" : "pressure") +
+                           ": tension when it comes [GPa]",
+                       "the bound")
             .near(tension, 1.2, 3e-3);
         return determinant(f);
       }
@@ -317,8 +315,7 @@ TEST_P(Eos, SpallByStressLooksAtTheLargestPrincipalStress) {
       }
     }
   };
-  EXPECT_LT(volume_at_spall(model::JohnsonCook::Spall::Stress),
-            volume_at_spall(model::JohnsonCook::Spall::Pressure));
+  EXPECT_LT(volume_at_spall(model::Spall::Stress), volume_at_spall(model::Spall::Pressure));
 }
 
 TEST_P(Eos, FluidHasTheViscousDeviatorAndErodesByVolume) {

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "materials/motion_driver.hpp"
+#include "model/elastic_moduli.hpp"
 #include "support/drawn.hpp"
 #include "support/largest.hpp"
 
@@ -29,7 +30,7 @@ model::HydroPlasticity line(double hardening = 0) {
   law.plastic_strain = {0};
   law.yield_stress = {yield};
   law.hardening = hardening;
-  model::set_elastic(law, bulk);
+  model::set_moduli(law, bulk, shear);
   return law;
 }
 model::HydroPlasticity table() {

@@ -23,7 +23,6 @@ namespace {
 
 constexpr double side = 20;  // of a block, mm
 constexpr double height = 10;
-constexpr Index cells = 3;  // of a block along its sides
 constexpr double pressure = 0.01;
 constexpr double rise = 0.2;
 constexpr double end = 0.4;
@@ -33,8 +32,8 @@ constexpr std::array<double, 3> frictions{0.2, 0.1, 0.0};
 constexpr std::array<Index, 3> blocks{0, 2, 3};  // parts
 
 /// Pushes the top of a block down from zero over the time `rise`.
-void press(model::Model& model, Index first) {
-  constexpr Index row = cells + 1;
+void press(model::Model& model, Index first, Index cells) {
+  const Index row = cells + 1;
   for (Index i = 0; i < cells; ++i)
     for (Index j = 0; j < cells; ++j) {
       const Index corner = first + 2 * row * row + row * j + i;
@@ -43,8 +42,9 @@ void press(model::Model& model, Index first) {
     }
 }
 
-/// mm, ms, kg: three blocks of solids beside each other on a plate of shells that is held.
-model::Model three_blocks() {
+/// mm, ms, kg: three blocks of solids beside each other on a plate of shells that is held; `cells` along the
+/// sides of a block.
+model::Model three_blocks(Index cells = 3) {
   model::Model model = test::one_solid_part(test::elastic_steel());
   model.shell_sections.push_back(test::shell_section(1.0, 3));
   test::add_grid(model, test::add_shell_part(model), 7, 13, [](double u, double v) {
@@ -57,9 +57,12 @@ model::Model three_blocks() {
     const Index part = i == 0 ? 0 : test::add_solid_part(model);
     EXPECT_EQ(part, blocks[i]);
     const double y = 35.0 * static_cast<double>(i);
-    press(model, test::add_box(model, part, cells, cells, 2, [&](double u, double v, double w) {
-            return test::Point{side * (u - 0.5), y + side * (v - 0.5), height * w};
-          }));
+    press(model,
+          test::add_box(model, part, cells, cells, 2,
+                        [&](double u, double v, double w) {
+                          return test::Point{side * (u - 0.5), y + side * (v - 0.5), height * w};
+                        }),
+          cells);
   }
   test::set_moving(model, free, {speed, 0, 0});
   model.control.end_time = end;
@@ -99,7 +102,9 @@ model::PartFriction by_parts() {
 class PartFriction : public ::testing::TestWithParam<model::Enforcement> {};
 
 TEST_P(PartFriction, EachBlockSlowsDownByItsOwn) {
-  model::Model model = three_blocks();
+  // The nose of a block is pressed deeper, and the plate's nodes at its rim push back, less in finer meshes:
+  // 0.21 % with three elements, 0.16 % with six. Multipliers, with 0.17 %, take a hundred times as long.
+  model::Model model = three_blocks(GetParam() == model::Enforcement::Penalty ? 6 : 3);
   test::touch_all(model, 0.5).part_friction = by_parts();
   model.contacts.back().enforcement = GetParam();
   timeloop::Simulation simulation(model, test::execution());
@@ -112,11 +117,9 @@ TEST_P(PartFriction, EachBlockSlowsDownByItsOwn) {
     const double lost = frictions[i] * (pressure * side * side / mass * (time - 0.5 * rise) + velocity.z);
     const double found = speed - velocity.x;
     std::printf("friction %.1f: velocity lost %.5f of %.5f\n", frictions[i], found, lost);
-    // The nose of a block is pressed deeper, and the plate's nodes at its rim push back: 0.21 %, and 0.16 %
-    // with elements half as large.
     if (lost > 0)
       test::verified("three blocks on one plate with friction by parts: velocity lost over exact", "Coulomb")
-          .near(found / lost, 1, 0.0025);
+          .near(found / lost, 1, 0.002);
     else
       EXPECT_LT(std::fabs(found), 3e-4 * speed);
   }

@@ -85,7 +85,7 @@ model::Model drawn_block(bool mass_stiffness) {
   const double force = drawn_share * friction * pressure * side * side / count;
   for (Index i = block; i < model.nodes.count(); ++i)
     model.nodal_loads.push_back({.node = i, .force = {force, 0, 0}, .curve = 1});
-  model.control.end_time = 0.8;
+  model.control.end_time = 1.6;
   return model;
 }
 
@@ -173,15 +173,15 @@ TEST(DrawnBlock, SlidesWhereMeshesAreAlikeAsCoulombSays) {
     const double left = model.control.end_time - drawn_until;
     const double exact = rate * growing * growing * growing / 6 + 0.5 * rate * growing * growing * left +
                          0.5 * (drawn_share - 1) * sliding * left * left;
-    // Vibrations of the block cost friction: 2 % where meshes are not alike. 8 % less friction were 40 %.
-    // What the springs of friction have given until then is not sliding.
+    // What the springs of friction have given until then is not sliding. They give way one after another, and
+    // the block begins with 0.03 mm/ms: the share of that falls with the time.
     const auto start = std::ranges::find_if(
         found.path, [&](const auto& point) { return point[0] >= drawn_until - growing; });
     const double slid = found.distance - (*start)[1];
     std::printf("distance %.5f of %.5f mm, %.5f before, error %.1e\n", slid, exact, (*start)[1],
                 found.energy.error());
     test::verified("block drawn over a plate meshed alike: distance over exact", "Coulomb")
-        .near(slid / exact, 1, 0.04);
+        .near(slid / exact, 1, 0.012);
     EXPECT_LT(found.energy.error(), 1e-5);
   }
 }

@@ -415,6 +415,24 @@ void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first)
               found.end());
 }
 
+/// Movement of the node over the segment `from` since the last step. Beyond an edge the contact point does
+/// not follow: there it is the change of the way from the last point to the node, in the axes of the segment.
+Vec3 NodeSearch::slip_since(const RememberedPair& from, const SegmentShape& shape,
+                            const ContactPair& pair) const {
+  Vec3 old_point;
+  for (int k = 0; k < 4; ++k) old_point += from.weight[k] * shape.corner[k];
+  if (!is_on_edge(pair.weight) && !is_on_edge(from.weight)) return pair.point - old_point;
+  const Vec3* v = view_.now.x.velocity;
+  const Index* nodes = surface_.segment(from.segment);
+  SegmentShape before = shape;
+  Vec3 way = p_ - view_.step * v[node_];
+  for (int k = 0; k < 4; ++k) {
+    before.corner[k] -= view_.step * v[nodes[k]];
+    way -= from.weight[k] * before.corner[k];
+  }
+  return p_ - old_point - frame_of(shape).to_global(frame_of(before).to_local(way));
+}
+
 /// Finds the friction force, the largest slope and the contact point of the step before, on this segment or
 /// on a connected one that pushes the node no longer.
 void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> present) {
@@ -435,13 +453,7 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
   }
   if (from == nullptr) return;
   const SegmentShape shape = view_.now.shape(from->segment);
-  Vec3 old_point;
-  for (int k = 0; k < 4; ++k) old_point += from->weight[k] * shape.corner[k];
-  const Vec3* v = view_.now.x.velocity;
-  Vec3 relative = v[node_];
-  for (int k = 0; k < 4; ++k) relative -= from->weight[k] * v[surface_.segment(from->segment)[k]];
-  pair.slip =
-      is_on_edge(pair.weight) || is_on_edge(from->weight) ? view_.step * relative : pair.point - old_point;
+  pair.slip = slip_since(*from, shape, pair);
   if (dot(from->friction, from->friction) > 0) {
     const Frame frame = frame_of(shape);
     pair.friction = frame.to_global(from->friction);
@@ -449,6 +461,9 @@ void NodeSearch::carry_on(ContactPair& pair, std::span<const ContactPair> presen
   }
   pair.penalty = from->penalty;
   pair.heir_of = from->segment;
+  const Vec3* v = view_.now.x.velocity;
+  Vec3 relative = v[node_];
+  for (int k = 0; k < 4; ++k) relative -= from->weight[k] * v[surface_.segment(from->segment)[k]];
   pair.last_speed = dot(relative, from->normal);
   if (from->segment == pair.segment) return;
   // What the spring holds goes to one successor only.

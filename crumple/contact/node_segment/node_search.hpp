@@ -52,6 +52,7 @@ class NodeSearch {
   double offset_of(Index segment, const RememberedPair* memory, double full, double gap) const;
   void keep_owners(std::vector<ContactPair>& found, std::size_t first) const;
   void carry_on(ContactPair& pair, std::span<const ContactPair> present);
+  Vec3 slip_since(const RememberedPair& from, const SegmentShape& shape, const ContactPair& pair) const;
   bool came_from(const RememberedPair& other, Index segment) const;
   std::span<const Index> around(Index segment, const NearestPoint& nearest) const;
   bool agree(Index a, Index b, const NearestPoint& nearest_of_a) const;

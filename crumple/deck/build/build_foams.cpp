@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "deck/build/build.hpp"
+#include "model/elastic_moduli.hpp"
 
 namespace crumple::deck {
 
@@ -96,9 +97,7 @@ void take_pressures(const RawMaterial& raw, model::SoilAndFoam& law, Build& buil
   const double first =
       (law.pressure[1] - law.pressure[0]) / std::max(law.compression[1] - law.compression[0], 1e-30);
   const double bulk = law.crushes ? std::max(first, law.unloading_modulus) : first;
-  const double shear = law.shear_modulus;
-  law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
-  law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+  model::set_moduli(law, bulk, law.shear_modulus);
 }
 
 /// LCRATE: constant before its first point.

@@ -9,6 +9,7 @@
 
 #include "deck/build/build.hpp"
 #include "deck/format/vector.hpp"
+#include "model/elastic_moduli.hpp"
 
 namespace crumple::deck {
 
@@ -230,7 +231,7 @@ void complete_elasticity(const model::Part& part, Build& build) {
   if (law == nullptr) return;
   const auto& equation = build.model.equations_of_state[static_cast<std::size_t>(part.equation_of_state)];
   const double bulk = model::initial_bulk_modulus(equation, material.density);
-  if (bulk > 0) model::set_elastic(*law, bulk);
+  if (bulk > 0) model::set_moduli(*law, bulk, law->shear_modulus);
 }
 
 }  // namespace

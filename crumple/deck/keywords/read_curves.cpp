@@ -116,9 +116,9 @@ bool complete_smooth(const Card& card, double& end, double& top, Report& report)
   if (top != 0 && end == 0) end = start + rise + distance / top;
   // Round-off of a curve without a straight piece.
   constexpr double enough = 1 - 1e-9;
-  if (top == 0 && end == 0)
+  if (top == 0)
     report.error(card.where(), "smooth curve",
-                 "one of TEND and VMAX must be given, the other follows by DIST");
+                 "two of DIST, TEND and VMAX must be given, the third follows: the curve would be zero");
   else if (!(end - start >= 2 * rise * enough))
     report.error(
         card.where(), "smooth curve",

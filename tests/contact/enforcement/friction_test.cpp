@@ -23,14 +23,15 @@ constexpr double depth = 0.02;
 
 /// A tip held at a constant depth on a sheet of unit squares; stiffness and normal force in closed form.
 struct Slider {
-  Slider(double static_friction, double dynamic_friction, double friction_decay) : bodies(thickness) {
+  Slider(double static_friction, double dynamic_friction, double friction_decay, double place = 0.3)
+      : bodies(thickness) {
     bodies.contact.static_friction = static_friction;
     bodies.contact.dynamic_friction = dynamic_friction;
     bodies.contact.friction_decay = friction_decay;
     sheet = bodies.sheet(4, 4, [](double u, double v) { return Vec3{4 * u, 4 * v, 0}; });
-    tip = bodies.node({0.3, 1.3, 0.2});
-    const Index b = bodies.node({0.3, 2.3, 2.2});
-    const Index c = bodies.node({0.3, 0.3, 2.2});
+    tip = bodies.node({place, 1.3, 0.2});
+    const Index b = bodies.node({place, 2.3, 2.2});
+    const Index c = bodies.node({place, 0.3, 2.2});
     bodies.shell(tip, b, c, c);
   }
   static double stiffness() { return 0.1 * (1000.0 / 1.5) / std::sqrt(2.0); }
@@ -50,7 +51,7 @@ struct Slider {
 
 /// A tip pressed into the sheet to its depth.
 struct Pressed {
-  explicit Pressed(double friction) : slider(friction, friction, 0) {
+  explicit Pressed(double friction, double place = 0.3) : slider(friction, friction, 0, place) {
     test::add_forces(touching, made);
     move({0, 0, -0.1 - depth});
   }
@@ -153,7 +154,7 @@ TEST(Friction, KeepsTheMomentOfMomentum) {
 
 /// A tip that sticks to the sheet with a stretched spring.
 struct Stuck : Pressed {
-  Stuck() : Pressed(0.6) { move({0.005, 0.002, 0}); }
+  explicit Stuck(double place = 0.3) : Pressed(0.6, place) { move({0.005, 0.002, 0}); }
 };
 
 // A pair that sticks while both turn together: no work is done.
@@ -273,18 +274,37 @@ TEST(Contact, LetsGoOfNodesThatAreTooDeep) {
 }
 
 // A rigid rotation of both bodies together is no slip, and the friction force turns with them.
-TEST(Friction, RigidRotationIsNoSlip) {
-  Stuck stuck;
+void expect_turned(double place, int steps, test::Largest& off) {
+  Stuck stuck(place);
   const Vec3 start = stuck.force();
   ASSERT_LT(start.x, -0.1);
   // 120 degrees about (1, 1, 1): x -> y -> z -> x at the end.
-  test::turn(stuck.touching, stuck.made, {1, 1, 1}, 2.0943951023931953, 500);
+  test::turn(stuck.touching, stuck.made, {1, 1, 1}, 2.0943951023931953, steps);
   const Vec3 end = stuck.force();
-  test::Largest off("sticking pair turned by 120 degrees: force, difference", "the force at first, turned",
-                    1e-11);
   off.compare(end.y, start.x);
   off.compare(end.z, start.y);
   off.compare(end.x, start.z);
+}
+
+TEST(Friction, RigidRotationIsNoSlip) {
+  test::Largest off("sticking pair turned by 120 degrees: force, difference", "the force at first, turned",
+                    1e-11);
+  expect_turned(0.3, 500, off);
+}
+
+// Beyond the edge the contact point stays there, and the slip is that of the node.
+TEST(Friction, RigidRotationIsNoSlipBeyondAnEdge) {
+  test::Largest off("the same beyond the edge of a sheet, turned in 500 steps", "the force at first, turned",
+                    1e-5);
+  expect_turned(-0.01, 500, off);
+}
+
+TEST(Friction, SticksThenSlipsBeyondAnEdge) {
+  Pressed beyond(0.2, -0.01);
+  for (int i = 0; i < 300; ++i) beyond.move({0, 0.002, 0});
+  // It slides along the edge, in the plane of which the force lies across.
+  test::verified("node drawn along an edge that it is beyond: force over mu N", "Coulomb")
+      .near(-beyond.force().y / std::hypot(beyond.force().x, beyond.force().z), 0.2, 1e-9);
 }
 
 // A block of one node thrown along a fixed sheet stops after v^2 / (2 mu N / m).

@@ -52,7 +52,8 @@ TEST(CurveSmooth, WrongCards) {
     const std::string found = listed(read_deck_text(deck.text()).diagnostics);
     EXPECT_NE(found.find(part), std::string::npos) << found;
   };
-  refused("5,0,12,0,0,0.25,0", "one of TEND and VMAX");
+  refused("5,0,12,0,0,0.25,0", "two of DIST, TEND and VMAX");
+  refused("5,0,0,0,2,0.25,0", "two of DIST, TEND and VMAX");
   refused("5,0,12,0,1,0.75,0", "no time for two ramps");
   refused("5,0,1,0,0,0.25,10", "no time for two ramps");
   refused("5,0,12,0,2,0.25,10", "the area by TEND and VMAX is 17.5");

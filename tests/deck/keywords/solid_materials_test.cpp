@@ -62,7 +62,7 @@ TEST(EquationOfState, JohnsonCook) {
   const auto& law = std::get<model::JohnsonCook>(model.materials[0].law);
   EXPECT_EQ(law.shear_modulus, 46);
   EXPECT_EQ(law.least_pressure, -1.2);
-  EXPECT_EQ(law.spall, model::JohnsonCook::Spall::Pressure);
+  EXPECT_EQ(law.spall, model::Spall::Pressure);
 }
 
 TEST(EquationOfState, IsMissingOrOutOfPlace) {

@@ -8,6 +8,7 @@
 
 #include "deck/keywords/families.hpp"
 #include "deck/keywords/material_cards.hpp"
+#include "model/elastic_moduli.hpp"
 
 namespace crumple::deck {
 
@@ -316,8 +317,7 @@ template <class Law>
 void take_moduli(const Card& card, Law& law, Report& report) {
   const double shear = card.good("G") ? card.real("G") : 1;
   const double bulk = card.good("BULK") ? card.real("BULK") : shear;
-  law.youngs_modulus = 9 * bulk * shear / (3 * bulk + shear);
-  law.poissons_ratio = (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+  model::set_moduli(law, bulk, shear);
   if (law.poissons_ratio < 0)
     report.field_error(card.where(),
                        {"BULK", std::string(card.text("BULK")), "at least two thirds of G",
