@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "constraints/body_share.hpp"
 #include "constraints/rigid_motion.hpp"
 #include "math/to_vec3.hpp"
 
@@ -271,13 +272,25 @@ RigidBodies::RigidBodies(const model::Model& model, Domain& domain) {
     body.fixed_rotation = given.fixed_rotation;
     for (std::size_t axis = 0; axis < 3; ++axis) body.held_axes.column[axis] = to_vec3(given.held_axes[axis]);
     body.has_given_inertia = given.inertia.has_value();
-    if (given.inertia) take_given_inertia(*given.inertia, in_domain(given.added_nodes), domain, body);
+    if (given.inertia) {
+      take_given_inertia(*given.inertia, in_domain(given.added_nodes), domain, body);
+      share_of_masses_.resize(domain.rigid_bodies.size() + 1, 1.0);
+      share_of_masses_.back() = share_of_masses(body, domain.nodes);
+    }
     if (given.initial_motion) {
       body.velocity = to_vec3(given.initial_motion->velocity);
       body.angular_momentum =
           inertia_tensor(body, body.turn) * to_vec3(given.initial_motion->angular_velocity);
     }
     add_body(domain, std::move(body));
+  }
+}
+
+void RigidBodies::weigh(Domain& domain) const {
+  for (std::size_t i = 0; i < share_of_masses_.size(); ++i) {
+    const RigidBody& body = domain.rigid_bodies[i];
+    if (!body.active || share_of_masses_[i] >= 1) continue;
+    for (const Index node : body.nodes) domain.contact_weight[node] /= share_of_masses_[i];
   }
 }
 

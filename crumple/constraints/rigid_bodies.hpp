@@ -28,6 +28,10 @@ class RigidBodies {
   /// body that cannot be.
   RigidBodies(const model::Model& model, domain::Domain& domain);
 
+  /// Has contact count on no more of the nodes' masses than the bodies have in every motion
+  /// (share_of_masses()): when all touches have been counted in domain.contact_weight.
+  void weigh(domain::Domain& domain) const;
+
   /// Takes momenta from n-1/2 to n+1/2 by the forces on the nodes, and those on the centres, at time n.
   void kick(domain::Domain& domain, double interval) const;
 
@@ -46,7 +50,8 @@ class RigidBodies {
   void keep_accelerations() { keep_acceleration_ = true; }
 
  private:
-  bool keep_acceleration_ = false;  ///< output asks for accelerations
+  std::vector<double> share_of_masses_;  ///< by body, as far as inertia has been given
+  bool keep_acceleration_ = false;       ///< output asks for accelerations
 };
 
 }  // namespace crumple::constraints

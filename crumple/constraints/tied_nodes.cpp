@@ -111,11 +111,17 @@ TiedNodes::Motion TiedNodes::motion_of_segment(const NodeFields& nodes, const Ti
 void TiedNodes::pass_on(const NodeFields& nodes, const TieLink& link) {
   for (std::size_t k = 0; k < link.corners; ++k) {
     momentum_[link.corner[k]] += link.weight[k] * momentum_[link.node];
-    if (link.rotates) moment_[link.corner[k]] += link.weight[k] * moment_[link.node];
+    if (link.rotates && !link.turns_on_face)
+      moment_[link.corner[k]] += link.weight[k] * moment_[link.node];
   }
-  if (link.height == 0) return;
-  const std::array<Vec3, 4> couple = TieLever(corners(nodes, link), link.height).couple(momentum_[link.node]);
-  for (std::size_t k = 0; k < 4; ++k) momentum_[link.corner[k]] += couple[k];
+  if (link.height == 0 && !link.turns_on_face) return;
+  const TieLever lever(corners(nodes, link), link.height);
+  const auto add = [&](const std::array<Vec3, 4>& couple) {
+    for (std::size_t k = 0; k < couple.size(); ++k) momentum_[link.corner[k]] += couple[k];
+  };
+  if (link.height != 0) add(lever.couple(momentum_[link.node]));
+  // The corners have no rotations: the moment arrives as forces on them.
+  if (link.turns_on_face) add(lever.couple_of_moment(moment_[link.node]));
 }
 
 /// At time zero: the momenta by which the tied nodes move against their segments go to these.

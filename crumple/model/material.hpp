@@ -207,7 +207,7 @@ struct LowDensityFoam {
 };
 
 /// Honeycomb: six uncoupled components in the material axes a, b, c until it is compacted, then elastic and
-/// perfectly plastic (*MAT_HONEYCOMB).
+/// perfectly plastic (*MAT_HONEYCOMB, *MAT_MODIFIED_HONEYCOMB).
 struct Honeycomb {
   /// What the material axes follow at time zero.
   enum class Axes {
@@ -215,10 +215,21 @@ struct Honeycomb {
     Point,    ///< a from `a`, a point, to the middle of the element, c = a x z
     Vectors,  ///< a along `a`, c = a x `d`
   };
-  /// Yield stress of a component over the crushed volume 1 - V, on straight lines that go on at both ends.
+  /// What the yield stress of a component depends on.
+  enum class Abscissa {
+    Volume,         ///< the crushed volume 1 - V
+    Strain,         ///< its own logarithmic strain, compression above zero; of shear the size of gamma
+    NominalStrain,  ///< the same with the change of length over the first length along a, b and c
+  };
+  /// Yield stress of a component, on straight lines that go on at both ends.
   struct Crush {
-    std::vector<double> crush;   ///< 1 - relative volume, ascending
+    std::vector<double> crush;   ///< 1 - relative volume, or strain, ascending [-]
     std::vector<double> stress;  ///< [stress]
+  };
+  /// Factor on the yield stresses before compaction; without rows there is none.
+  struct RateFactor {
+    std::vector<double> rate;    ///< ascending [1/time]
+    std::vector<double> factor;  ///< above zero [-]
   };
 
   double youngs_modulus = 0;          ///< E once compacted [stress]
@@ -226,15 +237,16 @@ struct Honeycomb {
   double yield_stress = 0;            ///< once compacted [stress]
   double compacted_volume = 0;        ///< relative volume V_f from which on it is compacted [-]
   std::array<double, 6> moduli{};     ///< uncompacted E_aa, E_bb, E_cc, G_ab, G_bc, G_ca [stress]
+  Abscissa over = Abscissa::Volume;   ///< of `crush`
   std::array<Crush, 6> crush{};       ///< of aa, bb, cc, ab, bc, ca
-  std::vector<double> factor_rate{};  ///< norms of the deviatoric strain rate, ascending [1/time]; or empty
-  std::vector<double> rate_factor{};  ///< on the yield stresses before compaction [-]
+  RateFactor rates{};                 ///< over the norm of the deviatoric strain rate, for all of them
+  std::array<RateFactor, 6> own_rates{};  ///< or of each over the size of its own strain rate
   double viscosity = 0.05;            ///< coefficient of the linear bulk viscosity, in the place of Q1 and Q2
   bool standard_viscosity = false;    ///< Q1 and Q2 instead
   Axes axes = Axes::Nodes;
   std::array<double, 3> a{};
   std::array<double, 3> d{};
-  double failure_tension = 0;  ///< largest logarithmic strain along a, b or c at failure [-]; 0 is none
+  double failure_tension = 0;  ///< largest strain along a, b or c at failure [-]; 0 is none
   double failure_shear = 0;    ///< largest engineering shear strain between them at failure [-]; 0 is none
 };
 

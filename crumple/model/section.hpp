@@ -114,6 +114,7 @@ struct SolidSection {
   UserId id = 0;
   std::string title;
   SolidFormulation formulation = SolidFormulation::OnePointHexahedron;
+  bool nominal_strain = false;  ///< honeycomb has its curves over the nominal strain (ELFORM 0 and 9)
 };
 
 enum class BeamFormulation {

@@ -160,6 +160,7 @@ void Simulation::add_contact_forces() {
   if (contacts_.empty()) return;
   for (contact::Interface& contact : contacts_) contact.clear_forces(domain_);
   for (contact::Interface& contact : contacts_) contact.find_touches(domain_);
+  rigid_bodies_.weigh(domain_);
   for (contact::Interface& contact : contacts_) contact.evaluate_forces(domain_);
   const double longest = longest_contact_step();
   if (longest < much_shorter * domain_.clock.step)

@@ -6,84 +6,14 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "materials/motion_driver.hpp"
+#include "materials/honeycomb_samples.hpp"
 #include "support/drawn.hpp"
 #include "support/largest.hpp"
 
 namespace crumple::materials::testing::honeycomb_test {
 namespace {
 
-constexpr double modulus = 70000;  // MPa
-constexpr double poisson = 0.33;
-constexpr double solid_yield = 240;
-constexpr double compacted = 0.3;
-const std::array<double, 6> moduli{1000, 200, 150, 400, 220, 90};
-const double full_shear = 0.5 * modulus / (1 + poisson);
-const double bulk = modulus / (3 * (1 - 2 * poisson));
-
-/// Each component has a curve of its own, all with a kink at 0.4.
-model::Honeycomb::Crush curve(int component) {
-  const double scale = 1 + 0.3 * component;
-  return {{0, 0.4, 0.65}, {2 * scale, 2.2 * scale, 6 * scale}};
-}
-double yield_at(int component, double crush) {
-  const auto [strain, stress] = curve(component);
-  const std::size_t k = crush > strain[1] ? 1 : 0;
-  return stress[k] + (crush - strain[k]) * (stress[k + 1] - stress[k]) / (strain[k + 1] - strain[k]);
-}
-/// With axes turned against the global ones by 1.1 rad about a slanted axis.
-const Matrix tilt = rotation({2.0 / 3, -1.0 / 3, 2.0 / 3}, 1.1);
-
-model::Material honeycomb() {
-  model::Material material;
-  material.id = 26;
-  material.density = 8e-11;
-  model::Honeycomb law;
-  law.youngs_modulus = modulus;
-  law.poissons_ratio = poisson;
-  law.yield_stress = solid_yield;
-  law.compacted_volume = compacted;
-  law.moduli = moduli;
-  for (int k = 0; k < 6; ++k) law.crush[k] = curve(k);
-  law.axes = model::Honeycomb::Axes::Vectors;
-  for (int i = 0; i < 3; ++i) law.a[i] = 3 * tilt[i][0];
-  for (int i = 0; i < 3; ++i) law.d[i] = tilt[i][1] - 0.4 * tilt[i][0];
-  material.law = law;
-  return material;
-}
-model::Material changed(void (*change)(model::Honeycomb&)) {
-  model::Material material = honeycomb();
-  change(std::get<model::Honeycomb>(material.law));
-  return material;
-}
-void no_yield(model::Honeycomb& law) {
-  for (auto& component : law.crush) component = {{0, 1}, {1e9, 1e9}};
-}
-
-/// A tensor in the material axes, seen from the global ones.
-Matrix global(const Matrix& local) {
-  return times(tilt, times(local, transposed(tilt)));
-}
-Six local(const Six& stress) {
-  return six_of(times(transposed(tilt), times(matrix_of(stress), tilt)));
-}
-Matrix stretch(const std::array<double, 3>& side) {
-  return {{{side[0], 0, 0}, {0, side[1], 0}, {0, 0, side[2]}}};
-}
-Matrix along(int axis, double side) {
-  std::array<double, 3> sides{1, 1, 1};
-  sides[axis] = side;
-  return global(stretch(sides));
-}
-/// Pure shear by engineering strain gamma between two axes, without spin and without change of volume.
-Matrix sheared(int component, double gamma) {
-  const int i = component - 3;
-  const int j = (i + 1) % 3;
-  Matrix f = unit;
-  f[i][i] = f[j][j] = std::cosh(gamma / 2);
-  f[i][j] = f[j][i] = std::sinh(gamma / 2);
-  return f;
-}
+using namespace honeycomb_support;
 
 class Comb : public ::testing::TestWithParam<Isa> {};
 INSTANTIATE_TEST_SUITE_P(All, Comb, ::testing::ValuesIn(available_isas()),
@@ -271,8 +201,7 @@ TEST_P(Comb, AxesTurnWithTheBody) {
 TEST_P(Comb, YieldGrowsWithTheRate) {
   auto material = honeycomb();
   auto& law = std::get<model::Honeycomb>(material.law);
-  law.factor_rate = {10, 100, 1000};
-  law.rate_factor = {1, 1.5, 2.5};
+  law.rates = {{10, 100, 1000}, {1, 1.5, 2.5}};
   test::Largest off("honeycomb crushed at 1 to 5000 / s: stress over the curve, error", "given factors",
                     1e-11);
   for (const double rate : {1.0, 10.0, 55.0, 550.0, 5000.0}) {
@@ -422,8 +351,7 @@ TEST(CombConstants, AreChecked) {
   refuses([](model::Honeycomb& law) { law.crush[2].crush[1] = 0; });
   refuses([](model::Honeycomb& law) { law.crush[5] = {}; });
   refuses([](model::Honeycomb& law) {
-    law.factor_rate = {1, 2};
-    law.rate_factor = {1, 0};
+    law.rates = {{1, 2}, {1, 0}};
   });
 }
 

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "constraints/tie_lever.hpp"
@@ -132,6 +134,38 @@ model::Model cantilever(bool on_block) {
   tied.ties_rotations = true;
   tied.turns_on_faces = true;
   return model;
+}
+
+/// The same free in space.
+model::Model free_strip_on_block() {
+  model::Model model = cantilever(true);
+  model.fixed_nodes.clear();
+  model.nodal_loads.clear();
+  return model;
+}
+
+TEST(TiedOffset, ShellEdgeOnSolidsKeepsMomentaAndEnergy) {
+  test::expect_kept_when_shaken(free_strip_on_block());
+}
+
+/// Bent and twisted for a hundred periods of the strip: the moment of its edge must not get lost.
+TEST(TiedOffset, ShellEdgeOnSolidsVibratesFreely) {
+  for (const bool twists : {false, true}) {
+    model::Model model = free_strip_on_block();
+    for (Index i = 0; i < model.nodes.count(); ++i) {
+      const auto& x = model.nodes.position[i];
+      const double along = std::max(0.0, x[0]) / 40;
+      model.initial_velocities.push_back(
+          {.node = i, .velocity = {0, 0, along * (twists ? 0.1 * (x[1] - 10) : 1)}, .angular_velocity = {}});
+    }
+    model.control.end_time = 20;
+    const test::Conservation kept = test::watched_run(model);
+    test::verified(std::string("strip of shells tied to a block by its edge, free, ") +
+                       (twists ? "twisted" : "bent") + ": error of energy over the energy",
+                   "none")
+        .below(kept.worst_imbalance, 3e-3);
+    EXPECT_LT(kept.turning_drift, 1e-12);
+  }
 }
 
 TEST(TiedOffset, ShellEdgePassesItsMomentToTheFacesOfSolids) {

@@ -184,6 +184,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   check_empty_parts(build);
   build_sets(build);
   build_solid_welds(build);
+  build_nominal_honeycombs(build);
   make_parts_rigid(build);
   build_interiors(build);
   build_masses(build);

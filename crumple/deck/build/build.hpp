@@ -155,6 +155,8 @@ void take_damages(Build& build);
 // build_foams.cpp
 /// What the curves of a honeycomb, a soil or a foam make of its law.
 void take_foam_curves(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build);
+/// Honeycomb with ELFORM 0 and 9 has its curves over the nominal strain.
+void build_nominal_honeycombs(Build& build);
 // build_rate_factors.cpp
 /// What the curve of rates of a concrete makes of its law.
 void take_rate_factors(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <variant>
 
 #include "deck/build/build.hpp"
@@ -29,6 +31,20 @@ model::Honeycomb::Crush crush_of(const model::Curve& curve) {
   return found;
 }
 
+/// Factors over a strain rate.
+void take_factors(const RawDirectionCurve& raw, model::Honeycomb::RateFactor& rates, Build& build) {
+  const model::Curve* const curve = curve_of(build, raw.id, raw.field, raw.where);
+  if (curve == nullptr) return;
+  rates = {curve->abscissa, curve->ordinate};
+  for (const double factor : curve->ordinate)
+    if (!(factor > 0)) {
+      build.report.error(
+          raw.where, "rate",
+          fmt::format("curve {} gives the factor {}, expected factors above zero", curve->id, factor));
+      return;
+    }
+}
+
 void take_crushes(const RawMaterial& raw, model::Honeycomb& law, Build& build) {
   static constexpr std::string_view names[] = {"LCA", "LCB", "LCC", "LCAB", "LCBC", "LCCA"};
   for (std::size_t k = 0; k < law.crush.size(); ++k) {
@@ -38,26 +54,21 @@ void take_crushes(const RawMaterial& raw, model::Honeycomb& law, Build& build) {
     if (again && build.find_quietly(Item::Curve, raw.more_curves[k]) == no_index) continue;
     const model::Curve* const curve = curve_of(build, raw.more_curves[k], names[k], raw.curve_where);
     if (curve == nullptr) continue;
-    law.crush[k] = crush_of(*curve);
+    const bool by_volume = law.over == model::Honeycomb::Abscissa::Volume;
+    law.crush[k] =
+        by_volume ? crush_of(*curve) : model::Honeycomb::Crush{curve->abscissa, curve->ordinate};
     const bool below =
         std::any_of(curve->ordinate.begin(), curve->ordinate.end(), [](double stress) { return stress < 0; });
     if (below && !again)
       build.report.error(raw.curve_where, "crush",
-                         fmt::format("curve {} must give yield stresses that are not below zero, over the "
-                                     "relative volume, or over 1 - V from zero on",
-                                     curve->id));
+                         fmt::format("curve {} must give yield stresses that are not below zero, over {}",
+                                     curve->id,
+                                     by_volume ? "the relative volume, or over 1 - V from zero on"
+                                               : "the strain of its component, compression above zero"));
   }
-  const model::Curve* const rates = curve_of(build, raw.more_curves[6], "LCSR", raw.curve_where);
-  if (rates == nullptr) return;
-  law.factor_rate = rates->abscissa;
-  law.rate_factor = rates->ordinate;
-  for (const double factor : rates->ordinate)
-    if (!(factor > 0)) {
-      build.report.error(
-          raw.curve_where, "rate",
-          fmt::format("curve {} gives the factor {}, expected factors above zero", rates->id, factor));
-      return;
-    }
+  take_factors({raw.more_curves[6], "LCSR", raw.curve_where}, law.rates, build);
+  for (std::size_t k = 0; k < law.own_rates.size(); ++k)
+    take_factors(raw.rate_factors[k], law.own_rates[k], build);
 }
 
 /// LCID of soil: signs of the strains make no difference, as in LS-DYNA.
@@ -210,6 +221,26 @@ void take_yields(const RawMaterial& raw, model::BilkhuDuboisFoam& law, Build& bu
 }
 
 }  // namespace
+
+void build_nominal_honeycombs(Build& build) {
+  model::Model& model = build.model;
+  std::map<Index, Index> nominal;
+  for (model::Part& part : model.parts) {
+    if (part.solid_section == no_index || part.material == no_index) continue;
+    if (!model.solid_sections[static_cast<std::size_t>(part.solid_section)].nominal_strain) continue;
+    const auto* const law =
+        std::get_if<model::Honeycomb>(&model.materials[static_cast<std::size_t>(part.material)].law);
+    if (law == nullptr || law->over != model::Honeycomb::Abscissa::Strain) continue;
+    const auto [place, is_new] = nominal.emplace(part.material, static_cast<Index>(model.materials.size()));
+    if (is_new) {
+      // Parts with another ELFORM may have the same material.
+      model::Material material = model.materials[static_cast<std::size_t>(part.material)];
+      std::get<model::Honeycomb>(material.law).over = model::Honeycomb::Abscissa::NominalStrain;
+      model.materials.push_back(std::move(material));
+    }
+    part.material = place->second;
+  }
+}
 
 void take_foam_curves(const RawMaterial& raw, model::ConstitutiveLaw& law, Build& build) {
   if (auto* honeycomb = std::get_if<model::Honeycomb>(&law)) take_crushes(raw, *honeycomb, build);

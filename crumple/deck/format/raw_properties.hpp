@@ -69,7 +69,7 @@ struct RawSpringMaterial {
   Where where;
 };
 
-/// A curve of one direction of discrete beams.
+/// A curve of one direction of discrete beams, or of one component of honeycomb.
 struct RawDirectionCurve {
   UserId id = 0;
   std::string_view field{};
@@ -86,6 +86,7 @@ struct RawMaterial {
   std::array<RawDirectionCurve, 6> damping_curves{};
   std::array<RawDirectionCurve, 6> damping_factors{};
   std::array<RawDirectionCurve, 6> unloading_curves{};
+  std::array<RawDirectionCurve, 6> rate_factors{};  ///< of honeycomb
   /// Of honeycomb: aa, bb, cc, ab, bc, ca, factor over the rate. Of plasticity with damage: LCDM. Of
   /// concrete: LCRATE.
   std::array<UserId, 8> more_curves{};

@@ -120,6 +120,7 @@ void read_mat_viscoelastic(Cards& cards, RawDeck& deck);
 void read_mat_general_viscoelastic(Cards& cards, RawDeck& deck);
 // read_honeycomb.cpp
 void read_mat_honeycomb(Cards& cards, RawDeck& deck);
+void read_mat_modified_honeycomb(Cards& cards, RawDeck& deck);
 // read_more_foams.cpp
 void read_mat_soil_and_foam(Cards& cards, RawDeck& deck);
 // read_concrete.cpp

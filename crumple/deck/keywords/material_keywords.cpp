@@ -71,6 +71,8 @@ constexpr Keyword material_rows[] = {
     {"MAT_076", read_mat_general_viscoelastic, titled},
     {"MAT_HONEYCOMB", read_mat_honeycomb, titled},
     {"MAT_026", read_mat_honeycomb, titled},
+    {"MAT_MODIFIED_HONEYCOMB", read_mat_modified_honeycomb, titled},
+    {"MAT_126", read_mat_modified_honeycomb, titled},
     {"MAT_BILKHU/DUBOIS_FOAM", read_mat_bilkhu_dubois_foam, titled},
     {"MAT_075", read_mat_bilkhu_dubois_foam, titled},
     {"MAT_LAMINATED_COMPOSITE_FABRIC", read_mat_laminated_composite_fabric, titled},

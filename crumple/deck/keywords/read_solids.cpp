@@ -66,6 +66,9 @@ constexpr std::string_view as_quadratic =
 constexpr std::string_view as_selective =
     "computed as 2, without rotations at its nodes or enhanced strains: stiffer in bending where the mesh is "
     "coarse";
+constexpr std::string_view as_one_point =
+    "computed as 1, with the curves of *MAT_MODIFIED_HONEYCOMB over the nominal strain; forces act on the "
+    "deformed hexahedron, not on the first one";
 constexpr std::string_view take_cohesive =
     "take 19; forces act at the nodes of the shells, in their middle surfaces, without moments";
 constexpr std::string_view take_cohesive_wedge = "take 19, with N4 the same as N3 and N8 the same as N7";
@@ -84,7 +87,8 @@ constexpr NamedForm forms[] = {
     {5, {}, "the ALE hexahedron", "take 1, the mesh then moves with the material"},
     {6, {}, "the Eulerian hexahedron", no_substitute},
     {7, {}, "the ambient Eulerian hexahedron", no_substitute},
-    {9, {}, "the one-point hexahedron for crushed foams", take_hexahedron},
+    {9, model::SolidFormulation::OnePointHexahedron, "the one-point hexahedron for crushed honeycomb",
+     as_one_point},
     {10, model::SolidFormulation::Tetrahedron, "the tetrahedron with one point", ""},
     {11, {}, "the multi-material ALE hexahedron", no_substitute},
     {12, {}, "the multi-material ALE hexahedron with void", no_substitute},
@@ -214,6 +218,9 @@ void read_section_solid(Cards& cards, RawDeck& deck) {
     const Card card = cards.next(section_card);
     raw.section.id = card.integer("SECID");
     raw.section.formulation = formulation_of(card, cards.report());
+    // 0 and a blank field are one for LS-DYNA.
+    const std::string_view form = card.text("ELFORM");
+    raw.section.nominal_strain = form.empty() || form == "0" || form == "9";
     raw.where = card.where();
     raw.order = deck.section_count();
     if (card.good("SECID")) deck.solid_sections.push_back(std::move(raw));

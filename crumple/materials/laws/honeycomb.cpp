@@ -15,12 +15,23 @@ using math::Vec3;
 
 void check_crush(const model::Material& material, const model::Honeycomb::Crush& curve) {
   require(!curve.crush.empty() && curve.stress.size() == curve.crush.size(), material,
-          "the yield stresses over the relative volume must have points");
+          "the yield stresses must have points");
   for (std::size_t k = 0; k < curve.crush.size(); ++k) {
     require(curve.stress[k] >= 0, material, "the yield stresses must not be negative");
     if (k > 0)
-      require(curve.crush[k] > curve.crush[k - 1], material, "the relative volumes must ascend or descend");
+      require(curve.crush[k] > curve.crush[k - 1], material,
+              "the volumes or strains of the yield stresses must ascend or descend");
   }
+}
+
+/// Appends a table of factors; its first number and its points stand at `place`.
+void append_factors(const model::Material& material, const model::Honeycomb::RateFactor& rates, int place,
+                    std::vector<double>& numbers) {
+  for (const double factor : rates.factor)
+    require(factor > 0, material, "the factors over the strain rate must be above zero");
+  numbers[place] = static_cast<double>(numbers.size());
+  numbers[place + 1] = static_cast<double>(rates.rate.size());
+  append_table(rates.rate, rates.factor, false, numbers);
 }
 
 /// Directions of a, and of a vector in the plane of a and b (`d`).
@@ -50,8 +61,10 @@ void HoneycombLaw::declare_history(const model::ConstitutiveLaw& law, domain::El
   domain::add_item(block, "material_axes", "-", 6 * block.points);
   domain::add_item(block, "material_axes_rest", "-", 6 * block.points);
   declare_volume(block);
-  if (!can_fail(law)) return;
+  if (!follows_strains(law)) return;
   domain::add_item(block, "material_strain", "-", 6 * block.points);
+  domain::add_item(block, "material_strain_rest", "-", 6 * block.points);
+  if (!can_fail(law)) return;
   domain::add_item(block, "failed", "-", block.points);
 }
 
@@ -98,11 +111,12 @@ std::vector<double> HoneycombLaw::constants(const model::Material& material) {
     numbers[Tables + 2 * k + 1] = static_cast<double>(law.crush[k].crush.size());
     append_table(law.crush[k].crush, law.crush[k].stress, true, numbers);
   }
-  numbers[RateTable] = static_cast<double>(numbers.size());
-  numbers[RatePoints] = static_cast<double>(law.factor_rate.size());
-  for (const double factor : law.rate_factor)
-    require(factor > 0, material, "the factors over the strain rate must be above zero");
-  append_table(law.factor_rate, law.rate_factor, false, numbers);
+  const bool own = std::any_of(law.own_rates.begin(), law.own_rates.end(),
+                               [](const auto& rates) { return !rates.rate.empty(); });
+  numbers[OwnRates] = own ? 1 : 0;
+  numbers[Over] = static_cast<double>(law.over);
+  for (std::size_t k = 0; k < 6; ++k)
+    append_factors(material, own ? law.own_rates[k] : law.rates, RateTables + 2 * static_cast<int>(k), numbers);
   return numbers;
 }
 

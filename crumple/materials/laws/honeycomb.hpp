@@ -34,7 +34,12 @@ struct HoneycombLaw {
     return model::stiffness_share(std::get<Model>(law));
   }
 
-  /// Tables has first number and points of the table of each of the six components; they follow after Count.
+  static bool follows_strains(const model::ConstitutiveLaw& law) {
+    return can_fail(law) || std::get<Model>(law).over != Model::Abscissa::Volume;
+  }
+
+  /// Tables and RateTables have first number and points of a table of each of the six components; they follow
+  /// after Count.
   enum Place {
     Youngs,
     Poisson,
@@ -44,11 +49,12 @@ struct HoneycombLaw {
     PerDensity,
     Tension,
     Shear,
-    RateTable,
-    RatePoints,
+    Over,  ///< a model::Honeycomb::Abscissa
     Moduli,
     Tables = Moduli + 6,
-    Count = Tables + 12
+    RateTables = Tables + 12,
+    OwnRates = RateTables + 12,  ///< 1 where they are over the rate of their own component
+    Count
   };
 
   template <class Pack>
@@ -75,9 +81,10 @@ struct HoneycombLaw {
 
     CRUMPLE_INLINE Pack number(int place) const { return Pack(static_cast<Real>(c[place])); }
     CRUMPLE_INLINE static Real* failed(const History& history) {
-      return history.at(20 * history.points + history.point);
+      return history.at(26 * history.points + history.point);
     }
     CRUMPLE_INLINE bool fails() const { return c[Tension] > 0 || c[Shear] > 0; }
+    CRUMPLE_INLINE bool over(Model::Abscissa abscissa) const { return c[Over] == static_cast<int>(abscissa); }
     CRUMPLE_INLINE Mask intact(const History& history) const {
       return load<Pack>(failed(history)) == Pack(Real(0));
     }
@@ -129,13 +136,26 @@ struct HoneycombLaw {
       return {{local.xx, local.yy, local.zz, local.xy, local.yz, local.zx}};
     }
 
-    CRUMPLE_INLINE Pack rate_factor(const SolidStrain<Pack>& strain) const {
-      const int points = static_cast<int>(c[RatePoints]);
-      if (points == 0) return Pack(Real(1));
-      const double* const rows = c + static_cast<int>(c[RateTable]);
+    CRUMPLE_INLINE PointTable<Real> table(int place) const {
+      return {c + static_cast<int>(c[place]), static_cast<int>(c[place + 1])};
+    }
+    CRUMPLE_INLINE Pack rate_factor(int k, const Pack& rate) const {
+      const PointTable<Real> factors = table(RateTables + 2 * k);
+      if (factors.count == 0) return Pack(Real(1));
+      return factors.at(larger(rate, Pack(static_cast<Real>(factors.rows[0])))).stress;
+    }
+    /// Factors of the six yield stresses; `own` is the step's strain in the material axes.
+    CRUMPLE_INLINE Six rate_factors(const SolidStrain<Pack>& strain, const Six& own) const {
+      Six found{};
+      if (c[OwnRates] > 0) {
+        for (int k = 0; k < 6; ++k) found.of[k] = rate_factor(k, Pack(Pack(per_step) * absolute(own.of[k])));
+        return found;
+      }
       // The norm of the deviator is sqrt(3/2) of the effective strain.
       const Pack rate = Pack(per_step * Real(1.2247448713915890)) * effective_strain(strain);
-      return PointTable<Real>{rows, points}.at(larger(rate, Pack(static_cast<Real>(rows[0])))).stress;
+      const Pack factor = rate_factor(0, rate);
+      for (Pack& one : found.of) one = factor;
+      return found;
     }
 
     /// Modulus of a component, `share` of the way from the uncompacted to the compacted one.
@@ -154,14 +174,23 @@ struct HoneycombLaw {
       return multiply_add(share, number(StiffnessJump), direct);
     }
 
-    CRUMPLE_INLINE Six uncompacted(const Six& old, const Six& strain, const Pack& crush, const Pack& share,
-                                   const Pack& factor) const {
+    /// Abscissae of the six curves.
+    CRUMPLE_INLINE Six abscissae(const Six& strain, const Pack& crush) const {
+      Six found{};
+      for (int k = 0; k < 6; ++k)
+        found.of[k] = over(Model::Abscissa::Volume) ? crush
+                      : k < 3                       ? Pack(-strain.of[k])
+                                                    : absolute(strain.of[k]);
+      return found;
+    }
+
+    CRUMPLE_INLINE Six uncompacted(const Six& old, const Six& strain, const Six& abscissa, const Pack& share,
+                                   const Six& factor) const {
       Six found{};
       for (int k = 0; k < 6; ++k) {
         const Pack trial = multiply_add(modulus(k, share), strain.of[k], old.of[k]);
-        const PointTable<Real> table{c + static_cast<int>(c[Tables + 2 * k]),
-                                     static_cast<int>(c[Tables + 2 * k + 1])};
-        const Pack bound = factor * larger(table.at(crush).stress, Pack(Real(0)));
+        const Pack yield = table(Tables + 2 * k).at(abscissa.of[k]).stress;
+        const Pack bound = factor.of[k] * larger(yield, Pack(Real(0)));
         found.of[k] = smaller(larger(trial, Pack(-bound)), bound);
       }
       return found;
@@ -180,18 +209,26 @@ struct HoneycombLaw {
                scale * trial.zx}};
     }
 
+    /// Adds the step's strains to those of the six components.
+    CRUMPLE_INLINE Six follow_strains(const Six& step, const History& history) const {
+      Six now{};
+      for (int k = 0; k < 6; ++k) {
+        Real* const sum = history.at(14 * history.points + 6 * history.point + k);
+        Real* const rest = history.at(20 * history.points + 6 * history.point + k);
+        Pack growth = step.of[k];
+        // The step's strain is its change of length over the length in its middle.
+        if (k < 3 && over(Model::Abscissa::NominalStrain))
+          growth = growth * (Pack(Real(1)) + load<Pack>(sum)) / (Pack(Real(1)) - Pack(Real(0.5)) * growth);
+        now.of[k] = add_kept(sum, rest, growth);
+      }
+      return now;
+    }
+
     CRUMPLE_INLINE void fail(const Six& strain, const History& history) const {
       Pack tension(Real(0));
       Pack shear(Real(0));
-      for (int k = 0; k < 6; ++k) {
-        Real* const place = history.at(14 * history.points + 6 * history.point + k);
-        const Pack now = load<Pack>(place) + strain.of[k];
-        store(place, now);
-        if (k < 3)
-          tension = larger(tension, now);
-        else
-          shear = larger(shear, absolute(now));
-      }
+      for (int k = 0; k < 3; ++k) tension = larger(tension, strain.of[k]);
+      for (int k = 3; k < 6; ++k) shear = larger(shear, absolute(strain.of[k]));
       Pack mark = load<Pack>(failed(history));
       if (c[Tension] > 0) mark = select<Pack>(tension > number(Tension), Pack(Real(1)), mark);
       if (c[Shear] > 0) mark = select<Pack>(shear > number(Shear), Pack(Real(1)), mark);
@@ -219,11 +256,14 @@ struct HoneycombLaw {
       };
       // The moduli are those of the middle of the step, as its strains are.
       const Pack middle = one - half * (volume.old + volume.now);
-      const Six open = uncompacted(old_stress, e, crush, share_at(middle), rate_factor(strain));
+      Six sum{};
+      if (fails() || !over(Model::Abscissa::Volume)) sum = follow_strains(e, history);
+      const Six open =
+          uncompacted(old_stress, e, abscissae(sum, crush), share_at(middle), rate_factors(strain, e));
       const auto& o = old_stress.of;
       const Six closed =
           solid({o[0], o[1], o[2], o[3], o[4], o[5]}, {e.of[0], e.of[1], e.of[2], e.of[3], e.of[4], e.of[5]});
-      if (fails()) fail(e, history);
+      if (fails()) fail(sum, history);
       const Mask is_closed = volume.now <= limit;
       const auto pick = [&](int k) { return select<Pack>(is_closed, closed.of[k], open.of[k]); };
       TotalStress<Pack> found;

@@ -51,8 +51,8 @@ TEST(FoamMaterial, Honeycomb) {
     EXPECT_EQ(law.crush[3].crush, (std::vector<double>{-0.1, 0.7}));
     EXPECT_EQ(law.crush[4].stress, law.crush[1].stress);
     EXPECT_EQ(law.crush[5].stress, law.crush[3].stress);
-    EXPECT_EQ(law.factor_rate, (std::vector<double>{0, 100}));
-    EXPECT_EQ(law.rate_factor, (std::vector<double>{1, 2}));
+    EXPECT_EQ(law.rates.rate, (std::vector<double>{0, 100}));
+    EXPECT_EQ(law.rates.factor, (std::vector<double>{1, 2}));
     EXPECT_EQ(law.axes, model::Honeycomb::Axes::Vectors);
     EXPECT_EQ(law.a, (std::array<double, 3>{1, 2, 3}));
     EXPECT_EQ(law.d, (std::array<double, 3>{4, 5, 7}));

@@ -18,10 +18,10 @@ TEST(NearestKeyword, OfMistypedNames) {
 }
 
 TEST(NearestKeyword, OfOtherLawsSaysWhatChanges) {
-  for (const char* name : {"MAT_MODIFIED_HONEYCOMB", "MAT_126", "MAT_126_TITLE"}) {
+  for (const char* name : {"MAT_SOIL_AND_FOAM_FAILURE", "MAT_014", "MAT_014_TITLE"}) {
     const NearestKeyword nearest = nearest_keyword(name);
-    EXPECT_EQ(nearest.keyword, "MAT_HONEYCOMB") << name;
-    EXPECT_NE(nearest.change.find("along each axis"), std::string::npos) << name;
+    EXPECT_EQ(nearest.keyword, "MAT_SOIL_AND_FOAM") << name;
+    EXPECT_NE(nearest.change.find("strength in tension"), std::string::npos) << name;
   }
   // A number is no mistyped other number.
   EXPECT_EQ(nearest_keyword("MAT_025").keyword, "");
