@@ -62,6 +62,7 @@ void TiedNodes::share_masses(Domain& domain) {
   NodeFields& nodes = domain.nodes;
   nodes.carried_mass.assign(static_cast<std::size_t>(nodes.count()), 0.0);
   nodes.carried_inertia.assign(static_cast<std::size_t>(nodes.count()), 0.0);
+  receives_.assign(members_.size(), 0);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TieLink& link = links_[i];
     const Index node = members_[link.node];
@@ -73,6 +74,7 @@ void TiedNodes::share_masses(Domain& domain) {
     nodes.fixed[node] |= domain::moved_by_tie;
     for (std::size_t k = 0; k < link.corners; ++k) {
       const Index corner = members_[link.corner[k]];
+      receives_[link.corner[k]] = 1;
       nodes.carried_mass[corner] += link.weight[k] * nodes.moving_mass(node);
       if (link.rotates && !link.turns_on_face)
         nodes.carried_inertia[corner] += link.weight[k] * nodes.moving_inertia(node);
@@ -138,7 +140,7 @@ void TiedNodes::share_velocities(Domain& domain) {
     const Index node = members_[m];
     const unsigned fixed = nodes.fixed[node];
     const bool tied = tied_by_[m] != no_index;
-    if (!tied && nodes.carried_mass[node] != 0)
+    if (!tied && receives_[m] != 0)
       nodes.velocity[node] += held((1 / nodes.moving_mass(node)) * momentum_[m], fixed);
     const bool turned = tied && links_[tied_by_[m]].rotates;
     if (!turned && nodes.carried_inertia[node] != 0)
@@ -222,8 +224,9 @@ KineticChange TiedNodes::share(Domain& domain) {
     const unsigned fixed = nodes.fixed[node];
     Vec3& velocity = nodes.velocity[node];
     Vec3& spin = nodes.angular_velocity[node];
-    const bool carries = tied_by_[m] == no_index && nodes.carried_mass[node] != 0;
-    if (carries) velocity = before_[m] + held((1 / nodes.moving_mass(node)) * momentum_[m], fixed);
+    // A couple acts on corners that carry nothing, too.
+    if (tied_by_[m] == no_index && receives_[m] != 0)
+      velocity = before_[m] + held((1 / nodes.moving_mass(node)) * momentum_[m], fixed);
     if (tied_by_[m] != no_index && links_[tied_by_[m]].rotates) {
       change.rotational -= 0.5 * nodes.inertia[node] * dot(spin_before_[m], spin);
     } else if (nodes.carried_inertia[node] != 0) {
@@ -300,6 +303,7 @@ KineticChange TiedNodes::carried_energy(const Domain& domain) const {
 
 void TiedNodes::declare(domain::StateList& list) {
   list.add("tied_nodes", "-", domain::Entity::Contact, 1, std::span(active_));
+  list.add("tied_receives", "-", domain::Entity::Contact, 1, std::span(receives_));
   list.keep_list("tied_by", "-", domain::Entity::Contact, 1, tied_by_);
   list.keep("tied_nodes_eroded", "-", domain::Entity::Contact, eroded_);
 }

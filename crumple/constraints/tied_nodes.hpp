@@ -88,6 +88,7 @@ class TiedNodes {
   std::vector<std::int32_t> active_;      ///< 1 or 0, by link
   std::vector<Index> members_;            ///< domain nodes that take part, ascending
   std::vector<Index> tied_by_;            ///< active link of a member, or no_index
+  std::vector<std::int32_t> receives_;    ///< 1 for the corners of active links, by member
   std::vector<double> death_time_;        ///< by tie
   std::vector<double> end_time_;          ///< by embedding
   AlignedArray<math::Vec3> before_;       ///< v(n-1/2), by member

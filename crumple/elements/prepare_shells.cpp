@@ -15,6 +15,7 @@
 #include "elements/shell/shell_geometry.hpp"
 #include "elements/shell/shell_setup.hpp"
 #include "elements/shell/shell_task.hpp"
+#include "elements/shell/triangle_inertia.hpp"
 #include "math/quadrature.hpp"
 
 namespace crumple::elements {
@@ -258,6 +259,13 @@ struct ShellMass {
   double added = 0;    ///< by mass scaling [mass]
 };
 
+/// Those of a triangle, of which one is there twice.
+std::array<math::Vec3, 3> three_corners(const ShellCorners& corner) {
+  std::size_t first = 0;
+  while (first < 3 && norm(corner[(first + 1) % 4] - corner[first]) > 0) ++first;
+  return {corner[(first + 1) % 4], corner[(first + 2) % 4], corner[(first + 3) % 4]};
+}
+
 /// Rotary inertia per mass [length^2] that keeps bending and transverse shear from governing the step. One
 /// free element of side L has the shear frequency kappa G / rho (4 / L^2 + 1 / inertia), to stay below
 /// 4 c^2 / L^2 with the plate wave speed c. The theory manual's A/8 is that for a metal; it is too little for
@@ -279,7 +287,13 @@ double rotary_inertia(const model::Model& model, const ShellBlock& block, double
   // Area over the product of the lines between the middles of opposite sides: the sine of their angle.
   const double sine = 4 * area / (norm(r31 - r42) * norm(r31 + r42));
   const double skew = triangle ? 1 : std::max(0.0, 1 - sine * sine);
-  return std::max({0.125 * square, shear, own + skew * shear});
+  const double enough = std::max({0.125 * square, shear, own + skew * shear});
+  if (!triangle) return enough;
+  // Of slender ones the turns of the nodes shear the element by far more than its least height would have it.
+  constexpr double usual_share = 0.9;  // of the step that stretching allows, 2 L / c
+  const double rate = 2 * speed / (usual_share * length);
+  const double shear_speed = shear_root * std::sqrt(elastic.shear_modulus() / elastic.density);
+  return std::max(enough, triangle_inertia(three_corners(corner), own, shear_speed, rate * rate));
 }
 
 /// Factor on the stable step where the nodes lie off the mid-surface by `offset`: stretching and bending are

@@ -40,7 +40,6 @@ TEST(NearestKeyword, NoUnrelatedOne) {
 TEST(NearestKeyword, IsItselfSupported) {
   for (const char* name : {"ELEMENT_SOLID_TET4TOTET10",
                            "MAT_014",
-                           "MAT_126",
                            "MAT_034",
                            "MAT_058_SOLID",
                            "MAT_163",
