@@ -113,8 +113,7 @@ TiedNodes::Motion TiedNodes::motion_of_segment(const NodeFields& nodes, const Ti
 void TiedNodes::pass_on(const NodeFields& nodes, const TieLink& link) {
   for (std::size_t k = 0; k < link.corners; ++k) {
     momentum_[link.corner[k]] += link.weight[k] * momentum_[link.node];
-    if (link.rotates && !link.turns_on_face)
-      moment_[link.corner[k]] += link.weight[k] * moment_[link.node];
+    if (link.rotates && !link.turns_on_face) moment_[link.corner[k]] += link.weight[k] * moment_[link.node];
   }
   if (link.height == 0 && !link.turns_on_face) return;
   const TieLever lever(corners(nodes, link), link.height);

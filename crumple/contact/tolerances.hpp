@@ -245,6 +245,9 @@ inline constexpr double smallest_budget = 0.1;
 /// limited.
 inline constexpr double budget_over_stiffness_scale = 3.5;
 
+/// Share of the deeper face where a node came in at the edge of two, at the least [-]: round-off.
+inline constexpr double least_share_at_edge = 1e-9;
+
 /// Part of a node's mass that a touch borrows beside its weight on the node [-]: the couple of friction acts
 /// on nodes that have no weight.
 inline constexpr double borrowed_mass = 0.05;

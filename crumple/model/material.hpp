@@ -232,17 +232,17 @@ struct Honeycomb {
     std::vector<double> factor;  ///< above zero [-]
   };
 
-  double youngs_modulus = 0;          ///< E once compacted [stress]
-  double poissons_ratio = 0;          ///< nu once compacted [-]
-  double yield_stress = 0;            ///< once compacted [stress]
-  double compacted_volume = 0;        ///< relative volume V_f from which on it is compacted [-]
-  std::array<double, 6> moduli{};     ///< uncompacted E_aa, E_bb, E_cc, G_ab, G_bc, G_ca [stress]
-  Abscissa over = Abscissa::Volume;   ///< of `crush`
-  std::array<Crush, 6> crush{};       ///< of aa, bb, cc, ab, bc, ca
-  RateFactor rates{};                 ///< over the norm of the deviatoric strain rate, for all of them
+  double youngs_modulus = 0;              ///< E once compacted [stress]
+  double poissons_ratio = 0;              ///< nu once compacted [-]
+  double yield_stress = 0;                ///< once compacted [stress]
+  double compacted_volume = 0;            ///< relative volume V_f from which on it is compacted [-]
+  std::array<double, 6> moduli{};         ///< uncompacted E_aa, E_bb, E_cc, G_ab, G_bc, G_ca [stress]
+  Abscissa over = Abscissa::Volume;       ///< of `crush`
+  std::array<Crush, 6> crush{};           ///< of aa, bb, cc, ab, bc, ca
+  RateFactor rates{};                     ///< over the norm of the deviatoric strain rate, for all of them
   std::array<RateFactor, 6> own_rates{};  ///< or of each over the size of its own strain rate
-  double viscosity = 0.05;            ///< coefficient of the linear bulk viscosity, in the place of Q1 and Q2
-  bool standard_viscosity = false;    ///< Q1 and Q2 instead
+  double viscosity = 0.05;          ///< coefficient of the linear bulk viscosity, in the place of Q1 and Q2
+  bool standard_viscosity = false;  ///< Q1 and Q2 instead
   Axes axes = Axes::Nodes;
   std::array<double, 3> a{};
   std::array<double, 3> d{};

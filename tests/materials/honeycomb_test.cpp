@@ -350,9 +350,7 @@ TEST(CombConstants, AreChecked) {
   refuses([](model::Honeycomb& law) { law.crush[2].stress[1] = -1; });
   refuses([](model::Honeycomb& law) { law.crush[2].crush[1] = 0; });
   refuses([](model::Honeycomb& law) { law.crush[5] = {}; });
-  refuses([](model::Honeycomb& law) {
-    law.rates = {{1, 2}, {1, 0}};
-  });
+  refuses([](model::Honeycomb& law) { law.rates = {{1, 2}, {1, 0}}; });
 }
 
 }  // namespace

@@ -58,7 +58,9 @@ TEST_P(ModifiedComb, AlongOneAxisItIsTheOneByVolume) {
     MotionDriver<double> by_volume(modified(model::Honeycomb::Abscissa::Volume), GetParam());
     for (int i = 1; i <= 340; ++i) {
       // Crushed, released, and crushed behind V_f.
-      const double share = i <= 200 ? 0.0025 * i : i <= 220 ? 0.5 - 0.002 * (i - 200) : 0.46 + 0.0025 * (i - 220);
+      const double share = i <= 200   ? 0.0025 * i
+                           : i <= 220 ? 0.5 - 0.002 * (i - 200)
+                                      : 0.46 + 0.0025 * (i - 220);
       by_strain.move_to(along(axis, 1 - share));
       by_volume.move_to(along(axis, 1 - share));
       off.add(largest_difference(by_strain.stress(), by_volume.stress()));
@@ -67,13 +69,15 @@ TEST_P(ModifiedComb, AlongOneAxisItIsTheOneByVolume) {
 }
 
 TEST_P(ModifiedComb, ShearFollowsTheSizeOfItsStrain) {
-  test::Largest off("honeycomb by strain, sheared by 0.5 in each plane, to and fro: stress off the curve [MPa]",
-                    "given curves", 1e-6);
+  test::Largest off(
+      "honeycomb by strain, sheared by 0.5 in each plane, to and fro: stress off the curve [MPa]",
+      "given curves", 1e-6);
   for (int c = 3; c < 6; ++c)
     for (const double sign : {1.0, -1.0}) {
       MotionDriver<double> point(modified(model::Honeycomb::Abscissa::Strain), GetParam());
       const auto shear_by = [&](double from, double to) {
-        for (int i = 1; i <= 500; ++i) point.move_to(global(sheared(c, sign * (from + (to - from) * i / 500))));
+        for (int i = 1; i <= 500; ++i)
+          point.move_to(global(sheared(c, sign * (from + (to - from) * i / 500))));
       };
       shear_by(0, 0.5);
       off.compare(local(point.stress())[c], sign * yield_at(c, 0.5));

@@ -381,13 +381,26 @@ bool NodeSearch::enters_once(const ContactPair& a, const ContactPair& b) const {
   return dot(a.normal, between) < 0 && dot(b.normal, between) > 0;
 }
 
-/// True if of two faces the node came through the first: the one it has been behind for longer, or further.
-bool NodeSearch::came_through(const ContactPair& a, const ContactPair& b) const {
-  const auto was_behind = [&](const ContactPair& pair) {
-    const RememberedPair* memory = memory_of(pair.segment);
-    return memory != nullptr && memory->wrong != 0;
+/// Of two faces the node came through the one that it was behind before. Behind both at once it has come in
+/// at their edge: with the depths a and b both push by the potential 1/2 k a^2 b^2 / (a^2 + b^2), which is
+/// that of the nearer face where it is much nearer, and pushes along the bisector where both are as near.
+void NodeSearch::enter_between(ContactPair& a, ContactPair& b) const {
+  const RememberedPair* const before_a = memory_of(a.segment);
+  const RememberedPair* const before_b = memory_of(b.segment);
+  // It was not in front of the other one.
+  if ((before_a == nullptr) != (before_b == nullptr)) {
+    (before_a == nullptr ? a : b).share = 0;
+    return;
+  }
+  const auto give = [](ContactPair& pair, double own, double other) {
+    const double part = own + other > 0 ? other / (own + other) : 0.5;
+    // Never none: the pair stays known, should the node get nearer to its face.
+    pair.share = std::min(pair.share, std::max(part * part, tolerances::least_share_at_edge));
   };
-  return was_behind(a) != was_behind(b) ? was_behind(a) : a.gap <= b.gap;
+  const double square_a = a.gap * a.gap;
+  const double square_b = b.gap * b.gap;
+  give(a, square_a, square_b);
+  give(b, square_b, square_a);
 }
 
 /// Of connected segments that push in almost the same direction only the owner keeps its contact.
@@ -403,7 +416,7 @@ void NodeSearch::keep_owners(std::vector<ContactPair>& found, std::size_t first)
       if ((a.penetration() > 0) != (b.penetration() > 0) || (waits(a) && waits(b))) continue;
       const double share = share_of_other(dot(a.normal, b.normal));
       if (share == 1) {
-        if (enters_once(a, b)) (came_through(a, b) ? b : a).share = 0;
+        if (enters_once(a, b)) enter_between(a, b);
         continue;
       }
       const bool a_owns = owns_first(view_.now, a.segment, b.segment, p_, std::fabs(a.gap), std::fabs(b.gap));

@@ -61,7 +61,7 @@ class NodeSearch {
   bool goes_on(Index segment, const NearestPoint& nearest, const Vec3& normal) const;
   double on_face(Index segment) const;
   bool enters_once(const ContactPair& a, const ContactPair& b) const;
-  bool came_through(const ContactPair& a, const ContactPair& b) const;
+  void enter_between(ContactPair& a, ContactPair& b) const;
   NodeAt here() const { return {&view_.now, place_, view_.step}; }
   bool goes_past(Index face) const;
   bool stand_out(Index a, Index b) const;

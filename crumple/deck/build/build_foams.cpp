@@ -55,16 +55,15 @@ void take_crushes(const RawMaterial& raw, model::Honeycomb& law, Build& build) {
     const model::Curve* const curve = curve_of(build, raw.more_curves[k], names[k], raw.curve_where);
     if (curve == nullptr) continue;
     const bool by_volume = law.over == model::Honeycomb::Abscissa::Volume;
-    law.crush[k] =
-        by_volume ? crush_of(*curve) : model::Honeycomb::Crush{curve->abscissa, curve->ordinate};
+    law.crush[k] = by_volume ? crush_of(*curve) : model::Honeycomb::Crush{curve->abscissa, curve->ordinate};
     const bool below =
         std::any_of(curve->ordinate.begin(), curve->ordinate.end(), [](double stress) { return stress < 0; });
     if (below && !again)
-      build.report.error(raw.curve_where, "crush",
-                         fmt::format("curve {} must give yield stresses that are not below zero, over {}",
-                                     curve->id,
-                                     by_volume ? "the relative volume, or over 1 - V from zero on"
-                                               : "the strain of its component, compression above zero"));
+      build.report.error(
+          raw.curve_where, "crush",
+          fmt::format("curve {} must give yield stresses that are not below zero, over {}", curve->id,
+                      by_volume ? "the relative volume, or over 1 - V from zero on"
+                                : "the strain of its component, compression above zero"));
   }
   take_factors({raw.more_curves[6], "LCSR", raw.curve_where}, law.rates, build);
   for (std::size_t k = 0; k < law.own_rates.size(); ++k)

@@ -56,7 +56,9 @@ class DyadSum {
     yy_ += v.y * v.y;
     xy_ += v.x * v.y;
   }
-  double largest() const { return 0.5 * (xx_ + yy_) + std::sqrt(0.25 * (xx_ - yy_) * (xx_ - yy_) + xy_ * xy_); }
+  double largest() const {
+    return 0.5 * (xx_ + yy_) + std::sqrt(0.25 * (xx_ - yy_) * (xx_ - yy_) + xy_ * xy_);
+  }
 
  private:
   double xx_ = 0, yy_ = 0, xy_ = 0;

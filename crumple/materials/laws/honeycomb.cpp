@@ -116,7 +116,8 @@ std::vector<double> HoneycombLaw::constants(const model::Material& material) {
   numbers[OwnRates] = own ? 1 : 0;
   numbers[Over] = static_cast<double>(law.over);
   for (std::size_t k = 0; k < 6; ++k)
-    append_factors(material, own ? law.own_rates[k] : law.rates, RateTables + 2 * static_cast<int>(k), numbers);
+    append_factors(material, own ? law.own_rates[k] : law.rates, RateTables + 2 * static_cast<int>(k),
+                   numbers);
   return numbers;
 }
 

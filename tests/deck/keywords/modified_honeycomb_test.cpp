@@ -70,8 +70,9 @@ TEST(ModifiedHoneycomb, StrainsAreNominalWithElform0And9) {
   ASSERT_TRUE(result.model);
   EXPECT_NE(listed(result.diagnostics).find("over the nominal strain"), std::string::npos);
   const model::Part& part = result.model->parts[0];
-  EXPECT_EQ(std::get<model::Honeycomb>(result.model->materials[static_cast<std::size_t>(part.material)].law).over,
-            NominalStrain);
+  EXPECT_EQ(
+      std::get<model::Honeycomb>(result.model->materials[static_cast<std::size_t>(part.material)].law).over,
+      NominalStrain);
 }
 
 /// With the card of V1 to V3, blank, of zeros or filled, and without it.
@@ -87,8 +88,8 @@ TEST(ModifiedHoneycomb, RatesOfEachComponent) {
   }
   // Of what follows, three numbers are that card as well, and more another material.
   law_of(honeycomb + "0,0,1\n");
-  const auto two = read_deck_text(
-      deck_of(honeycomb + "2" + honeycomb.substr(honeycomb.find(",8.3E-11")), ",1").text());
+  const auto two =
+      read_deck_text(deck_of(honeycomb + "2" + honeycomb.substr(honeycomb.find(",8.3E-11")), ",1").text());
   ASSERT_TRUE(two.model);
   EXPECT_EQ(two.model->materials.size(), 2U);
 }

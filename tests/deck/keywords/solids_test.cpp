@@ -198,7 +198,8 @@ TEST(SolidSection, FormulationsThatAreNotThereNameAnother) {
     EXPECT_NE(message(number).find("warning: *SECTION_SOLID card 1 field ELFORM"), std::string::npos);
     EXPECT_NE(message(number).find("computed as 2"), std::string::npos);
   }
-  EXPECT_NE(message("9").find("computed as 1, with the curves of *MAT_MODIFIED_HONEYCOMB"), std::string::npos);
+  EXPECT_NE(message("9").find("computed as 1, with the curves of *MAT_MODIFIED_HONEYCOMB"),
+            std::string::npos);
   EXPECT_NE(message("77").find("read \"77\", expected 1"), std::string::npos);
   EXPECT_EQ(message("0").find("error"), std::string::npos);
   SolidDeck deck;

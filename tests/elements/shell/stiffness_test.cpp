@@ -226,7 +226,8 @@ TEST(StableStepSlow, KeepsSlenderTrianglesStable) {
         cut_to_triangles(model);
         const double ratio = critical_ratio(model);
         off.add(0.9 * ratio, "height " + std::to_string(height) + " thickness " + std::to_string(t));
-        std::printf("triangles, height %.3f, thickness %.1f, lean %.1f: omega dt = %.3f\n", height, t, lean, ratio);
+        std::printf("triangles, height %.3f, thickness %.1f, lean %.1f: omega dt = %.3f\n", height, t, lean,
+                    ratio);
       }
 }
 

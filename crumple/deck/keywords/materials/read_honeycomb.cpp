@@ -189,9 +189,9 @@ void skip_vector(Cards& cards, bool rates_follow) {
 void warn_of_springs(const Card& failure, Report& report) {
   for (const std::string_view name : {"VREF", "TREF"}) {
     if (!failure.good(name) || failure.real(name) == 0) continue;
-    report.field_warning(failure.where(), {name, std::string(failure.text(name)), "0",
-                                           "crushed elements stay elements, they do not become springs",
-                                           "springs"});
+    report.field_warning(failure.where(),
+                         {name, std::string(failure.text(name)), "0",
+                          "crushed elements stay elements, they do not become springs", "springs"});
     return;
   }
 }
