@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "domain/round_off_energy.hpp"
-#include "math/to_vec3.hpp"
+#include "output/driven_speed.hpp"
 #include "output/results/part_masses.hpp"
 
 namespace crumple::output {
@@ -95,38 +95,6 @@ double total_mass(const domain::Domain& domain) {
 Check make_check(std::string name, double value, double limit, std::string source,
                  std::optional<double> source_limit = {}) {
   return {std::move(name), value, limit, value <= limit, std::move(source), source_limit};
-}
-
-/// The largest speed of the nodes that a motion is prescribed to, of rigid bodies and of walls.
-double driven_speed(const View& view) {
-  const domain::Domain& domain = view.domain;
-  double fastest = 0;
-  for (const model::PrescribedMotion& motion : view.model.prescribed_motions) {
-    const bool acts = domain.clock.time >= motion.birth && domain.clock.time < motion.death;
-    if (!acts || motion.node == no_index || motion.rotation) continue;
-    const math::Vec3& velocity = domain.nodes.velocity[domain.nodes.domain_node[motion.node]];
-    if (motion.goes_round) {
-      math::Vec3 axis;
-      axis[motion.axis] = 1;
-      math::Vec3 arm =
-          domain.nodes.position[domain.nodes.domain_node[motion.node]] - math::to_vec3(motion.centre);
-      arm[motion.axis] = 0;
-      const math::Vec3 around = math::cross(axis, arm);
-      const double radius = math::norm(around);
-      if (radius > 0) fastest = std::max(fastest, std::fabs(math::dot(velocity, around)) / radius);
-      continue;
-    }
-    const math::Vec3 direction{motion.direction[0], motion.direction[1], motion.direction[2]};
-    fastest = std::max(fastest,
-                       std::fabs(motion.has_direction() ? dot(direction, velocity) : velocity[motion.axis]));
-  }
-  for (const domain::RigidBody& body : domain.rigid_bodies) {
-    double arm = 0;
-    for (const math::Vec3& r : body.arm) arm = std::max(arm, math::norm(r));
-    fastest = std::max(fastest, math::norm(body.velocity) + arm * math::norm(body.angular_velocity));
-  }
-  for (const domain::WallReport& wall : domain.walls) fastest = std::max(fastest, math::norm(wall.velocity));
-  return fastest;
 }
 
 /// How fast all mass would be if what was supplied so far were its kinetic energy.

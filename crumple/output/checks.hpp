@@ -34,7 +34,8 @@ class PeakValues {
   }
 
   double fastest() const { return run_.fastest; }
-  /// The fastest that the model says to move, or that the energy supplied so far makes all of it move.
+  /// The fastest that the model says to move or that forces move what they act on, or that the energy
+  /// supplied so far makes all of it move.
   double reference_speed() const { return run_.reference_speed; }
   UserId fastest_node() const { return run_.fastest_node; }
   /// The largest size of the energy of the start and the work of loads together, by which the balance is
