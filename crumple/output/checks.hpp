@@ -68,6 +68,10 @@ class PeakValues {
 /// hundredth of the largest energy around; zero where the balance is kept to round-off [-].
 double energy_error(const View& view, const PeakValues& peaks);
 
+/// What of the hourglass energy is strain energy, its stress being that of the material: the checks leave it
+/// out [energy].
+double material_hourglass_energy(const View& view);
+
 /// The table for the present state, the end of a run, which the peaks have observed.
 std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks);
 

@@ -105,8 +105,14 @@ TEST_F(ChecksTest, HourglassEnergyOfTheMaterialIsNotLimitedButTold) {
     if (model_.parts[block.part].id == 3) block.hourglass_energy = 20;
   domain_.energy.hourglass = 21;
   EXPECT_FALSE(find("hourglass / internal energy").pass);
+  EXPECT_EQ(find("hourglass / internal energy").name, "hourglass / internal energy");
+  EXPECT_EQ(material_hourglass_energy(view()), 0);
   model_.control.hourglass.form = model::HourglassForm::Material;
+  EXPECT_DOUBLE_EQ(material_hourglass_energy(view()), 21);
   EXPECT_DOUBLE_EQ(find("hourglass / initial").value, 0);
+  EXPECT_EQ(find("hourglass / initial").name, "artificial hourglass / initial total energy");
+  EXPECT_EQ(find("hourglass / internal energy").name, "artificial hourglass / internal energy");
+  EXPECT_EQ(find("energy, part").name.substr(0, 45), "artificial hourglass / internal energy, part ");
   EXPECT_TRUE(find("hourglass / internal energy").pass);
   EXPECT_TRUE(find("hourglass / internal energy, part").pass);
   EXPECT_TRUE(energy_warnings(view(), peaks_).empty()) << "of elastic parts it is their bending";
