@@ -132,6 +132,12 @@ class Reader {
   }
 
  private:
+  /// Whether another file has given a group. ncforc of binout is a branch for each side of a contact, which
+  /// are together in the table.
+  bool is_given(const std::string& group) const {
+    return groups_.contains(group) || (group.starts_with("ncforc_") && groups_.contains("ncforc"));
+  }
+
   void note(const Path& file, std::string_view text) {
     set_.notes.push_back(fmt::format("{}: {}", file.string(), text));
   }
@@ -141,7 +147,7 @@ class Reader {
     std::set<std::string> added;
     std::size_t not_finite = 0;
     for (Curve& curve : curves) {
-      if (groups_.contains(curve.group)) continue;
+      if (is_given(curve.group)) continue;
       not_finite += curve.not_finite;
       if (curve.times.empty()) continue;
       added.insert(curve.group);

@@ -34,7 +34,8 @@ class PeakValues {
   }
 
   double fastest() const { return run_.fastest; }
-  /// The fastest that the model says to move, or that the energy supplied so far makes all of it move.
+  /// The fastest that the model says to move or that forces move what they act on, or that the energy
+  /// supplied so far makes all of it move.
   double reference_speed() const { return run_.reference_speed; }
   UserId fastest_node() const { return run_.fastest_node; }
   /// The largest size of the energy of the start and the work of loads together, by which the balance is
@@ -66,6 +67,10 @@ class PeakValues {
 /// |unbalanced energy| over the largest energy that the run has absorbed or damped, but no less than a
 /// hundredth of the largest energy around; zero where the balance is kept to round-off [-].
 double energy_error(const View& view, const PeakValues& peaks);
+
+/// What of the hourglass energy is strain energy, its stress being that of the material: the checks leave it
+/// out [energy].
+double material_hourglass_energy(const View& view);
 
 /// The table for the present state, the end of a run, which the peaks have observed.
 std::vector<Check> acceptance_checks(const View& view, const PeakValues& peaks);

@@ -59,6 +59,23 @@ class OpenResults : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+/// binout has a branch for each side of a contact, the table has all of them.
+TEST_F(OpenResults, ForcesOfContactNodesCountOnce) {
+  write("ncforc.csv", "time,contact,side,node,fx\n0,1,1,7,2\n1,1,1,7,3\n");
+  BinoutSample sample;
+  sample.folder("/ncforc/slave_1/metadata");
+  sample.write("ids", BinoutSample::I4, {7});
+  sample.folder("/ncforc/slave_1/d000001");
+  sample.write("time", BinoutSample::R8, {0.5});
+  sample.write("x_force", BinoutSample::R8, {9});
+  sample.table();
+  write("binout0000", sample.bytes());
+  const CurveSet both = open_results(folder_);
+  for (const Curve& curve : both.curves) EXPECT_EQ(curve.group, "ncforc");
+  std::filesystem::remove(folder_ / "ncforc.csv");
+  EXPECT_EQ(open_results(folder_).curves.at(0).group, "ncforc_slave_1") << "alone they are read";
+}
+
 TEST_F(OpenResults, TablesCountBeforeBinoutBeforeText) {
   write("glstat.csv", "time,kinetic\n0,1\n1,2\n");
   write("binout0000", binout(77));

@@ -105,8 +105,14 @@ TEST_F(ChecksTest, HourglassEnergyOfTheMaterialIsNotLimitedButTold) {
     if (model_.parts[block.part].id == 3) block.hourglass_energy = 20;
   domain_.energy.hourglass = 21;
   EXPECT_FALSE(find("hourglass / internal energy").pass);
+  EXPECT_EQ(find("hourglass / internal energy").name, "hourglass / internal energy");
+  EXPECT_EQ(material_hourglass_energy(view()), 0);
   model_.control.hourglass.form = model::HourglassForm::Material;
+  EXPECT_DOUBLE_EQ(material_hourglass_energy(view()), 21);
   EXPECT_DOUBLE_EQ(find("hourglass / initial").value, 0);
+  EXPECT_EQ(find("hourglass / initial").name, "artificial hourglass / initial total energy");
+  EXPECT_EQ(find("hourglass / internal energy").name, "artificial hourglass / internal energy");
+  EXPECT_EQ(find("energy, part").name.substr(0, 45), "artificial hourglass / internal energy, part ");
   EXPECT_TRUE(find("hourglass / internal energy").pass);
   EXPECT_TRUE(find("hourglass / internal energy, part").pass);
   EXPECT_TRUE(energy_warnings(view(), peaks_).empty()) << "of elastic parts it is their bending";
@@ -302,6 +308,81 @@ TEST_F(ChecksTest, AModelThatStartsAtRestIsHeldAgainstWhatDrivesIt) {
   observe(5);
   EXPECT_DOUBLE_EQ(peaks.reference_speed(), 9);
   EXPECT_DOUBLE_EQ(peaks.fastest(), 5);
+}
+
+/// A force on a small piece of a heavy body: the energy that it supplies stays there for the time of the run.
+TEST_F(ChecksTest, ForcesOnAFewNodesAreMeasuredByTheSpeedOfThese) {
+  PeakValues peaks;
+  domain_.energy = domain::EnergyLedger{};
+  domain_.nodes.velocity.assign(6, math::Vec3{});
+  peaks.observe(view());
+  model_.curves.push_back({.id = 1, .abscissa = {0, 1, 1.1, 9}, .ordinate = {1, 1, 0, 0}});
+  model_.nodal_loads.push_back({.node = 0, .force = {0, 0, -3}, .curve = 0});
+  model_.nodal_loads.push_back({.node = 1, .force = {0, 0, -1}, .curve = 0});
+  go_to(2, 64);  // the pulse has ended
+  domain_.nodes.mass[5] = 1e6;
+  domain_.nodes.velocity[domain_.nodes.domain_node[0]] = {50, 0, -20};
+  domain_.nodes.velocity[domain_.nodes.domain_node[1]] = {0, 0, -4};
+  domain_.energy.external_work = 200;
+  peaks.observe(view());
+  EXPECT_DOUBLE_EQ(peaks.reference_speed(), (3.0 * 20 + 1.0 * 4) / 4) << "along the forces alone";
+  peaks_ = peaks;
+  EXPECT_TRUE(find("fastest node").pass);
+  domain_.nodes.velocity[domain_.nodes.domain_node[3]] = {0, 0, 400};
+  peaks_.observe(view());
+  EXPECT_FALSE(find("fastest node (node 30)").pass) << "without a load";
+}
+
+/// A node with a load that shoots off is no measure of itself where the load acts on others as well.
+TEST_F(ChecksTest, ALoadedNodeThatShootsOffIsFound) {
+  for (Index node = 0; node < 6; ++node) model_.nodal_loads.push_back({.node = node, .force = {0, 1, 0}});
+  for (int i = 0; i < 24; ++i) model_.nodal_loads.push_back({.node = i % 5, .force = {0, 1, 0}});
+  domain_.nodes.velocity[domain_.nodes.domain_node[5]] = {0, 1500, 0};
+  peaks_.observe(view());
+  EXPECT_FALSE(find("fastest node").pass);
+}
+
+/// A load whose curve has been zero drives nothing.
+TEST_F(ChecksTest, ForcesThatHaveNotBegunAreNoMeasure) {
+  PeakValues peaks;
+  domain_.energy = domain::EnergyLedger{};
+  domain_.clock.step = 1e-6;
+  for (math::Vec3& velocity : domain_.nodes.velocity) velocity = {0, 7, 0};
+  model_.curves.push_back({.id = 1, .abscissa = {0, 3, 4}, .ordinate = {0, 0, 1}});
+  model_.nodal_loads.push_back({.node = 0, .force = {0, 2, 0}, .curve = 0});
+  model_.pressure_loads.push_back({.node = {0, 1, 4, 3}, .pressure = 2, .curve = 0, .arrival = 1});
+  peaks.observe(view());  // the start
+  go_to(2.5, 64);
+  peaks.observe(view());
+  EXPECT_EQ(peaks.reference_speed(), 0);
+  go_to(3.5, 128);
+  peaks.observe(view());
+  EXPECT_DOUBLE_EQ(peaks.reference_speed(), 7);
+}
+
+/// So are pressures, along the normal of their segments.
+TEST_F(ChecksTest, PressuresOnASmallPieceAreMeasuredByItsSpeed) {
+  PeakValues peaks;
+  domain_.energy = domain::EnergyLedger{};
+  for (math::Vec3& velocity : domain_.nodes.velocity) velocity = {30, 0, 8};
+  model_.pressure_loads.push_back({.node = {0, 1, 4, 3}, .pressure = 2});
+  model_.pressure_loads.push_back({.node = {0, 1, 4, 4}, .pressure = 2, .arrival = 5});
+  peaks.observe(view());  // the start
+  go_to(1, 64);
+  peaks.observe(view());
+  EXPECT_DOUBLE_EQ(peaks.reference_speed(), 8);
+}
+
+/// A force that follows a plane acts along its normal.
+TEST_F(ChecksTest, ForcesThatFollowAPlaneAreMeasuredAlongItsNormal) {
+  PeakValues peaks;
+  domain_.energy = domain::EnergyLedger{};
+  for (math::Vec3& velocity : domain_.nodes.velocity) velocity = {30, 0, 8};
+  model_.nodal_loads.push_back({.node = 0, .force = {-5, 0, 0}, .plane = {.node = {0, 1, 4}}});
+  peaks.observe(view());  // the start
+  go_to(1, 64);
+  peaks.observe(view());
+  EXPECT_DOUBLE_EQ(peaks.reference_speed(), 8);
 }
 
 TEST_F(ChecksTest, NotANumberFails) {

@@ -157,7 +157,8 @@ void print_tied_nodes(std::ostream& out, const domain::Domain& domain) {
             counted(embedding.released, "node"), embedding.lost);
 }
 
-void print_energies(std::ostream& out, const domain::EnergyLedger& energy, double error) {
+void print_energies(std::ostream& out, const output::View& view, double error) {
+  const domain::EnergyLedger& energy = view.domain.energy;
   print(out, "\nEnergies\n");
   const auto row = [&](std::string_view name, double value) {
     print(out, "  {:<26} {:>13.6e}\n", name, value);
@@ -165,6 +166,8 @@ void print_energies(std::ostream& out, const domain::EnergyLedger& energy, doubl
   row("kinetic", energy.kinetic);
   row("internal", energy.internal);
   row("hourglass", energy.hourglass);
+  const double of_material = output::material_hourglass_energy(view);
+  if (of_material != 0) row("  of it material stiffness", of_material);
   row("contact", energy.contact);
   if (energy.contact_dissipated != 0) row("  of it dissipated", energy.contact_dissipated);
   row("contact friction", energy.friction);
@@ -264,7 +267,7 @@ void print_summary(std::ostream& out, const output::View& view, const output::Pe
   print_timings(out, domain, loop_seconds);
   print_contacts(out, view);
   print_tied_nodes(out, domain);
-  print_energies(out, domain.energy, output::energy_error(view, peaks));
+  print_energies(out, view, output::energy_error(view, peaks));
   print_eroded(out, view);
 }
 

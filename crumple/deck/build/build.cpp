@@ -182,6 +182,7 @@ model::Model build_model(const RawDeck& deck, const ReadOptions& options, Report
   build_beams(build);
   build_discretes(build);
   check_empty_parts(build);
+  check_coincident_elements(build);
   build_sets(build);
   build_solid_welds(build);
   build_nominal_honeycombs(build);

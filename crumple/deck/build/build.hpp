@@ -173,6 +173,10 @@ void build_parts(Build& build);
 void build_shells(Build& build);
 void check_empty_parts(Build& build);
 
+// coincident_elements.cpp
+/// Warns of two shells, solids or beams that have the same nodes. Layers of two parts may be meant.
+void check_coincident_elements(Build& build);
+
 using model::ElementKind;
 
 /// Index of the part that an element names. Where there is none, or its section is for another kind of

@@ -102,6 +102,7 @@ void warn_of_nothing_to_do(const Where& where, Build& build) {
 /// A run of no length has nothing but a relaxation to do.
 void check_end_time(Build& build, double end_time) {
   if (end_time > 0 || build.model.relaxation || !build.deck.termination) return;
+  if (build.deck.end_time_is_faulty) return;  // has been reported where it was read
   build.report.field_error(*build.deck.termination,
                            {"ENDTIM", build.deck.end_time_text, "a number above zero", "", "no end time"});
 }

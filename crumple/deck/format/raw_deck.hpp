@@ -474,7 +474,8 @@ struct RawDeck {
   bool warping_stiffness = false;  ///< BWC: Belytschko-Tsay shells are Belytschko-Wong-Chiang ones
   bool lobatto_points = false;     ///< CONTROL_SHELL's INTGRD
   std::optional<Where> termination;
-  std::string end_time_text;  ///< of ENDTIM, as the deck has it
+  std::string end_time_text;        ///< of ENDTIM, as the deck has it
+  bool end_time_is_faulty = false;  ///< and reported
   std::optional<RawRelaxation> relaxation;
   std::optional<Where> control_shell;
   std::optional<Where> control_hourglass;

@@ -12,7 +12,8 @@ constexpr std::string_view is_output = "an output that is not written";
 constexpr std::string_view is_definition =
     "such definitions are not supported; what refers to this one is reported";
 constexpr std::string_view is_mesh_check = "the mesh is always checked";
-constexpr std::string_view is_of_threads = "threads are chosen on the command line";
+constexpr std::string_view is_of_threads =
+    "a run has one process; its threads are chosen with -t N on the command line";
 constexpr std::string_view is_of_other_elements = "it is about elements that are not supported";
 constexpr std::string_view is_of_strain =
     "strains at time zero are for output alone; laws go on from the stress";

@@ -8,7 +8,8 @@ namespace {
 
 using namespace row;
 
-constexpr std::string_view constant_interval = "the interval is constant";
+constexpr std::string_view constant_interval =
+    "the interval is DT throughout; give the smallest one that the curve has";
 
 constexpr Field interval_card[] = {
     real("DT", 0, not_negative),

@@ -61,6 +61,9 @@ TEST(DynamicRelaxationCard, ARunOfNoLengthNeedsIt) {
   SmallDeck deck;
   deck.termination = "*CONTROL_TERMINATION\n0.0\n";
   expect_one(deck, "field ENDTIM: read \"0.0\", expected a number above zero");
+  deck.termination = "*CONTROL_TERMINATION\n-1\n";
+  expect_one(deck, "field ENDTIM: read \"-1\", expected a number that is not negative");
+  deck.termination = "*CONTROL_TERMINATION\n0.0\n";
   deck.more = std::string(pull) + steady;
   EXPECT_EQ(read_clean(deck.text()).control.end_time, 0);
 }

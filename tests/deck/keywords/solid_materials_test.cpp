@@ -160,6 +160,8 @@ TEST(SolidMaterial, LowDensityFoam) {
   only_message(messages("*MAT_057\n1,6E-11,20,8\n", compression, "0"), "the deck has no curve 8");
   only_message(messages("*MAT_057\n1,6E-11,20,7,0,1.5\n", compression, "0"), "field HU");
   only_message(messages("*MAT_057\n1,6E-11,20,7,0,1,10\n", compression, "0"), "field BETA");
+  only_message(messages("*MAT_057\n1,6E-11,20,7,0,1,0,0.51\n", compression, "0"),
+               "warning: *MAT_057 card 1 field DAMP: read \"0.51\", expected 0.05 to 0.5");
   only_message(messages("*MAT_057\n1,6E-11,20,7\n1,0,0,5\n", compression, "0"), "field ED");
   only_message(messages("*MAT_057\n1,6E-11,20,7\n", "*DEFINE_CURVE\n7\n0,0\n0.5,1\n0.6,0.9\n", "0"),
                "must not fall");

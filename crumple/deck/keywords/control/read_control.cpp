@@ -113,6 +113,7 @@ void read_control_termination(Cards& cards, RawDeck& deck) {
   deck.control.end_energy_ratio = card.real("ENDENG");
   deck.control.end_mass_increase = card.real("ENDMAS");
   deck.termination = card.where();
+  deck.end_time_is_faulty = !card.good("ENDTIM");
 }
 
 void read_control_timestep(Cards& cards, RawDeck& deck) {

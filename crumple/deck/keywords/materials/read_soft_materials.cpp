@@ -165,6 +165,16 @@ std::vector<model::Relaxation> read_relaxation(Cards& cards) {
   return terms;
 }
 
+/// DAMP is the least linear coefficient of the bulk viscosity; the keyword manual recommends 0.05 to 0.5.
+void warn_of_damping(const Card& card, Report& report) {
+  constexpr double most = 0.5;
+  if (!card.good("DAMP") || card.real("DAMP") <= most) return;
+  report.field_warning(
+      card.where(),
+      {"DAMP", std::string(card.text("DAMP")), "0.05 to 0.5",
+       "as much viscosity stiffens the foam with the rate and lowers the stable step", "damping"});
+}
+
 }  // namespace
 
 void read_mat_low_density_foam(Cards& cards, RawDeck& deck) {
@@ -180,6 +190,7 @@ void read_mat_low_density_foam(Cards& cards, RawDeck& deck) {
     law.unloading_factor = card.real("HU");
     law.unloading_shape = second.real("SHAPE");
     law.damping = card.real("DAMP");
+    warn_of_damping(card, cards.report());
     law.tears = second.real("FAIL") == 1;
     law.contact_modulus = second.real("KCON");
     raw.hardening_curve = card.good("LCID") ? card.integer("LCID") : 0;
