@@ -62,7 +62,6 @@ void TiedNodes::share_masses(Domain& domain) {
   NodeFields& nodes = domain.nodes;
   nodes.carried_mass.assign(static_cast<std::size_t>(nodes.count()), 0.0);
   nodes.carried_inertia.assign(static_cast<std::size_t>(nodes.count()), 0.0);
-  receives_.assign(members_.size(), 0);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const TieLink& link = links_[i];
     const Index node = members_[link.node];
@@ -74,7 +73,6 @@ void TiedNodes::share_masses(Domain& domain) {
     nodes.fixed[node] |= domain::moved_by_tie;
     for (std::size_t k = 0; k < link.corners; ++k) {
       const Index corner = members_[link.corner[k]];
-      receives_[link.corner[k]] = 1;
       nodes.carried_mass[corner] += link.weight[k] * nodes.moving_mass(node);
       if (link.rotates && !link.turns_on_face)
         nodes.carried_inertia[corner] += link.weight[k] * nodes.moving_inertia(node);
@@ -125,6 +123,14 @@ void TiedNodes::pass_on(const NodeFields& nodes, const TieLink& link) {
   if (link.turns_on_face) add(lever.couple_of_moment(moment_[link.node]));
 }
 
+/// A couple acts on corners that carry nothing, too.
+void TiedNodes::mark_receivers() {
+  receives_.assign(members_.size(), 0);
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    if (active_[i] != 0)
+      for (std::size_t k = 0; k < links_[i].corners; ++k) receives_[links_[i].corner[k]] = 1;
+}
+
 /// At time zero: the momenta by which the tied nodes move against their segments go to these.
 void TiedNodes::share_velocities(Domain& domain) {
   NodeFields& nodes = domain.nodes;
@@ -135,6 +141,7 @@ void TiedNodes::share_velocities(Domain& domain) {
     moment_[link.node] += nodes.moving_inertia(node) * (nodes.angular_velocity[node] - segment.spin);
     pass_on(nodes, link);
   }
+  mark_receivers();
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const Index node = members_[m];
     const unsigned fixed = nodes.fixed[node];
@@ -217,13 +224,13 @@ KineticChange TiedNodes::share(Domain& domain) {
     if (active_[i] == 0) continue;
     pass_on(nodes, link);
   }
+  mark_receivers();
   KineticChange change;
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const Index node = members_[m];
     const unsigned fixed = nodes.fixed[node];
     Vec3& velocity = nodes.velocity[node];
     Vec3& spin = nodes.angular_velocity[node];
-    // A couple acts on corners that carry nothing, too.
     if (tied_by_[m] == no_index && receives_[m] != 0)
       velocity = before_[m] + held((1 / nodes.moving_mass(node)) * momentum_[m], fixed);
     if (tied_by_[m] != no_index && links_[tied_by_[m]].rotates) {
@@ -302,7 +309,6 @@ KineticChange TiedNodes::carried_energy(const Domain& domain) const {
 
 void TiedNodes::declare(domain::StateList& list) {
   list.add("tied_nodes", "-", domain::Entity::Contact, 1, std::span(active_));
-  list.add("tied_receives", "-", domain::Entity::Contact, 1, std::span(receives_));
   list.keep_list("tied_by", "-", domain::Entity::Contact, 1, tied_by_);
   list.keep("tied_nodes_eroded", "-", domain::Entity::Contact, eroded_);
 }

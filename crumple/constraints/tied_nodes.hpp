@@ -80,6 +80,7 @@ class TiedNodes {
   std::array<math::Vec3, 4> corners(const domain::NodeFields& nodes, const TieLink& link) const;
   Motion motion_of_segment(const domain::NodeFields& nodes, const TieLink& link, double step) const;
   void pass_on(const domain::NodeFields& nodes, const TieLink& link);
+  void mark_receivers();
   bool is_over(const domain::Domain& domain, const TieLink& link, bool look) const;
   void share_velocities(domain::Domain& domain);
   void copy_velocities(domain::Domain& domain, double step) const;
@@ -88,7 +89,7 @@ class TiedNodes {
   std::vector<std::int32_t> active_;      ///< 1 or 0, by link
   std::vector<Index> members_;            ///< domain nodes that take part, ascending
   std::vector<Index> tied_by_;            ///< active link of a member, or no_index
-  std::vector<std::int32_t> receives_;    ///< 1 for the corners of active links, by member
+  std::vector<std::uint8_t> receives_;    ///< 1 for the corners of active links, by member
   std::vector<double> death_time_;        ///< by tie
   std::vector<double> end_time_;          ///< by embedding
   AlignedArray<math::Vec3> before_;       ///< v(n-1/2), by member

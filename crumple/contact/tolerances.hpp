@@ -245,6 +245,10 @@ inline constexpr double smallest_budget = 0.1;
 /// limited.
 inline constexpr double budget_over_stiffness_scale = 3.5;
 
+/// A node that is new behind two faces came in at their edge if it is at least this much as far behind the
+/// one as behind the other [-].
+inline constexpr double as_deep_at_edge = 0.5;
+
 /// Share of the deeper face where a node came in at the edge of two, at the least [-]: round-off.
 inline constexpr double least_share_at_edge = 1e-9;
 

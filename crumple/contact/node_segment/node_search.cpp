@@ -381,26 +381,33 @@ bool NodeSearch::enters_once(const ContactPair& a, const ContactPair& b) const {
   return dot(a.normal, between) < 0 && dot(b.normal, between) > 0;
 }
 
-/// Of two faces the node came through the one that it was behind before. Behind both at once it has come in
-/// at their edge: with the depths a and b both push by the potential 1/2 k a^2 b^2 / (a^2 + b^2), which is
-/// that of the nearer face where it is much nearer, and pushes along the bisector where both are as near.
+/// Of two faces the node came through the one that it was behind before, or is further behind. One that came
+/// in at their edge is as far behind both: with the depths a and b they push from then on by the potential
+/// 1/2 k a^2 b^2 / (a^2 + b^2), along the bisector where they are equal.
 void NodeSearch::enter_between(ContactPair& a, ContactPair& b) const {
-  const RememberedPair* const before_a = memory_of(a.segment);
-  const RememberedPair* const before_b = memory_of(b.segment);
-  // It was not in front of the other one.
-  if ((before_a == nullptr) != (before_b == nullptr)) {
-    (before_a == nullptr ? a : b).share = 0;
+  const auto was_behind = [&](const ContactPair& pair) {
+    const RememberedPair* memory = memory_of(pair.segment);
+    return memory != nullptr && memory->wrong != 0;
+  };
+  const bool a_was = was_behind(a);
+  const bool b_was = was_behind(b);
+  const double depth_a = -a.gap;
+  const double depth_b = -b.gap;
+  const double less = std::min(depth_a, depth_b);
+  const bool at_edge = less > tolerances::as_deep_at_edge * std::max(depth_a, depth_b) &&
+                       less > std::max(on_face(a.segment), on_face(b.segment));
+  if (a_was != b_was || !(a_was || at_edge)) {
+    const bool through_a = a_was != b_was ? a_was : depth_a >= depth_b;
+    (through_a ? b : a).share = 0;
     return;
   }
   const auto give = [](ContactPair& pair, double own, double other) {
     const double part = own + other > 0 ? other / (own + other) : 0.5;
-    // Never none: the pair stays known, should the node get nearer to its face.
+    // Never none: the pair stays known.
     pair.share = std::min(pair.share, std::max(part * part, tolerances::least_share_at_edge));
   };
-  const double square_a = a.gap * a.gap;
-  const double square_b = b.gap * b.gap;
-  give(a, square_a, square_b);
-  give(b, square_b, square_a);
+  give(a, depth_a * depth_a, depth_b * depth_b);
+  give(b, depth_b * depth_b, depth_a * depth_a);
 }
 
 /// Of connected segments that push in almost the same direction only the owner keeps its contact.

@@ -14,15 +14,11 @@ namespace crumple::deck {
 namespace {
 
 /// Small numbers choose between the forms that a keyword's cards have.
-constexpr std::string_view samples[] = {"1,1,1,1,1,1,1,1",
-                                        "0,0,0,0,0,0,0,0",
-                                        "2,2,2,2,2,2,2,2",
-                                        "3,3,3,3,3,3,3,3",
-                                        "1,3,3,3,3,3,3,3",
-                                        "1,1",
-                                        "9,9,9,9,9,9,9,9",
-                                        "1,6",
-                                        "1,1,1"};
+constexpr std::string_view samples[] = {"1,1,1,1,1,1,1,1", "0,0,0,0,0,0,0,0",
+                                        "2,2,2,2,2,2,2,2", "3,3,3,3,3,3,3,3",
+                                        "1,3,3,3,3,3,3,3", "1,1",
+                                        "9,9,9,9,9,9,9,9", "1,6",
+                                        "1,1,1",           "1,1,1,1,1,1,1,-1"};
 /// More than any keyword has cards, so that those which repeat do.
 constexpr std::size_t sample_lines = 24;
 
