@@ -23,8 +23,8 @@ struct Leaving {
 };
 
 /// A block of steel of 60 x 60 x 15 with nodes every 10, and a cube that stands on its edge over the nodes of
-/// x = 0, `shift` along the edge [mm].
-Leaving leaving_of(double shift, double speed) {
+/// x = 0, `shift` along the edge and `beside` across it [mm].
+Leaving leaving_of(double shift, double speed, double beside = 0) {
   const double root = std::sqrt(0.5);
   model::Model model =
       test::one_solid_part({.id = 1, .title = "steel", .density = 7.85e-6, .law = model::Elastic{210, 0.3}});
@@ -34,7 +34,7 @@ Leaving leaving_of(double shift, double speed) {
   });
   const Index cube = model.nodes.count();
   test::add_box(model, 1, 4, 4, 4, [&](double u, double v, double w) {
-    return test::Point{20 * root * (u - w), 24 * v - 12 + shift, 0.02 + 20 * root * (u + w)};
+    return test::Point{beside + 20 * root * (u - w), 24 * v - 12 + shift, 0.02 + 20 * root * (u + w)};
   });
   for (Index i = cube; i < model.nodes.count(); ++i)
     model.initial_velocities.push_back({.node = i, .velocity = {0, 0, -speed}, .angular_velocity = {}});
@@ -61,6 +61,12 @@ TEST(EdgeOnMeshLine, ThrowsNothingSideways) {
     test::verified("cube on its edge over a line of nodes: speed sideways over that upwards", "symmetry")
         .below(found.sideways / found.upwards, 0.01);
     EXPECT_GT(found.upwards, 25);
+  }
+  // Stated in docs/theory/contact.md, "Limits".
+  for (const double beside : {0.01, 0.1, 1.0}) {
+    const Leaving found = leaving_of(0, 50, beside);
+    std::printf("%.2f beside the line: leaves at %.3f sideways, %.2f upwards\n", beside, found.sideways,
+                found.upwards);
   }
 }
 

@@ -92,6 +92,14 @@ TEST(ModifiedHoneycomb, RatesOfEachComponent) {
       read_deck_text(deck_of(honeycomb + "2" + honeycomb.substr(honeycomb.find(",8.3E-11")), ",1").text());
   ASSERT_TRUE(two.model);
   EXPECT_EQ(two.model->materials.size(), 2U);
+  // The title of another material is no such card.
+  const std::string titled = "first core\n" + honeycomb.substr(honeycomb.find("1,8.3E-11"));
+  const auto named = read_deck_text(
+      deck_of("*MAT_126_TITLE\n" + titled + replaced(titled, "first core\n1,", "second core\n2,"), ",1")
+          .text());
+  ASSERT_TRUE(named.model);
+  ASSERT_EQ(named.model->materials.size(), 2U);
+  EXPECT_EQ(named.model->materials[1].title, "second core");
 }
 
 TEST(ModifiedHoneycomb, Faults) {

@@ -181,7 +181,9 @@ void skip_vector(Cards& cards, bool rates_follow) {
                                    : line.find_last_not_of(" \r") == std::string_view::npos ||
                                          line.find_last_not_of(" \r") < three_fields;
   const bool has_digits = line.find_first_of("123456789") != std::string_view::npos;
-  if (is_short && (!rates_follow || !has_digits || line.find('.') != std::string_view::npos))
+  // The title of the next material is short as well.
+  const bool is_text = line.find_first_not_of("0123456789+-.eEdD, \t\r") != std::string_view::npos;
+  if (is_short && !is_text && (!rates_follow || !has_digits || line.find('.') != std::string_view::npos))
     cards.next(modified_vector_card);
 }
 
