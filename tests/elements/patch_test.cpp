@@ -231,13 +231,7 @@ TEST(MembranePatch, HoldsForTriangles) {
   for (const Kind& kind : quadrilaterals) {
     model::Model model = test::one_part(elastic(), test::shell_section(thickness, 3, kind.formulation));
     add_distorted_grid(model, 3, 5, 0.2);
-    const auto quads = model.shells;
-    model.shells.clear();
-    for (const auto& q : quads) {
-      const UserId id = static_cast<UserId>(model.shells.size()) + 1;
-      model.shells.push_back({.id = id, .part = 0, .node = {q.node[0], q.node[1], q.node[2], q.node[2]}});
-      model.shells.push_back({.id = id + 1, .part = 0, .node = {q.node[0], q.node[2], q.node[3], q.node[3]}});
-    }
+    split_into_triangles(model);
     Driven patch(model, {Precision::Double, available_isas().back(), 1});
     patch.step(
         1e-7,

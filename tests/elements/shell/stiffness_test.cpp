@@ -204,17 +204,6 @@ TEST(StableStepSlow, KeepsPatchesWithNodesOffTheMidSurfaceStable) {
   }
 }
 
-/// Every quadrilateral cut in two, with a repeated node.
-void cut_to_triangles(model::Model& model) {
-  const auto quads = model.shells;
-  model.shells.clear();
-  for (const auto& q : quads) {
-    const UserId id = static_cast<UserId>(model.shells.size()) + 1;
-    model.shells.push_back({.id = id, .part = 0, .node = {q.node[0], q.node[1], q.node[2], q.node[2]}});
-    model.shells.push_back({.id = id + 1, .part = 0, .node = {q.node[0], q.node[2], q.node[3], q.node[3]}});
-  }
-}
-
 TEST(StableStepSlow, KeepsSlenderTrianglesStable) {
   test::Largest off("C0 triangles 5 to 40 times as long as high: 0.9 omega dt", "stable below 2", 2);
   for (const double height : {0.2, 0.1, 0.025})
@@ -223,7 +212,7 @@ TEST(StableStepSlow, KeepsSlenderTrianglesStable) {
         model::Model model = plate(model::ShellFormulation::BelytschkoTsay, 3, 0);
         model.shell_sections[0].thickness = {t, t, t, t};
         place(model, [&](const Vec3& x) { return Vec3{x.x + lean * x.y, height * x.y, 0}; });
-        cut_to_triangles(model);
+        split_into_triangles(model);
         const double ratio = critical_ratio(model);
         off.add(0.9 * ratio, "height " + std::to_string(height) + " thickness " + std::to_string(t));
         std::printf("triangles, height %.3f, thickness %.1f, lean %.1f: omega dt = %.3f\n", height, t, lean,
@@ -235,7 +224,7 @@ TEST(StableStepSlow, KeepsTrianglesStable) {
   for (const Kind& kind : kinds)
     for (const double distortion : {0.0, 0.2}) {
       model::Model model = plate(kind.formulation, 3, distortion);
-      cut_to_triangles(model);
+      split_into_triangles(model);
       const double ratio = critical_ratio(model);
       EXPECT_LT(0.9 * ratio, 2) << kind.name << " distortion " << distortion;
       std::printf("%s triangles, distortion %.2f: omega dt = %.3f\n", kind.name, distortion, ratio);
